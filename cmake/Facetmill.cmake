@@ -1,0 +1,77 @@
+# Settings and helpers that every folder uses.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+set(FACETMILL_VTK_COMPONENTS
+    CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms FiltersCore FiltersGeneral
+    FiltersGeometry FiltersSources IOImage IOXML ImagingCore InteractionStyle InteractionWidgets RenderingAnnotation
+    RenderingCore RenderingFreeType RenderingOpenGL2)
+
+add_library(facetmill_options INTERFACE)
+target_include_directories(facetmill_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_compile_options(facetmill_options INTERFACE
+    -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wno-missing-field-initializers # designated initializers name what they set
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized> # false alarms of g++ 12 in std::string and std::variant
+    -Werror
+    -ffp-contract=off # the same bits whichever instruction set a kernel is compiled for
+    $<$<CONFIG:Release>:-O3>)
+if(FACETMILL_SANITIZE)
+    target_compile_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE} -fno-omit-frame-pointer
+        -fno-sanitize-recover=all)
+    target_link_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE})
+endif()
+
+# Rooms of core, each below the ones before it: a room includes only rooms to its left.
+set(FACETMILL_ROOMS base mesh cutter setup gouge strategy link output job)
+
+# facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
+# dropped from a static one.
+function(facetmill_room name)
+    cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+    if(NOT ARG_SOURCES)
+        return()
+    endif()
+    add_library(fm_${name} OBJECT ${ARG_SOURCES})
+    target_link_libraries(fm_${name} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
+        nlohmann_json::nlohmann_json Threads::Threads)
+    target_precompile_headers(fm_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
+endfunction()
+
+# facetmill_link_core(TARGET ROOM): links the room and all rooms before it.
+function(facetmill_link_core target upto)
+    foreach(room IN LISTS FACETMILL_ROOMS)
+        if(TARGET fm_${room})
+            target_sources(${target} PRIVATE $<TARGET_OBJECTS:fm_${room}>)
+        endif()
+        if(room STREQUAL upto)
+            break()
+        endif()
+    endforeach()
+    target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
+        nlohmann_json::nlohmann_json Threads::Threads)
+endfunction()
+
+# facetmill_test(NAME ROOM room [LABELS ...] [TIMEOUT s] SOURCES ...): a QtTest program whose classes register themselves
+# with FACETMILL_TEST (tests/support/test_runner.h).
+function(facetmill_test name)
+    cmake_parse_arguments(ARG "" "ROOM;TIMEOUT" "SOURCES;LABELS" ${ARGN})
+    add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/support/test_runner.cpp)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    facetmill_link_core(${name} ${ARG_ROOM})
+    target_link_libraries(${name} PRIVATE Qt6::Core Qt6::Test)
+    target_compile_definitions(${name} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
+    target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/test_pch.h)
+    add_test(NAME ${name} COMMAND ${name})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 600)
+    endif()
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()

@@ -1,0 +1,4 @@
+// Precompiled for every test program.
+#pragma once
+#include "cmake/core_pch.h"
+#include <QtTest/QtTest>

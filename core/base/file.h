@@ -1,0 +1,68 @@
+// Files in and out. Outputs are written beside their place and renamed, so that a cancelled or failed job leaves nothing.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace facetmill {
+
+/// A whole file, read-only, memory-mapped where the system allows. Throws Error(not_found, is_directory, unreadable,
+/// empty_file). Devices, pipes and sockets are refused as unreadable.
+class InputFile {
+public:
+    explicit InputFile(const std::filesystem::path& path);
+    ~InputFile();
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    std::string_view bytes() const { return bytes_; }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+    std::string_view bytes_;
+    void* map_ = nullptr;
+    std::size_t map_size_ = 0;
+    std::vector<char> buffer_;
+};
+
+/// Writes to a temporary file in the target's folder; `commit` flushes, checks and renames it over the target. Without
+/// commit the destructor removes the temporary file. Throws Error(unwritable).
+class OutputFile {
+public:
+    explicit OutputFile(std::filesystem::path target);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+    const std::filesystem::path& target() const { return target_; }
+    /// Where the bytes go until `commit`, for libraries that only write to a named file; call `close_stream` first.
+    const std::filesystem::path& temporary() const { return temporary_; }
+    void close_stream();
+
+private:
+    [[noreturn]] void fail(const std::string& what) const;
+    std::filesystem::path target_, temporary_;
+    std::FILE* file_ = nullptr;
+    bool committed_ = false;
+};
+
+/// Several outputs of one job that appear together or not at all: `commit` renames all after every one is complete.
+class OutputSet {
+public:
+    OutputFile& add(const std::filesystem::path& target);
+    void commit();
+
+private:
+    std::vector<std::unique_ptr<OutputFile>> files_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,59 @@
+#include "core/base/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <mutex>
+
+namespace facetmill {
+
+namespace {
+std::atomic<int> configured_threads{0};
+}
+
+void set_thread_count(int threads) { configured_threads = threads < 0 ? 0 : threads; }
+
+int thread_count() {
+    const int n = configured_threads;
+    return n > 0 ? n : tbb::info::default_concurrency();
+}
+
+namespace detail {
+
+void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body) {
+    const int threads = std::min(thread_count(), tbb::info::default_concurrency());
+    if (threads == 1 || blocks == 1) {
+        for (std::size_t b = 0; b < blocks; ++b)
+            body(b);
+        return;
+    }
+    // The exception is carried by hand: TBB would cancel the group, but which of several exceptions it rethrows is not
+    // defined, and Cancelled must not hide an Error that happened first.
+    std::exception_ptr first;
+    std::mutex first_mutex;
+    std::atomic<bool> stop{false};
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, blocks, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t b = range.begin(); b != range.end() && !stop; ++b) {
+                    try {
+                        body(b);
+                    } catch (...) {
+                        std::lock_guard lock(first_mutex);
+                        if (!first) first = std::current_exception();
+                        stop = true;
+                    }
+                }
+            },
+            tbb::simple_partitioner());
+    });
+    if (first) std::rethrow_exception(first);
+}
+
+} // namespace detail
+} // namespace facetmill

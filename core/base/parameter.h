@@ -1,0 +1,194 @@
+// One description per parameter. Name, label, unit, default, range, help text and the earliest stage to rerun stand once,
+// beside the plain struct that holds the value (in core units). The form, `--set op.key=value`, the project file and the
+// generated reference page read it from here.
+//
+//     struct Finish3Settings { double tolerance = 0.05; StepOver stepover; ... };
+//     const ParameterTable<Finish3Settings>& finish3_parameters();   // built once, with pointers to members
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/base/vec.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace facetmill {
+
+/// Stages of a plan, in order; a changed parameter makes its stage and all later ones stale.
+enum class Stage { mesh, cutter, contact, cspace, strategy, link, verify, output };
+
+enum class ParameterKind {
+    number,         ///< double
+    number_or_word, ///< double, or one of `words` ("auto", "adaptive")
+    integer,        ///< long
+    boolean,        ///< bool
+    choice,         ///< one of `words`
+    text,           ///< std::string
+    pair,           ///< two numbers, low then high (limits) or in then out (tolerances)
+    triple,         ///< three numbers
+};
+
+/// A value in core units. number_or_word holds either double or std::string.
+using ParameterValue =
+    std::variant<double, long, bool, std::string, std::array<double, 2>, std::array<double, 3>>;
+
+/// A number, or a word in its place ("auto", "adaptive"). An empty word means the number counts.
+struct NumberOrWord {
+    double number = 0.0;
+    std::string word;
+    bool is(std::string_view w) const { return word == w; }
+    bool is_number() const { return word.empty(); }
+    bool operator==(const NumberOrWord&) const = default;
+};
+
+struct ParameterInfo {
+    std::string key;   ///< in files and on the command line: snake_case
+    std::string label; ///< in forms: "Step-over"
+    std::string help;  ///< one or two sentences: what it does, when to change it
+    ParameterKind kind = ParameterKind::number;
+    Quantity quantity = Quantity::none;
+    ParameterValue default_value = 0.0; ///< core units
+    /// Range of every number of the value, in core units. `open_minimum`: the minimum itself is not allowed.
+    double minimum = -infinity, maximum = infinity;
+    bool open_minimum = false;
+    bool ordered = false; ///< pair: first must be below second
+    std::vector<std::string> words;
+    Stage stage = Stage::strategy;
+    bool advanced = false; ///< forms fold it away
+
+    /// Throws Error(wrong_type or out_of_range) whose place is the key; NaN and infinity are always out of range.
+    /// Numbers in the message are in the edge's unit `unit`.
+    void check(const ParameterValue& value, LengthUnit unit = LengthUnit::mm) const;
+    /// "> 0 mm", "0 to 45 °": the range in the edge's unit; empty when every number is allowed.
+    std::string range_text(LengthUnit unit) const;
+    /// The value as the edge writes it, with no unit: "0.05", "adaptive", "0, 45".
+    std::string value_text(const ParameterValue& value, LengthUnit unit) const;
+    /// Reads what `value_text` writes; throws Error(wrong_type or out_of_range).
+    ParameterValue parse(std::string_view text, LengthUnit unit) const;
+    /// Factor core = edge * factor.
+    double scale(LengthUnit unit) const { return core_per_edge(quantity, unit); }
+};
+
+/// Type-erased view of "a struct with described parameters", so that forms and files need no templates.
+class Parameterized {
+public:
+    virtual ~Parameterized() = default;
+    virtual std::vector<const ParameterInfo*> parameters() const = 0;
+    /// Throws Error(unknown_key) for a key that is not in `parameters()`.
+    virtual ParameterValue get(std::string_view key) const = 0;
+    /// Checks, then sets. Throws Error(unknown_key, wrong_type, out_of_range); nothing changes then.
+    virtual void set(std::string_view key, const ParameterValue& value) = 0;
+
+    const ParameterInfo& parameter(std::string_view key) const;
+};
+
+template <class Struct>
+class ParameterTable {
+public:
+    struct Entry {
+        ParameterInfo info;
+        std::function<ParameterValue(const Struct&)> get;
+        std::function<void(Struct&, const ParameterValue&)> set;
+    };
+
+    /// Adds a member of a plain type (double, long, bool, std::string, NumberOrWord, std::array<double, 2 or 3>). The
+    /// default is the member's value in a default-constructed struct.
+    template <class Member>
+    ParameterTable& add(Member Struct::*member, ParameterInfo info) {
+        Entry e;
+        e.get = [member](const Struct& s) { return to_value(s.*member); };
+        e.set = [member](Struct& s, const ParameterValue& v) { from_value(s.*member, v); };
+        info.default_value = e.get(Struct{});
+        e.info = std::move(info);
+        entries_.push_back(std::move(e));
+        return *this;
+    }
+    /// Adds an enumeration as a choice; the words stand in the order of the enumerators, from 0.
+    template <class Enum>
+    ParameterTable& add_choice(Enum Struct::*member, ParameterInfo info) {
+        info.kind = ParameterKind::choice;
+        Entry e;
+        const auto words = info.words;
+        e.get = [member, words](const Struct& s) -> ParameterValue { return words.at(std::size_t(s.*member)); };
+        e.set = [member, words](Struct& s, const ParameterValue& v) {
+            const auto& word = std::get<std::string>(v);
+            s.*member = Enum(std::find(words.begin(), words.end(), word) - words.begin());
+        };
+        info.default_value = e.get(Struct{});
+        e.info = std::move(info);
+        entries_.push_back(std::move(e));
+        return *this;
+    }
+
+    const std::vector<Entry>& entries() const { return entries_; }
+    const Entry* find(std::string_view key) const {
+        for (const Entry& e : entries_)
+            if (e.info.key == key) return &e;
+        return nullptr;
+    }
+
+private:
+    static ParameterValue to_value(double v) { return v; }
+    static ParameterValue to_value(long v) { return v; }
+    static ParameterValue to_value(bool v) { return v; }
+    static ParameterValue to_value(const std::string& v) { return v; }
+    static ParameterValue to_value(const std::array<double, 2>& v) { return v; }
+    static ParameterValue to_value(const std::array<double, 3>& v) { return v; }
+    static ParameterValue to_value(const NumberOrWord& v) {
+        return v.is_number() ? ParameterValue(v.number) : ParameterValue(v.word);
+    }
+    template <class T>
+    static void from_value(T& member, const ParameterValue& v) {
+        member = std::get<T>(v);
+    }
+    static void from_value(NumberOrWord& member, const ParameterValue& v) {
+        if (const double* d = std::get_if<double>(&v)) {
+            member = {*d, {}};
+        } else {
+            member = {0.0, std::get<std::string>(v)};
+        }
+    }
+
+    std::vector<Entry> entries_;
+};
+
+[[noreturn]] void throw_unknown_key(std::string_view key, const std::vector<const ParameterInfo*>& known);
+
+/// Implements Parameterized over a struct and its table.
+template <class Struct>
+class ParameterView : public Parameterized {
+public:
+    ParameterView(Struct& values, const ParameterTable<Struct>& table) : values_(&values), table_(&table) {}
+
+    std::vector<const ParameterInfo*> parameters() const override {
+        std::vector<const ParameterInfo*> all;
+        for (const auto& e : table_->entries())
+            all.push_back(&e.info);
+        return all;
+    }
+    ParameterValue get(std::string_view key) const override { return entry(key).get(*values_); }
+    void set(std::string_view key, const ParameterValue& value) override {
+        const auto& e = entry(key);
+        e.info.check(value);
+        e.set(*values_, value);
+    }
+
+private:
+    const typename ParameterTable<Struct>::Entry& entry(std::string_view key) const {
+        const auto* e = table_->find(key);
+        if (!e) throw_unknown_key(key, parameters());
+        return *e;
+    }
+    Struct* values_;
+    const ParameterTable<Struct>* table_;
+};
+
+/// The known name nearest to a mistyped one, or empty: for "did you mean".
+std::string nearest_name(std::string_view mistyped, const std::vector<std::string>& known);
+
+} // namespace facetmill

@@ -1,0 +1,83 @@
+#include "core/base/units.h"
+
+#include "core/base/error.h"
+#include "core/base/vec.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace facetmill {
+
+std::string_view unit_name(LengthUnit unit) { return unit == LengthUnit::inch ? "in" : "mm"; }
+
+LengthUnit parse_length_unit(std::string_view text, const std::string& where) {
+    if (text == "mm" || text == "millimetre" || text == "millimetres") return LengthUnit::mm;
+    if (text == "in" || text == "inch" || text == "inches") return LengthUnit::inch;
+    throw Error(ErrorCode::out_of_range, where, "unknown unit '" + printable(text) + "'", "use mm or in");
+}
+
+double core_per_edge(Quantity quantity, LengthUnit unit) {
+    switch (quantity) {
+    case Quantity::length:
+    case Quantity::feed: return mm_per(unit);
+    case Quantity::area: return mm_per(unit) * mm_per(unit);
+    case Quantity::angle: return pi / 180.0;
+    default: return 1.0;
+    }
+}
+
+std::string_view edge_unit_name(Quantity quantity, LengthUnit unit) {
+    const bool inch = unit == LengthUnit::inch;
+    switch (quantity) {
+    case Quantity::length: return inch ? "in" : "mm";
+    case Quantity::area: return inch ? "in²" : "mm²";
+    case Quantity::angle: return "°";
+    case Quantity::feed: return inch ? "in/min" : "mm/min";
+    case Quantity::rotation: return "rpm";
+    case Quantity::time: return "s";
+    case Quantity::none:
+    case Quantity::ratio:
+    case Quantity::count: return "";
+    }
+    return "";
+}
+
+std::string format_number(double value, int digits) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    if (value == 0.0) return "0";
+    const double magnitude = std::abs(value);
+    const int before = int(std::floor(std::log10(magnitude))) + 1;
+    char buffer[64];
+    if (before > 15 || before < -8) {
+        const auto r = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+        return std::string(buffer, r.ptr);
+    }
+    const int decimals = std::max(0, digits - before);
+    const auto r = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+    std::string text(buffer, r.ptr);
+    if (text.find('.') != std::string::npos) {
+        while (text.back() == '0')
+            text.pop_back();
+        if (text.back() == '.') text.pop_back();
+    }
+    return text == "-0" ? "0" : text;
+}
+
+bool parse_number(std::string_view text, double& value) {
+    if (!text.empty() && text.front() == '+') {
+        text.remove_prefix(1);
+        if (!text.empty() && text.front() == '-') return false;
+    }
+    if (text.empty()) return false;
+    const char c = text.front() == '-' && text.size() > 1 ? text[1] : text.front();
+    if (!(c == '.' || (c >= '0' && c <= '9'))) return false; // keeps "inf" and "nan" out
+    double parsed = 0.0;
+    const auto r = std::from_chars(text.data(), text.data() + text.size(), parsed);
+    if (r.ec != std::errc() || r.ptr != text.data() + text.size() || !std::isfinite(parsed)) return false;
+    value = parsed;
+    return true;
+}
+
+} // namespace facetmill

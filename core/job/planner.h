@@ -1,0 +1,66 @@
+// The pipeline: part -> geometry -> contact index -> strategy -> link -> CL program -> report. A Planner keeps what did
+// not change between calls, so that editing a feed does not slice the part again.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/job/project.h"
+#include "core/link/motion.h"
+#include "core/mesh/mesh_io.h"
+#include "core/output/cl_program.h"
+#include "core/output/motion_time.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+/// The part in place: read, transformed, measured. Published whole.
+struct PreparedPart {
+    MeshPtr mesh;
+    MeshReport report;
+    std::shared_ptr<const MeshGeometry> geometry;
+    Box3 box;
+};
+
+struct OperationResult {
+    std::string name, kind;
+    StrategyResult path;
+    ClProgram program;
+    MotionTotals totals;
+    double seconds_planning = 0;
+    std::size_t cc_points = 0, cl_points = 0;
+};
+
+struct PlanResult {
+    std::shared_ptr<const PreparedPart> part;
+    Box3 stock;
+    std::vector<std::shared_ptr<const OperationResult>> operations; ///< in the project's order; those asked for
+};
+
+class Planner {
+public:
+    Planner();
+    ~Planner();
+
+    /// The part of a project, from the cache when file, time stamp, unit and placement are the same.
+    std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
+    /// Plans all operations, or only the one named. Throws Error or Cancelled; the cache stays good then.
+    std::shared_ptr<const PlanResult> plan(const Project& project, const std::string& only_operation,
+                                           const Progress& progress);
+
+private:
+    struct Cache;
+    std::unique_ptr<Cache> cache_;
+};
+
+/// report.json as the contract says, in the project's units.
+std::string report_json(const Project& project, const PlanResult& result);
+
+/// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none. Returns the
+/// paths. NN is the operation's place in the project.
+std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
+                                              const std::filesystem::path& folder, const Progress& progress);
+
+} // namespace facetmill

@@ -1,0 +1,63 @@
+// The project: part, stock, machine, tools, operations, as the project file has them.
+#pragma once
+
+#include "core/base/parameter.h"
+#include "core/setup/stock.h"
+#include "core/setup/tool.h"
+#include "core/strategy/operation.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+struct PartSpec {
+    std::string file; ///< as written: relative to the project file, or absolute
+    LengthUnit unit = LengthUnit::mm;
+    std::array<double, 3> rotate{0, 0, 0};    ///< radians about X, then Y, then Z (fixed axes)
+    std::array<double, 3> translate{0, 0, 0}; ///< mm, after the rotation
+    std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in; mm
+};
+
+const ParameterTable<PartSpec>& part_parameters();
+
+struct Project {
+    std::filesystem::path path; ///< where it was read from or last saved; empty when new
+    LengthUnit unit = LengthUnit::mm;
+    PartSpec part;
+    StockSpec stock;
+    std::string machine = "generic-3-axis";
+    std::vector<Tool> tools;
+    std::vector<std::unique_ptr<Operation>> operations;
+
+    Project() = default;
+    Project(const Project& other);
+    Project& operator=(const Project& other);
+    Project(Project&&) = default;
+    Project& operator=(Project&&) = default;
+
+    std::filesystem::path part_path() const;
+    /// Throws Error(missing_reference) that names the operation.
+    const Tool& tool_of(const Operation& operation) const;
+};
+
+/// Throws Error(syntax, unknown_key, wrong_type, out_of_range, missing_key, missing_reference, newer_version, files ...)
+/// whose place is "file: operations[0].tolerance". Older versions are migrated.
+Project load_project(const std::filesystem::path& path);
+Project parse_project(std::string_view json, const std::string& name);
+std::string project_to_json(const Project& project);
+/// Writes beside and renames. Throws Error(unwritable).
+void save_project(const Project& project, const std::filesystem::path& path);
+
+/// Checks everything that needs no mesh: references, tools, machine, operation values against each other.
+void check_project(const Project& project);
+
+/// "NAME.key=value" (or "NUMBER.key=value") as on the command line. Throws Error(usage, unknown_key, ...).
+void apply_setting(Project& project, std::string_view setting);
+
+/// A new project around a part with one sensible tool and one finish3 operation for its size.
+Project default_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);
+
+} // namespace facetmill

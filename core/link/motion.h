@@ -1,0 +1,44 @@
+// The complete motion of the tool for one operation: cuts joined by links and clearance moves. Millimetres, part
+// coordinates; every motion starts where the one before ended.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/strategy/operation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace facetmill {
+
+enum class MotionKind : std::uint8_t {
+    rapid,    ///< clearance move, never in contact
+    approach, ///< down to the part at feed
+    cut,
+    link,    ///< between cuts at feed, on or just above the surface
+    retract, ///< away from the part at feed
+};
+
+struct Motion {
+    MotionKind kind = MotionKind::rapid;
+    CutterLocation to;
+    Index pass = no_index; ///< pass and CC point that `to` cuts, or no_index
+    Index point = no_index;
+};
+
+struct ToolMotions {
+    std::vector<Motion> motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
+    double clearance_z = 0;
+};
+
+struct LinkOptions {
+    double clearance = 5;      ///< above the highest of part and stock
+    double link_distance = 0;  ///< passes whose ends are nearer than this are linked on the surface
+    double chord_tolerance = 0.01;
+};
+
+/// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into the part)
+/// where the next pass is near, else by retract, rapid at clearance height, approach. Throws Cancelled within 100 ms.
+ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
+                            const LinkOptions& options, const Progress& progress);
+
+} // namespace facetmill

@@ -1,0 +1,17 @@
+// How long a program takes and how far it goes.
+#pragma once
+
+#include "core/output/cl_program.h"
+#include "core/setup/machine.h"
+
+namespace facetmill {
+
+struct MotionTotals {
+    double cut_length = 0;   ///< mm, all motion at feed
+    double rapid_length = 0; ///< mm
+    double time_seconds = 0; ///< feed moves at feed; rapids with every axis at its own largest speed
+};
+
+MotionTotals motion_totals(const ClProgram& program, const Machine& machine);
+
+} // namespace facetmill

@@ -1,0 +1,80 @@
+// A machining operation: described parameters and a plan function. One file per kind; it registers itself by a line
+//
+//     const OperationRegistration registration("finish3", "Finish, 3-axis", [] { return std::make_unique<Finish3>(); });
+//
+// and the forms, the command line, the project file and the reference page know it.
+#pragma once
+
+#include "core/base/parameter.h"
+#include "core/base/progress.h"
+#include "core/gouge/contact_index.h"
+#include "core/setup/machine.h"
+#include "core/setup/tool.h"
+#include "core/strategy/path.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+struct MeshGeometry; // core/mesh/geometry.h: normals and curvature per vertex
+
+/// What every strategy gets to work with; all of it const and shared.
+struct PlanContext {
+    MeshPtr part;
+    std::shared_ptr<const MeshGeometry> geometry;
+    ContactIndexPtr contact;
+    Box3 part_box, stock_box;
+    Tool tool;
+    Machine machine;
+    std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
+};
+
+/// What all operations have beside their own keys.
+struct OperationCommon {
+    std::string name = "Operation";
+    long tool = 1;
+    double tolerance = 0.05; ///< machining tolerance tau: largest cusp left, mm
+    double allowance = 0;    ///< stock left on the part, mm
+    double feed = 1000;      ///< mm/min
+    double spindle = 6000;   ///< rpm
+    double clearance = 5;    ///< height of clearance moves above stock and part, mm
+    NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
+};
+
+class Operation : public Parameterized {
+public:
+    virtual std::string_view kind() const = 0;
+    virtual std::unique_ptr<Operation> clone() const = 0;
+    /// Throws Error(empty_result) with the reason when nothing can be cut; Cancelled within 100 ms.
+    virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
+    /// True when every tool axis is +Z.
+    virtual bool three_axis() const = 0;
+
+    virtual const OperationCommon& common() const = 0;
+    virtual OperationCommon& common() = 0;
+};
+
+struct OperationKind {
+    std::string kind, label;
+    std::function<std::unique_ptr<Operation>()> make;
+};
+
+/// In alphabetical order of `kind`.
+const std::vector<OperationKind>& operation_kinds();
+/// Throws Error(out_of_range) that lists the known kinds.
+std::unique_ptr<Operation> make_operation(std::string_view kind);
+
+struct OperationRegistration {
+    OperationRegistration(std::string kind, std::string label, std::function<std::unique_ptr<Operation>()> make);
+};
+
+/// Adds the common parameters to an operation's table. S derives from OperationCommon.
+template <class S>
+void add_common_parameters(ParameterTable<S>& table);
+
+} // namespace facetmill
+
+#include "core/strategy/operation_common.inl"

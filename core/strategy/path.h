@@ -1,0 +1,40 @@
+// What a strategy makes: passes of cutter contacts and cutter locations. Millimetres, part coordinates.
+//
+// CC  cutter contact: the point of the part's surface that the cutter is to cut, with the surface's unit normal there.
+// CL  cutter location: the tool tip and the unit tool axis (tip towards spindle) that cut it.
+#pragma once
+
+#include "core/base/vec.h"
+
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+struct CutterContact {
+    Vec3 point, normal;
+};
+
+struct CutterLocation {
+    Vec3 tip, axis;
+};
+
+/// One uninterrupted cut along one drive plane; cl[i] cuts cc[i].
+struct Pass {
+    int drive = 0;        ///< number of the drive plane, from 0
+    double offset = 0;    ///< its distance from the origin along the step-over direction
+    std::vector<CutterContact> cc;
+    std::vector<CutterLocation> cl;
+};
+
+struct StrategyResult {
+    std::vector<Pass> passes;      ///< in machining order, already turned (zigzag or one way)
+    int drive_planes = 0;          ///< what reports call "passes"
+    double stepover_min = 0, stepover_max = 0;
+    double direction = 0;          ///< angle of travel from X, radians
+    double cusp_max = 0;           ///< largest cusp the planner expects, mm
+    std::size_t cleanup_points = 0; ///< CC points left for clean-up
+    std::vector<std::string> warnings;
+};
+
+} // namespace facetmill

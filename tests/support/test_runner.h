@@ -1,0 +1,24 @@
+// A test class registers itself; one program runs all classes that were linked into it.
+//
+//     class TestUnits : public QObject { Q_OBJECT private slots: void round_trip(); };
+//     FACETMILL_TEST(TestUnits)
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace facetmill::test {
+
+bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> make);
+
+/// Path of a file or folder below tests/.
+std::string data_path(const std::string& relative);
+
+} // namespace facetmill::test
+
+#define FACETMILL_TEST(Class)                                                                                          \
+    static const bool registered_##Class =                                                                             \
+        facetmill::test::register_test(#Class, [] { return std::unique_ptr<QObject>(new Class); });

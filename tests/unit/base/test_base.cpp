@@ -1,0 +1,243 @@
+// The base room: errors, units, parameters, progress, loops, files.
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/base/parameter.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+#include <QTemporaryDir>
+
+#include <clocale>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <thread>
+
+using namespace facetmill;
+
+namespace {
+
+struct Sample {
+    double length = 2.0;
+    NumberOrWord step{0.0, "auto"};
+    long count = 3;
+    bool flag = true;
+    std::string name = "a";
+    std::array<double, 2> limits{0.0, 0.5};
+    enum class Kind { box, round } kind = Kind::round;
+};
+
+const ParameterTable<Sample>& table() {
+    static const auto t = [] {
+        using K = ParameterKind;
+        ParameterTable<Sample> p;
+        p.add(&Sample::length, {.key = "length", .label = "Length", .quantity = Quantity::length, .minimum = 0,
+                                .maximum = 254, .open_minimum = true});
+        p.add(&Sample::step, {.key = "step", .kind = K::number_or_word, .quantity = Quantity::length, .minimum = 0,
+                              .words = {"auto", "adaptive"}});
+        p.add(&Sample::count, {.key = "count", .kind = K::integer, .minimum = 1, .maximum = 9});
+        p.add(&Sample::flag, {.key = "flag", .kind = K::boolean});
+        p.add(&Sample::name, {.key = "name", .kind = K::text});
+        p.add(&Sample::limits, {.key = "limits", .kind = K::pair, .quantity = Quantity::angle, .minimum = 0,
+                                .maximum = pi / 2, .ordered = true});
+        p.add_choice(&Sample::kind, {.key = "kind", .words = {"box", "round"}});
+        return p;
+    }();
+    return t;
+}
+
+template <class Call>
+ErrorCode code_of(Call&& call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return e.code();
+    }
+    return ErrorCode::internal;
+}
+
+} // namespace
+
+class TestBase : public QObject {
+    Q_OBJECT
+private slots:
+
+    void numbers_parse_strictly() {
+        double v = 0;
+        for (const char* good : {"1", "+1.5", "-.5", "1e3", "1E-3", "0", "-0", "5."})
+            QVERIFY2(parse_number(good, v), good);
+        for (const char* bad : {"", "+", "-", "1,5", "0x10", "inf", "nan", "-inf", "1.5mm", " 1", "1 ", "+-1", "1e999", "e5"})
+            QVERIFY2(!parse_number(bad, v), bad);
+    }
+
+    void numbers_round_trip() {
+        std::mt19937_64 rng(1);
+        std::uniform_real_distribution<double> mantissa(-1, 1), exponent(-7, 12);
+        for (int i = 0; i < 20000; ++i) {
+            const double v = mantissa(rng) * std::pow(10.0, exponent(rng));
+            double back = 0;
+            QVERIFY(parse_number(format_number(v, 9), back));
+            QVERIFY(std::abs(back - v) <= 1e-8 * std::abs(v));
+        }
+        QCOMPARE(format_number(0.25), std::string("0.25"));
+        QCOMPARE(format_number(-0.0), std::string("0"));
+        QCOMPARE(format_number(100000.0), std::string("100000"));
+    }
+
+    void parameters_read_in_units() {
+        Sample s;
+        ParameterView<Sample> view(s, table());
+        view.set("length", view.parameter("length").parse("2", LengthUnit::inch));
+        QCOMPARE(s.length, 50.8);
+        view.set("limits", view.parameter("limits").parse("[0, 45]", LengthUnit::inch));
+        QVERIFY(std::abs(s.limits[1] - pi / 4) < 1e-15);
+        view.set("step", view.parameter("step").parse("adaptive", LengthUnit::mm));
+        QVERIFY(s.step.is("adaptive"));
+        view.set("step", view.parameter("step").parse("0.5", LengthUnit::inch));
+        QVERIFY(s.step.is_number() && s.step.number == 12.7);
+        view.set("kind", view.parameter("kind").parse("box", LengthUnit::mm));
+        QVERIFY(s.kind == Sample::Kind::box);
+        QCOMPARE(std::get<std::string>(view.get("kind")), std::string("box"));
+        for (const auto* p : view.parameters()) // text form reads back to the same value
+            QVERIFY2(p->value_text(p->parse(p->value_text(view.get(p->key), LengthUnit::inch), LengthUnit::inch),
+                                   LengthUnit::inch)
+                         == p->value_text(view.get(p->key), LengthUnit::inch),
+                     p->key.c_str());
+    }
+
+    void bad_values_are_refused_and_change_nothing() {
+        Sample s;
+        ParameterView<Sample> view(s, table());
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(code_of([&] { view.set("length", 0.0); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("length", -1.0); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("length", nan); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("length", infinity); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("length", std::string("2")); }), ErrorCode::wrong_type);
+        QCOMPARE(code_of([&] { view.set("count", 2.0); }), ErrorCode::wrong_type);
+        QCOMPARE(code_of([&] { view.set("count", 10L); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("step", std::string("adaptiv")); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("limits", std::array<double, 2>{0.5, 0.5}); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("kind", std::string("cone")); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { view.set("lenght", 1.0); }), ErrorCode::unknown_key);
+        QCOMPARE(code_of([&] { view.parameter("count").parse("1.5", LengthUnit::mm); }), ErrorCode::wrong_type);
+        QCOMPARE(s.length, 2.0);
+        QCOMPARE(s.count, 3L);
+        try {
+            view.set("lenght", 1.0);
+            QFAIL("no error");
+        } catch (const Error& e) {
+            QVERIFY2(std::string(e.what()).find("did you mean 'length'") != std::string::npos, e.what());
+        }
+        try {
+            view.parameter("length").parse("11", LengthUnit::inch);
+            QFAIL("no error");
+        } catch (const Error& e) {
+            QVERIFY2(std::string(e.what()).find("at most 10 in") != std::string::npos, e.what());
+        }
+    }
+
+    void progress_is_monotone_and_shares_the_flag() {
+        Job job;
+        const Progress p(job);
+        const Progress half = p.part(0.5, 1.0, "second");
+        QCOMPARE(job.fraction(), 0.5);
+        QCOMPARE(job.label(), std::string("second"));
+        p.part(0.0, 0.5).set(0.3); // an earlier interval must not pull the bar back
+        QCOMPARE(job.fraction(), 0.5);
+        half.set(0.5);
+        QCOMPARE(job.fraction(), 0.75);
+        job.cancel();
+        QVERIFY_EXCEPTION_THROWN(half.part(0.1, 0.2).check(), Cancelled);
+        Progress().check();
+    }
+
+    void loops_are_deterministic_and_cancellable() {
+        std::vector<double> values(100001);
+        std::mt19937_64 rng(7);
+        for (double& v : values)
+            v = std::ldexp(double(rng() % 1000003), int(rng() % 60) - 30);
+        const auto sum = [&] {
+            return parallel_reduce(
+                values.size(), 1000, 0.0, Progress(),
+                [&](std::size_t b, std::size_t e) {
+                    double s = 0;
+                    for (; b < e; ++b)
+                        s += values[b];
+                    return s;
+                },
+                [](double a, double b) { return a + b; });
+        };
+        set_thread_count(1);
+        const double one = sum();
+        for (int n : {2, 3, 0}) {
+            set_thread_count(n);
+            QCOMPARE(sum(), one);
+        }
+        std::vector<int> seen(1237, 0);
+        parallel_for(seen.size(), 10, Progress(), [&](std::size_t i) { ++seen[i]; });
+        QVERIFY(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
+
+        Job job;
+        std::thread canceller([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            job.cancel();
+        });
+        QVERIFY_EXCEPTION_THROWN(parallel_for(100000, 1, Progress(job),
+                                              [](std::size_t) {
+                                                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                              }),
+                                 Cancelled);
+        canceller.join();
+        QCOMPARE(code_of([&] {
+                     parallel_for(1000, 1, Progress(), [](std::size_t i) {
+                         if (i == 500) throw Error(ErrorCode::not_stl, "", "x", "");
+                     });
+                 }),
+                 ErrorCode::not_stl);
+    }
+
+    void outputs_appear_whole_or_not_at_all() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder = dir.path().toStdString();
+        const auto entries = [&] {
+            return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+        };
+        {
+            OutputFile file(folder / "a.txt");
+            file.write("half");
+        }
+        QCOMPARE(entries(), 0);
+        {
+            OutputFile file(folder / "a.txt");
+            file.write("whole");
+            file.commit();
+        }
+        QCOMPARE(entries(), 1);
+        QCOMPARE(std::string(InputFile(folder / "a.txt").bytes()), std::string("whole"));
+        QCOMPARE(code_of([&] { OutputFile f(folder / "no" / "b.txt"); }), ErrorCode::unwritable);
+        QCOMPARE(code_of([&] { OutputFile f(folder); }), ErrorCode::unwritable);
+        QCOMPARE(code_of([&] { InputFile f(folder); }), ErrorCode::is_directory);
+        QCOMPARE(code_of([&] { InputFile f(folder / "none"); }), ErrorCode::not_found);
+        QCOMPARE(code_of([&] { InputFile f("/dev/zero"); }), ErrorCode::unreadable);
+        std::ofstream(folder / "empty").close();
+        QCOMPARE(code_of([&] { InputFile f(folder / "empty"); }), ErrorCode::empty_file);
+        {
+            OutputSet set;
+            set.add(folder / "x").write("1");
+            set.add(folder / "y").write("2");
+        }
+        QVERIFY(!std::filesystem::exists(folder / "x"));
+    }
+
+    void messages_stay_on_one_line() {
+        QCOMPARE(printable("a\nb\x01\xff" "c"), std::string("a?b??c"));
+        QCOMPARE(printable("d\xc3\xa9j\xc3\xa0"), std::string("d\xc3\xa9j\xc3\xa0"));
+        QVERIFY(printable(std::string(1000, 'x')).size() < 100);
+        const Error e = Error(ErrorCode::wrong_type, "tolerance", "bad", "fix it").within("file");
+        QCOMPARE(std::string(e.what()), std::string("file: tolerance: bad (fix it)"));
+    }
+};
+
+FACETMILL_TEST(TestBase)
+#include "test_base.moc"
