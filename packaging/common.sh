@@ -1,0 +1,34 @@
+# Shared by packaging/run and packaging/test: installs what is missing, configures and builds. Sourced, not run.
+
+facetmill_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '\n== %s\n' "$*" >&2; }
+
+install_missing() {
+    local wanted=() missing=() package
+    mapfile -t wanted < <(grep -vE '^[[:space:]]*(#|$)' "$facetmill_root/packaging/packages.txt")
+    for package in "${wanted[@]}"; do
+        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    say "Installing: ${missing[*]}"
+    local sudo=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || {
+            echo "packages are missing (${missing[*]}): run as root, or install sudo" >&2
+            exit 1
+        }
+        sudo=(sudo)
+    fi
+    export DEBIAN_FRONTEND=noninteractive
+    "${sudo[@]}" apt-get update -q
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# build PRESET [TARGET ...]
+build() {
+    local preset=$1
+    shift
+    say "Building ($preset)"
+    (cd "$facetmill_root" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"})
+}

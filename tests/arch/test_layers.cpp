@@ -1,0 +1,138 @@
+// The house keeps its order: includes point one way only, core knows no Qt and no VTK, viz no widgets, and no file grows
+// beyond what one can read.
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Include {
+    std::string file; // from the root
+    int line = 0;
+    std::string target; // as written, without the quotes or brackets
+    bool quoted = false;
+};
+
+/// A place in the order; a file includes only places that are not above its own.
+const std::vector<std::string> order = {"core/base",   "core/mesh", "core/cutter", "core/setup",  "core/gouge",
+                                        "core/cspace", "core/strategy", "core/link", "core/verify", "core/output",
+                                        "core/job",    "viz",       "ui",          "app"};
+
+std::optional<std::size_t> place_of(const std::string& path) {
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (path.rfind(order[i] + "/", 0) == 0) return i;
+    return std::nullopt;
+}
+
+/// What is wrong with one include, or nothing.
+std::optional<std::string> violation(const Include& include) {
+    const std::string at = include.file + ":" + std::to_string(include.line) + ": ";
+    const auto from = place_of(include.file);
+    if (!from) return at + "the folder is not in the order of rooms";
+    const bool core = include.file.rfind("core/", 0) == 0, viz = include.file.rfind("viz/", 0) == 0;
+    const std::string& t = include.target;
+    if (include.quoted) {
+        const auto to = place_of(t);
+        if (!to) return at + "\"" + t + "\" is not written from the root";
+        if (*to > *from) return at + order[*from] + " includes " + order[*to] + ", which lies above it";
+        return std::nullopt;
+    }
+    const bool qt = t.size() > 1 && t[0] == 'Q' && (std::isupper(static_cast<unsigned char>(t[1])) || t[1] == 't');
+    const bool vtk = t.rfind("vtk", 0) == 0;
+    if (core && (qt || vtk)) return at + "core includes <" + t + ">";
+    if (viz && qt) return at + "viz includes <" + t + ">";
+    return std::nullopt;
+}
+
+std::vector<Include> includes_in(const std::string& text, const std::string& file) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+    std::vector<Include> found;
+    std::istringstream lines(text);
+    std::string line;
+    for (int n = 1; std::getline(lines, line); ++n) {
+        std::smatch m;
+        if (std::regex_search(line, m, pattern)) found.push_back({file, n, m[2], m[1] == "\""});
+    }
+    return found;
+}
+
+std::map<std::string, std::string> sources(const std::vector<std::string>& folders) {
+    std::map<std::string, std::string> all;
+    const fs::path root = FACETMILL_SOURCE;
+    for (const auto& folder : folders)
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const auto ext = entry.path().extension();
+            if (!entry.is_regular_file() || (ext != ".h" && ext != ".cpp" && ext != ".inl" && ext != ".c")) continue;
+            std::ifstream in(entry.path(), std::ios::binary);
+            std::stringstream text;
+            text << in.rdbuf();
+            all[fs::relative(entry.path(), root).generic_string()] = text.str();
+        }
+    return all;
+}
+
+} // namespace
+
+class TestLayers : public QObject {
+    Q_OBJECT
+private slots:
+    void includes_point_down() {
+        std::size_t seen = 0;
+        QStringList wrong;
+        for (const auto& [file, text] : sources({"core", "viz", "ui", "app"}))
+            for (const auto& include : includes_in(text, file)) {
+                // A file Qt's moc or the build writes stands beside its source.
+                if (include.quoted && (include.target.ends_with(".moc") || include.target == "facetmill_version.h"))
+                    continue;
+                ++seen;
+                if (const auto v = violation(include)) wrong << QString::fromStdString(*v);
+            }
+        QVERIFY(seen > 100); // the scan found the tree
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    void the_check_can_fail() {
+        QVERIFY(violation({"core/mesh/a.cpp", 1, "core/cutter/cutter.h", true}));
+        QVERIFY(violation({"core/job/a.cpp", 1, "viz/scene.h", true}));
+        QVERIFY(violation({"core/base/a.cpp", 1, "QString", false}));
+        QVERIFY(violation({"core/base/a.cpp", 1, "QtCore", false}));
+        QVERIFY(violation({"core/gouge/a.cpp", 1, "vtkMath.h", false}));
+        QVERIFY(violation({"viz/a.cpp", 1, "QWidget", false}));
+        QVERIFY(violation({"core/mesh/a.cpp", 1, "mesh.h", true}));
+        QVERIFY(violation({"extra/a.cpp", 1, "vector", false}));
+        QVERIFY(!violation({"core/cutter/a.cpp", 1, "core/mesh/mesh.h", true}));
+        QVERIFY(!violation({"viz/a.cpp", 1, "vtkMath.h", false}));
+        QVERIFY(!violation({"ui/a.cpp", 1, "QWidget", false}));
+        QCOMPARE(includes_in("#include \"a/b.h\"\n  # include <vector>\n// #include <x>\n", "f").size(),
+                 std::size_t(2));
+    }
+
+    void files_stay_readable() {
+        QStringList wrong;
+        for (const auto& [file, text] : sources({"core", "viz", "ui", "app", "tests"})) {
+            const auto lines = std::count(text.begin(), text.end(), '\n');
+            if (lines > 800) wrong << QString("%1: %2 lines").arg(QString::fromStdString(file)).arg(lines);
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    void headers_are_guarded() {
+        QStringList wrong;
+        for (const auto& [file, text] : sources({"core", "viz", "ui", "app", "tests"}))
+            if (file.ends_with(".h") && text.find("#pragma once") == std::string::npos)
+                wrong << QString::fromStdString(file);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+};
+
+FACETMILL_TEST(TestLayers)
+#include "test_layers.moc"
