@@ -53,7 +53,8 @@ InputFile::InputFile(const fs::path& path) : path_(path) {
     }
     ::close(fd);
     if (got != buffer_.size())
-        throw Error(ErrorCode::unreadable, name, "reading stopped before the end of the file", "check the disk");
+        throw Error(ErrorCode::unreadable, name, "reading stopped before the end of the file",
+                    "check the disk");
     bytes_ = {buffer_.data(), buffer_.size()};
 }
 
@@ -63,9 +64,19 @@ InputFile::~InputFile() {
 
 OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
     std::error_code ec;
-    if (fs::is_directory(target_, ec))
-        throw Error(ErrorCode::unwritable, printable(target_.string(), 400), "is a folder", "name a file");
-    std::string pattern = (target_.parent_path() / ("." + target_.filename().string() + ".XXXXXX")).string();
+    const std::string name = printable(target_.string(), 400);
+    const fs::file_status status = fs::status(target_, ec);
+    if (fs::is_directory(status) || !target_.has_filename())
+        throw Error(ErrorCode::unwritable, name, "is a folder", "name a file");
+    // A rename would replace a device or a pipe by a plain file.
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw Error(ErrorCode::unwritable, name, "is not a regular file", "name a file on disk");
+    if (fs::is_symlink(fs::symlink_status(target_, ec))) {
+        const fs::path real = fs::weakly_canonical(target_, ec);
+        if (!ec) target_ = real;
+    }
+    // The name does not repeat the target's, which may be as long as the file system allows.
+    std::string pattern = (target_.parent_path() / ".facetmill.XXXXXX").string();
     const int fd = ::mkstemp(pattern.data());
     if (fd < 0) fail(std::strerror(errno));
     temporary_ = pattern;
@@ -112,15 +123,54 @@ void OutputFile::commit() {
 }
 
 OutputFile& OutputSet::add(const fs::path& target) {
-    files_.push_back(std::make_unique<OutputFile>(target));
+    auto file = std::make_unique<OutputFile>(target);
+    for (const auto& f : files_)
+        if (f->target() == file->target()) file->fail("the job writes it twice");
+    files_.push_back(std::move(file));
     return *files_.back();
 }
 
 void OutputSet::commit() {
     for (auto& f : files_)
         f->close_stream();
-    for (auto& f : files_)
-        f->commit();
+    // What stands at a target keeps a second name until all renames are done.
+    struct Kept {
+        OutputFile* file;
+        fs::path before; // empty: nothing stood there
+    };
+    std::vector<Kept> kept;
+    std::error_code ec;
+    const auto put_back = [&] {
+        for (auto k = kept.rbegin(); k != kept.rend(); ++k) {
+            if (k->before.empty()) {
+                if (k->file->committed_) fs::remove(k->file->target_, ec);
+            } else {
+                fs::rename(k->before, k->file->target_, ec);
+                fs::remove(k->before, ec); // still there when both names were the same file
+            }
+        }
+    };
+    try {
+        for (auto& f : files_) {
+            fs::path before;
+            if (fs::is_directory(f->target_, ec)) f->fail("a folder appeared in its place");
+            if (fs::exists(f->target_, ec)) {
+                before = f->temporary_;
+                before += ".before";
+                fs::create_hard_link(f->target_, before, ec);
+                // File systems without hard links: the target is gone for a moment instead.
+                if (ec) fs::rename(f->target_, before, ec);
+                if (ec) f->fail(ec.message());
+            }
+            kept.push_back({f.get(), before});
+            f->commit();
+        }
+    } catch (...) {
+        put_back();
+        throw;
+    }
+    for (const Kept& k : kept)
+        if (!k.before.empty()) fs::remove(k.before, ec);
 }
 
 } // namespace facetmill

@@ -33,7 +33,8 @@ private:
 };
 
 /// Writes to a temporary file in the target's folder; `commit` flushes, checks and renames it over the target. Without
-/// commit the destructor removes the temporary file. Throws Error(unwritable).
+/// commit the destructor removes the temporary file. A target that is a link stands for the file it leads to; one that is
+/// a folder, device, pipe or socket is refused. Throws Error(unwritable).
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path target);
@@ -49,15 +50,18 @@ public:
     void close_stream();
 
 private:
+    friend class OutputSet;
     [[noreturn]] void fail(const std::string& what) const;
     std::filesystem::path target_, temporary_;
     std::FILE* file_ = nullptr;
     bool committed_ = false;
 };
 
-/// Several outputs of one job that appear together or not at all: `commit` renames all after every one is complete.
+/// Several outputs of one job that appear together or not at all: `commit` renames all after every one is complete, and
+/// puts back what stood there before when one of them cannot be renamed.
 class OutputSet {
 public:
+    /// Throws Error(unwritable), also for a target that is in the set already.
     OutputFile& add(const std::filesystem::path& target);
     void commit();
 

@@ -228,6 +228,51 @@ private slots:
             set.add(folder / "y").write("2");
         }
         QVERIFY(!std::filesystem::exists(folder / "x"));
+        QCOMPARE(code_of([&] { OutputFile f("/dev/null"); }), ErrorCode::unwritable);
+        QCOMPARE(code_of([&] {
+            OutputSet set;
+            set.add(folder / "x");
+            set.add(folder / "x");
+        }), ErrorCode::unwritable);
+    }
+
+    void a_set_puts_back_what_was_there() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder = dir.path().toStdString();
+        const auto entries = [&] {
+            return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+        };
+        const auto text = [&](const char* name) { return std::string(InputFile(folder / name).bytes()); };
+        const auto write_both = [&](const std::string& content, bool block) {
+            OutputSet set;
+            set.add(folder / "new").write(content);
+            set.add(folder / "old").write(content);
+            set.add(folder / "z").write(content);
+            // A folder that appears meanwhile: the last rename cannot succeed.
+            if (block) std::filesystem::create_directories(folder / "z" / "in");
+            set.commit();
+        };
+        std::ofstream(folder / "old") << "before";
+        QCOMPARE(code_of([&] { write_both("after", true); }), ErrorCode::unwritable);
+        QCOMPARE(text("old"), std::string("before"));
+        QCOMPARE(entries(), 2); // "old" and the folder
+        std::filesystem::remove_all(folder / "z");
+        write_both("after", false);
+        QCOMPARE(text("old"), std::string("after"));
+        QCOMPARE(text("new"), std::string("after"));
+        QCOMPARE(entries(), 3);
+    }
+
+    void links_lead_to_their_file() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder = dir.path().toStdString();
+        std::ofstream(folder / "real") << "1";
+        std::filesystem::create_symlink("real", folder / "link");
+        OutputFile file(folder / "link");
+        file.write("2");
+        file.commit();
+        QVERIFY(std::filesystem::is_symlink(folder / "link"));
+        QCOMPARE(std::string(InputFile(folder / "real").bytes()), std::string("2"));
     }
 
     void messages_stay_on_one_line() {
