@@ -1,0 +1,48 @@
+// Tool paths ready to be drawn: polylines per kind of motion around a common centre.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/link/motion.h"
+#include "core/strategy/path.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace facetmill {
+
+struct OperationResult; // core/job/planner.h
+
+/// The path of one operation. Either may be missing.
+struct PathSource {
+    std::shared_ptr<const StrategyResult> contacts;
+    std::shared_ptr<const ToolMotions> motions;
+};
+
+/// Shares the operation's result.
+PathSource path_source(const std::shared_ptr<const OperationResult>& operation);
+
+inline constexpr std::size_t motion_kinds = 5; ///< number of MotionKind's enumerators
+
+/// Open polylines in flat arrays: line i runs over points[offsets[i]] .. points[offsets[i + 1] - 1].
+struct Polylines {
+    std::vector<float> points; ///< 3 per point, relative to the display's centre
+    std::vector<std::int64_t> offsets{0};
+    bool empty() const { return offsets.size() < 2; }
+};
+
+struct PathDisplay {
+    std::vector<PathSource> sources;
+    Vec3 centre = Vec3::Zero();
+    Box3 box; ///< of all CC and CL points
+    Polylines contacts;
+    std::array<Polylines, motion_kinds> motions; ///< by MotionKind; rapids are dashed
+};
+
+using PathDisplayPtr = std::shared_ptr<const PathDisplay>;
+
+/// Points that are not finite are left out. Throws Cancelled within 20 ms.
+PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress);
+
+} // namespace facetmill

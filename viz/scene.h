@@ -1,0 +1,171 @@
+// What the workbench's viewport and the pictures show: a part, its stock, tool paths and a tool, with legend, scale,
+// axes and title. A Scene owns renderers but no window: it is attached to any vtkRenderWindow, a widget's or an
+// off-screen one (offscreen.h). It knows no widgets and runs on the thread that renders.
+//
+// Frames. World coordinates are part coordinates in mm. Display coordinates are device pixels of the window with the
+// origin at the top left and y down, as widgets and pictures have them. Projection is parallel, so that the scale bar
+// holds everywhere.
+//
+// Everything that takes long for a large part or path (arrays, normals, edges) is done by prepare_part_display and
+// prepare_path_display on any thread; the Scene takes the finished display and only hands it to the graphics card.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/base/vec.h"
+#include "core/link/motion.h"
+#include "core/setup/tool.h"
+#include "viz/part_display.h"
+#include "viz/path_display.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkCamera;
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace facetmill {
+
+enum class Palette { light, dark };
+
+/// All have Z up on the screen, but top and bottom, where Y is up. `front` looks along +Y, `right` along -X.
+enum class StandardView { iso, front, top, right, rear, bottom, left };
+
+/// "iso", "front", ...: the words of the command line. `view_label` is for menus: "Isometric".
+const std::vector<StandardView>& standard_views();
+std::string_view view_name(StandardView view);
+std::string_view view_label(StandardView view);
+/// Throws Error(out_of_range) that names `where` and lists the words.
+StandardView parse_view(std::string_view text, const std::string& where);
+
+/// What can be shown and hidden. All but `edges` are shown at first.
+enum class Layer {
+    part,   ///< the part's surface with its sharp and open edges
+    edges,  ///< all facet edges
+    stock,  ///< transparent box
+    cc,     ///< cutter contacts
+    cl,     ///< tool tip, coloured by the kind of motion
+    tool,   ///< cutter, shank and holder at the pose
+    marker, ///< picked point
+    axes,   ///< orientation axes in the corner
+    scale,  ///< scale bar with its unit
+    legend, ///< colours of what is shown
+    title,
+};
+
+const std::vector<Layer>& all_layers();
+std::string_view layer_name(Layer layer);
+std::string_view layer_label(Layer layer);
+
+enum class PartStyle { smooth, flat, wire };
+
+struct Marker {
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::Zero(); ///< zero: none drawn
+};
+
+/// Where the line of sight through a pixel meets the part first.
+struct PartPick {
+    Vec3 point;
+    Vec3 normal;      ///< unit, of the facet, by its winding
+    std::size_t facet;
+    bool back_side;   ///< seen from inside
+};
+
+/// The CC or CL nearest to a pixel. `source` counts the paths given to set_path.
+struct PathPick {
+    std::size_t source = 0;
+    Index pass = no_index, point = no_index; ///< no_index for a motion that cuts no CC
+    std::size_t motion = std::size_t(-1);    ///< into ToolMotions, when a CL was picked
+    bool is_contact = false;                 ///< a CC was picked, not a CL
+    Vec3 position;                           ///< of the CC or the tool tip
+    CutterLocation location;                 ///< the tool that cuts it
+};
+
+class Scene {
+public:
+    Scene();
+    ~Scene();
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    /// Adds the scene's renderers (two layers) to a window. Call once per window; the window may go before the scene.
+    void attach(vtkRenderWindow* window);
+    void detach();
+
+    /// The renderer of the 3D content, for interactor styles.
+    vtkRenderer* renderer();
+    vtkCamera* camera();
+
+    /// Device pixels per layout pixel: text, lines and margins grow with it. 1 at first.
+    void set_pixel_ratio(double ratio);
+    void set_palette(Palette palette);
+    Palette palette() const;
+    /// Unit of the scale bar. Everything else in a Scene is mm.
+    void set_unit(LengthUnit unit);
+    /// Smooths jagged edges after drawing (FXAA). On at first.
+    void set_antialiasing(bool on);
+
+    /// The part; nullptr removes it. The view does not change: call `set_view` or `fit`.
+    void set_part(PartDisplayPtr part);
+    /// The same, prepared on this thread.
+    void set_part(MeshPtr mesh);
+    void set_part_style(PartStyle style);
+    PartStyle part_style() const;
+
+    /// An empty box removes the stock.
+    void set_stock(const Box3& box);
+
+    /// Paths of one or several operations; an empty display or nullptr removes them.
+    void set_path(PathDisplayPtr path);
+
+    /// The tool, or none. Its values must make a cutter (check_tool); throws Error(out_of_range) otherwise.
+    void set_tool(const std::optional<Tool>& tool);
+    /// Tip and unit axis; the tool is drawn after both a tool and a pose were given.
+    void set_tool_pose(const std::optional<CutterLocation>& pose);
+
+    void set_marker(const std::optional<Marker>& marker);
+
+    /// Top left; both lines are shortened in the middle to the width of the window. Bytes that are not UTF-8 and control
+    /// characters are replaced.
+    void set_title(const std::string& title, const std::string& subtitle = {});
+    /// Shown in the middle while there is no part, stock or path.
+    void set_empty_text(const std::string& text);
+
+    void set_visible(Layer layer, bool on);
+    bool visible(Layer layer) const;
+    /// True when there is something to show in the layer, visible or not.
+    bool has(Layer layer) const;
+    /// Motions of one kind in the layer `cl`; all are shown at first.
+    void set_motion_visible(MotionKind kind, bool on);
+    bool motion_visible(MotionKind kind) const;
+
+    /// Box of what is visible of part, stock and paths; of the tool too when `with_tool`. Empty when nothing is.
+    Box3 bounds(bool with_tool = false) const;
+    /// Looks from a standard direction and fits.
+    void set_view(StandardView view);
+    /// Centres and scales to `bounds` with a margin, keeping the direction.
+    void fit(bool with_tool = false);
+    /// Zoom by a factor (> 1: nearer) that keeps the world point under the pixel in place.
+    void zoom_at(double x, double y, double factor);
+    /// Turning centre of the camera: the middle of the bounds, in the plane of the screen's centre line.
+    void center_on(const Vec3& point);
+
+    /// Needs an attached window with a size. Takes about 10 ms for a million facets or points.
+    std::optional<PartPick> pick_part(double x, double y) const;
+    /// The nearest CL or CC of the visible layers within `radius` pixels. Among those about equally near, the one nearest
+    /// to the eye; points hidden behind the visible part are passed over.
+    std::optional<PathPick> pick_path(double x, double y, double radius) const;
+    /// Pixel of a world point.
+    Vec2 display_of(const Vec3& point) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace facetmill
