@@ -10,8 +10,21 @@ inline constexpr double largest_coordinate = 1e7;
 inline constexpr double smallest_extent = 1e-6;
 /// What axial lifts promise against the exact answer, for parts of about 100 mm.
 inline constexpr double lift_accuracy = 1e-9;
+/// Rounding of a coordinate that went through a mesh file's 32-bit floats, relative to its size.
+inline constexpr double coordinate_rounding = 1.2e-7;
+/// A sum of vectors below this share of the sum of their lengths has no direction.
+inline constexpr double vanishing_sum = 1e-12;
+/// A pivot below this share of its matrix's largest diagonal makes a least-squares fit ambiguous.
+inline constexpr double fit_pivot = 1e-9;
 /// Share of a sample's chord tolerance that its facets may use up at the lattice points where they are judged; the rest
 /// covers the points between.
 inline constexpr double sample_share = 0.95;
+
+/// Coordinates of a CL program beyond this are refused, written and read: the part's own limit, stock and clearance.
+inline constexpr double largest_program_coordinate = 1e8;
+/// Length of a tool axis in a CL program may differ from 1 by this when written.
+inline constexpr double unit_axis = 1e-6;
+/// Of the last digit a CL file carries: heights this little above a digit are that digit, not the next.
+inline constexpr double cl_digit_noise = 1e-2;
 
 } // namespace facetmill::tolerance
