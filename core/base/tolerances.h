@@ -14,7 +14,7 @@ inline constexpr double lift_accuracy = 1e-9;
 inline constexpr double coordinate_rounding = 1.2e-7;
 /// A sum of vectors below this share of the sum of their lengths has no direction.
 inline constexpr double vanishing_sum = 1e-12;
-/// A pivot below this share of its matrix's largest diagonal makes a least-squares fit ambiguous.
+/// A pivot below this, in a matrix with unit diagonal, makes a least-squares fit ambiguous.
 inline constexpr double fit_pivot = 1e-9;
 /// Share of a sample's chord tolerance that its facets may use up at the lattice points where they are judged; the rest
 /// covers the points between.
@@ -26,5 +26,16 @@ inline constexpr double largest_program_coordinate = 1e8;
 inline constexpr double unit_axis = 1e-6;
 /// Of the last digit a CL file carries: heights this little above a digit are that digit, not the next.
 inline constexpr double cl_digit_noise = 1e-2;
+
+/// A mesh file whose largest extent lies outside these (mm) is most likely in another unit.
+inline constexpr double suspect_small_extent = 1.0;
+inline constexpr double suspect_large_extent = 1e4;
+/// Coordinates stored as 32-bit floats that are further apart than this (mm) are reported as coarse.
+inline constexpr double coarse_float_step = 0.01;
+/// Relative error of a facet's area that the rounding of its corners to 32-bit floats may cause: below it the direction of
+/// its normal is noise.
+inline constexpr double float_noise = 1e-6;
+/// A closed mesh whose volume is below this share of area times diagonal encloses nothing.
+inline constexpr double flat_volume = 1e-9;
 
 } // namespace facetmill::tolerance
