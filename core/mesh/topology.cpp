@@ -1,0 +1,182 @@
+#include "core/mesh/topology.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block = 20'000;
+/// OpenMesh numbers half-edges with int, two for each of up to three edges a facet.
+constexpr std::size_t facet_limit = 300'000'000;
+
+/// Side 3 f + k of facet f runs from its corner k to its corner k + 1.
+Index side_start(const Mesh& mesh, std::size_t side) {
+    return mesh.facets[side / 3][side % 3];
+}
+Index side_end(const Mesh& mesh, std::size_t side) {
+    return mesh.facets[side / 3][(side % 3 + 1) % 3];
+}
+Index next_side(Index side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+bool names_vertex_twice(const Facet& f) {
+    return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
+}
+
+/// Calls body(i) for i in [0, n), checking for cancellation and reporting progress per block.
+template <class Body>
+void for_each_checked(std::size_t n, const Progress& progress, Body&& body) {
+    for (std::size_t i = 0; i < n; ++i) {
+        if (i % block == 0) progress.set(double(i) / double(n));
+        body(i);
+    }
+}
+
+/// For each side, the number of its undirected edge: sides with the same two ends share one.
+struct Edges {
+    std::vector<Index> of_side;
+    std::size_t count = 0;
+};
+
+Edges number_edges(const Mesh& mesh, const Progress& progress) {
+    struct Entry {
+        Index high, side;
+    };
+    const std::size_t sides = 3 * mesh.facet_count();
+    const auto low = [&mesh](std::size_t s) { return std::min(side_start(mesh, s), side_end(mesh, s)); };
+    const auto high = [&mesh](std::size_t s) { return std::max(side_start(mesh, s), side_end(mesh, s)); };
+    // Counting sort by the lower vertex, then an ordinary one of the few sides there.
+    std::vector<Index> start(mesh.vertices.size() + 1, 0);
+    for_each_checked(sides, progress.part(0.0, 0.2), [&](std::size_t s) { ++start[low(s) + 1]; });
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        start[v + 1] += start[v];
+    std::vector<Entry> entries(sides);
+    std::vector<Index> next(start.begin(), start.end() - 1);
+    for_each_checked(sides, progress.part(0.2, 0.6), [&](std::size_t s) {
+        entries[next[low(s)]++] = {high(s), Index(s)};
+    });
+    Edges edges;
+    edges.of_side.resize(sides);
+    for_each_checked(mesh.vertices.size(), progress.part(0.6, 1.0), [&](std::size_t v) {
+        const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
+        std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.high < b.high; });
+        for (auto e = begin; e != end; ++e) {
+            if (e == begin || e->high != (e - 1)->high) ++edges.count;
+            edges.of_side[e->side] = Index(edges.count - 1);
+        }
+    });
+    return edges;
+}
+
+} // namespace
+
+std::shared_ptr<const Topology> build_topology(const Mesh& mesh, const Progress& progress) {
+    const std::size_t n = mesh.facet_count();
+    if (n > facet_limit)
+        throw Error(ErrorCode::limit_exceeded, "mesh",
+                    std::to_string(n) + " facets are too many for connectivity",
+                    "use a mesh of at most " + std::to_string(facet_limit / 1'000'000) + " million facets");
+    auto topology = std::make_shared<Topology>();
+    Edges edges = number_edges(mesh, progress.part(0.0, 0.4));
+
+    // Which facets fit: each direction of each edge belongs to one facet only.
+    struct Users {
+        Index up = no_index, down = no_index; ///< sides running to the higher vertex, to the lower one
+    };
+    std::vector<Users> users(edges.count);
+    const auto user = [&](std::size_t side) -> Index& {
+        Users& u = users[edges.of_side[side]];
+        return side_start(mesh, side) < side_end(mesh, side) ? u.up : u.down;
+    };
+    topology->facet_of.reserve(n);
+    for_each_checked(n, progress.part(0.4, 0.5), [&](std::size_t f) {
+        const std::size_t s = 3 * f;
+        if (names_vertex_twice(mesh.facets[f]) || user(s) != no_index || user(s + 1) != no_index
+            || user(s + 2) != no_index) {
+            ++topology->left_out;
+            return;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            user(s + k) = Index(s + k);
+        topology->facet_of.push_back(Index(f));
+    });
+    const auto opposite = [&](Index side) {
+        const Users& u = users[edges.of_side[side]];
+        return u.up == side ? u.down : u.up;
+    };
+
+    // Fans: turn round each vertex from every corner that no fan reached yet. Corner 3 f + k starts side 3 f
+    // + k.
+    auto& vertex_of = topology->vertex_of;
+    vertex_of.resize(mesh.vertices.size());
+    for (std::size_t v = 0; v < vertex_of.size(); ++v)
+        vertex_of[v] = Index(v);
+    std::vector<Index> vertex_at_corner(3 * n, no_index);
+    std::vector<char> taken(mesh.vertices.size(), 0);
+    for_each_checked(3 * topology->facet_of.size(), progress.part(0.5, 0.7), [&](std::size_t i) {
+        const Index corner = 3 * topology->facet_of[i / 3] + Index(i % 3);
+        if (vertex_at_corner[corner] != no_index) return;
+        Index v = side_start(mesh, corner);
+        if (taken[v]) {
+            vertex_of.push_back(v);
+            v = Index(vertex_of.size() - 1);
+        } else {
+            taken[v] = 1;
+        }
+        // One way until a border or the start; from a border the other way as well.
+        Index c = corner;
+        do {
+            vertex_at_corner[c] = v;
+            c = opposite(next_side(next_side(c))); // across the side that ends at the vertex
+        } while (c != no_index && c != corner);
+        if (c == corner) return;
+        for (Index across = opposite(corner); across != no_index; across = opposite(c)) {
+            c = next_side(across);
+            vertex_at_corner[c] = v;
+        }
+    });
+
+    // The structure itself, linked directly: OpenMesh's add_face searches all edges of a vertex for each
+    // facet, and drops facets with a message on stderr where its order of insertion does not suit it.
+    HalfedgeMesh& half = topology->mesh;
+    half.reserve(vertex_of.size(), edges.count, topology->facet_of.size());
+    for (const Index v : vertex_of) {
+        const Vec3& p = mesh.vertices[v];
+        half.add_vertex({p.x(), p.y(), p.z()});
+    }
+    std::vector<OpenMesh::HalfedgeHandle> halfedge_of(edges.count);
+    for_each_checked(topology->facet_of.size(), progress.part(0.7, 0.95), [&](std::size_t i) {
+        const Index s = 3 * topology->facet_of[i];
+        const OpenMesh::FaceHandle face = half.new_face();
+        std::array<OpenMesh::HalfedgeHandle, 3> h;
+        for (Index k = 0; k < 3; ++k) {
+            OpenMesh::HalfedgeHandle& stored = halfedge_of[edges.of_side[s + k]];
+            if (stored.is_valid()) {
+                h[k] = half.opposite_halfedge_handle(stored);
+            } else {
+                const OpenMesh::VertexHandle from{int(vertex_at_corner[s + k])};
+                const OpenMesh::VertexHandle to{int(vertex_at_corner[next_side(s + k)])};
+                stored = h[k] = half.new_edge(from, to);
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            half.set_next_halfedge_handle(h[k], h[(k + 1) % 3]);
+            half.set_face_handle(h[k], face);
+            half.set_halfedge_handle(half.from_vertex_handle(h[k]), h[k]);
+        }
+        half.set_halfedge_handle(face, h[2]); // loops over a face begin at the end of its half-edge: corner 0
+    });
+    // Every border vertex has one fan, so one border half-edge leaves it; it is the one OpenMesh wants stored
+    // there.
+    for (const OpenMesh::HalfedgeHandle h : half.halfedges())
+        if (half.is_boundary(h)) half.set_halfedge_handle(half.from_vertex_handle(h), h);
+    for (const OpenMesh::HalfedgeHandle h : half.halfedges())
+        if (half.is_boundary(h))
+            half.set_next_halfedge_handle(h, half.halfedge_handle(half.to_vertex_handle(h)));
+    progress.set(1.0);
+    return topology;
+}
+
+} // namespace facetmill
