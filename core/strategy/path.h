@@ -34,6 +34,7 @@ struct StrategyResult {
     double direction = 0;          ///< angle of travel from X, radians
     double cusp_max = 0;           ///< largest cusp the planner expects, mm
     std::size_t cleanup_points = 0; ///< CC points left for clean-up
+    std::size_t rework_regions = 0; ///< regions left for a rework operation
     std::vector<std::string> warnings;
 };
 
