@@ -1,5 +1,5 @@
-// The pipeline: part -> geometry -> contact index -> strategy -> link -> CL program -> report. A Planner keeps what did
-// not change between calls, so that editing a feed does not slice the part again.
+// The pipeline: part -> geometry -> contact index -> strategy -> link -> CL program -> report. A Planner
+// keeps what did not change between calls, so that editing a feed does not slice the part again.
 #pragma once
 
 #include "core/base/progress.h"
@@ -29,37 +29,53 @@ struct OperationResult {
     StrategyResult path;
     ClProgram program;
     MotionTotals totals;
-    double seconds_planning = 0;
+    double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
+    double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;
+};
+
+/// How often a Planner ran each stage; what was reused is not counted.
+struct PlannerWork {
+    int loads = 0, placements = 0, indexes = 0, strategies = 0, links = 0, programs = 0;
+    bool operator==(const PlannerWork&) const = default;
 };
 
 struct PlanResult {
     std::shared_ptr<const PreparedPart> part;
     Box3 stock;
-    std::vector<std::shared_ptr<const OperationResult>> operations; ///< in the project's order; those asked for
+    std::vector<std::shared_ptr<const OperationResult>>
+        operations; ///< in the project's order; those asked for
 };
 
+/// One job at a time: not to be called from two threads at once. Every stage is keyed by the values up to it
+/// (ParameterInfo::stage), so that a result from the cache equals a fresh one. After a plan of all operations
+/// only what it used is kept.
 class Planner {
 public:
     Planner();
     ~Planner();
 
-    /// The part of a project, from the cache when file, time stamp, unit and placement are the same.
+    /// The part of a project, from the cache when file, time stamp, size, unit and placement are the same.
+    /// Throws Error(files, coordinate_range) or Cancelled.
     std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
-    /// Plans all operations, or only the one named. Throws Error or Cancelled; the cache stays good then.
+    /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
+    /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;
+    /// the cache stays good then.
     std::shared_ptr<const PlanResult> plan(const Project& project, const std::string& only_operation,
                                            const Progress& progress);
+
+    const PlannerWork& work() const;
 
 private:
     struct Cache;
     std::unique_ptr<Cache> cache_;
 };
 
-/// report.json as the contract says, in the project's units.
+/// report.json as the contract says, in the project's units: lengths in `units`, seconds.
 std::string report_json(const Project& project, const PlanResult& result);
 
-/// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none. Returns the
-/// paths. NN is the operation's place in the project.
+/// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none.
+/// Returns the paths. NN is the operation's place in the project.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress);
 

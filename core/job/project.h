@@ -16,12 +16,17 @@ namespace facetmill {
 struct PartSpec {
     std::string file; ///< as written: relative to the project file, or absolute
     LengthUnit unit = LengthUnit::mm;
-    std::array<double, 3> rotate{0, 0, 0};    ///< radians about X, then Y, then Z (fixed axes)
-    std::array<double, 3> translate{0, 0, 0}; ///< mm, after the rotation
+    std::array<double, 3> rotate{0, 0, 0};              ///< radians about X, then Y, then Z (fixed axes)
+    std::array<double, 3> translate{0, 0, 0};           ///< mm, after the rotation
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in; mm
 };
 
 const ParameterTable<PartSpec>& part_parameters();
+/// Of one holder section: in files the members of "holder" of a tool.
+const ParameterTable<HolderSection>& holder_parameters();
+
+/// Newest version of the project file that is read, and the one that is written: key "facetmill".
+inline constexpr long project_version = 1;
 
 struct Project {
     std::filesystem::path path; ///< where it was read from or last saved; empty when new
@@ -43,18 +48,28 @@ struct Project {
     const Tool& tool_of(const Operation& operation) const;
 };
 
-/// Throws Error(syntax, unknown_key, wrong_type, out_of_range, missing_key, missing_reference, newer_version, files ...)
-/// whose place is "file: operations[0].tolerance". Older versions are migrated.
+/// Strict: every key is known, no key occurs twice, every value has its type and range, references lead
+/// somewhere. Required are `facetmill`, `units`, `part.file`, per tool `number` and `diameter`, per operation
+/// `kind` and `tool`; anything else has its described default (`part.units`: the project's; `shank_diameter`:
+/// the tool's diameter). Throws Error(syntax, truncated, encoding, limit_exceeded, unknown_key, wrong_type,
+/// out_of_range, missing_key, missing_reference, newer_version, files ...) whose place is "file:
+/// operations[0].tolerance". Older versions are migrated.
 Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
+/// Parsing and writing again gives the same text. Throws Error(out_of_range) for a value that is not finite.
 std::string project_to_json(const Project& project);
-/// Writes beside and renames. Throws Error(unwritable).
+/// Gives the project a new place and rewrites a relative part file so that it still names the same file.
+void move_project(Project& project, const std::filesystem::path& path);
+/// Writes beside and renames; a relative part file is written relative to `path`. Throws Error(unwritable).
 void save_project(const Project& project, const std::filesystem::path& path);
 
-/// Checks everything that needs no mesh: references, tools, machine, operation values against each other.
+/// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. The
+/// place in the error is "operations[0].tolerance", without the file.
 void check_project(const Project& project);
 
-/// "NAME.key=value" (or "NUMBER.key=value") as on the command line. Throws Error(usage, unknown_key, ...).
+/// "NAME.key=value" as on the command line; NAME is an operation's name or its place from 1. Only the one
+/// value is checked: `check_project` follows. Throws Error(usage, missing_reference, unknown_key, wrong_type,
+/// out_of_range); nothing changes then.
 void apply_setting(Project& project, std::string_view setting);
 
 /// A new project around a part with one sensible tool and one finish3 operation for its size.

@@ -118,7 +118,7 @@ private:
     std::vector<std::string_view> fields_;
     std::unordered_map<std::string, bool> ignored_;
     Vec3 axis_ = Vec3::UnitZ();
-    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false, unit_stated_ = false,
+    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false,
          cut_ = false;
     std::optional<double> feed_per_turn_;
     bool feed_seen_ = false, spindle_seen_ = false, tool_seen_ = false;
@@ -294,7 +294,6 @@ void Reader::units() {
     if (unit != unit_ && lengths_seen_)
         syntax("UNITS changes after lengths were given", "put UNITS before CUTTER and the first GOTO");
     unit_ = result_.program.unit = unit;
-    unit_stated_ = true;
 }
 
 void Reader::cutter() {

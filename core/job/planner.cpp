@@ -1,0 +1,330 @@
+#include "core/job/planner.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/mesh/geometry.h"
+
+#include <charconv>
+#include <chrono>
+#include <optional>
+#include <system_error>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t vertices_per_block = 20000;
+
+/// Exact text of values, for cache keys.
+class Key {
+public:
+    Key& add(std::string_view text) {
+        text_ += std::to_string(text.size());
+        text_ += ':';
+        text_ += text;
+        return *this;
+    }
+    Key& add(double v) {
+        char buffer[40];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::hex).ptr;
+        return add(std::string_view(buffer, std::size_t(end - buffer)));
+    }
+    template <std::size_t N>
+    Key& add(const std::array<double, N>& values) {
+        for (double v : values)
+            add(v);
+        return *this;
+    }
+    Key& add(const Vec3& v) { return add(v.x()).add(v.y()).add(v.z()); }
+    Key& add_value(const ParameterValue& value) {
+        add(std::to_string(value.index()));
+        std::visit(
+            [this](const auto& v) {
+                using T = std::decay_t<decltype(v)>;
+                if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, long>)
+                    add(std::to_string(long(v)));
+                else if constexpr (std::is_same_v<T, std::string>)
+                    add(std::string_view(v));
+                else
+                    add(v);
+            },
+            value);
+        return *this;
+    }
+    /// All parameters whose change makes `last` or a stage before it stale.
+    Key& add_up_to(Stage last, const Parameterized& values) {
+        for (const ParameterInfo* info : values.parameters())
+            if (info->stage <= last) add(std::string_view(info->key)).add_value(values.get(info->key));
+        return *this;
+    }
+    template <class Struct>
+    Key& add_up_to(Stage last, const Struct& values, const ParameterTable<Struct>& table) {
+        Struct copy = values;
+        return add_up_to(last, ParameterView<Struct>(copy, table));
+    }
+    const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+/// Changes when the file does.
+std::string file_stamp(const fs::path& path) {
+    std::error_code ec;
+    const fs::path real = fs::weakly_canonical(path, ec);
+    Key key;
+    key.add(std::string_view(ec ? path.string() : real.string()));
+    const auto time = fs::last_write_time(path, ec);
+    key.add(std::to_string(ec ? 0 : time.time_since_epoch().count()));
+    const auto size = fs::file_size(path, ec);
+    key.add(std::to_string(ec ? 0 : size));
+    return key.text();
+}
+
+bool in_place(const PartSpec& part) {
+    const std::array<double, 3> none{0, 0, 0};
+    return part.rotate == none && part.translate == none;
+}
+
+MeshPtr placed(const MeshPtr& mesh, const PartSpec& part, const Progress& progress) {
+    if (in_place(part)) return mesh;
+    const Mat3 turn =
+        (Eigen::AngleAxisd(part.rotate[2], Vec3::UnitZ()) * Eigen::AngleAxisd(part.rotate[1], Vec3::UnitY())
+         * Eigen::AngleAxisd(part.rotate[0], Vec3::UnitX()))
+            .toRotationMatrix();
+    const Vec3 move(part.translate[0], part.translate[1], part.translate[2]);
+    auto copy = std::make_shared<Mesh>();
+    copy->facets = mesh->facets;
+    copy->vertices.resize(mesh->vertices.size());
+    parallel_for(mesh->vertices.size(), vertices_per_block, progress,
+                 [&](std::size_t i) { copy->vertices[i] = turn * mesh->vertices[i] + move; });
+    return copy;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The operation's own chord tolerance where it has one.
+double chord_tolerance(const Operation& operation) {
+    for (const ParameterInfo* info : operation.parameters()) {
+        if (info->key != "chord_tolerance") continue;
+        const ParameterValue value = operation.get(info->key);
+        if (const auto* d = std::get_if<double>(&value)) return *d;
+    }
+    return operation.common().tolerance / 10;
+}
+
+} // namespace
+
+struct Planner::Cache {
+    struct Planned {
+        std::string path_key, motion_key, program_key;
+        std::shared_ptr<const OperationResult> result;
+        bool used = false;
+    };
+
+    std::string load_key, part_key;
+    std::optional<LoadedMesh> loaded;
+    std::shared_ptr<const PreparedPart> part;
+    ContactIndexPtr index; ///< of part->mesh, or null
+    std::vector<Planned> planned;
+    PlannerWork work;
+
+    Planned* find(std::string Planned::*key, const std::string& value) {
+        for (Planned& p : planned)
+            if (p.*key == value) return &p;
+        return nullptr;
+    }
+    std::shared_ptr<const OperationResult> operation(const Project& project, const Operation& operation,
+                                                     const PlanContext& context, const Progress& progress);
+};
+
+Planner::Planner() : cache_(std::make_unique<Cache>()) {}
+Planner::~Planner() = default;
+
+const PlannerWork& Planner::work() const {
+    return cache_->work;
+}
+
+std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, const Progress& progress) {
+    Cache& c = *cache_;
+    const fs::path path = project.part_path();
+    Key load_key;
+    load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
+    Key part_key = load_key;
+    part_key.add(project.part.rotate).add(project.part.translate);
+    if (c.part && c.part_key == part_key.text()) {
+        progress.set(1.0);
+        return c.part;
+    }
+    if (!c.loaded || c.load_key != load_key.text()) {
+        LoadedMesh loaded = load_mesh(path, project.part.unit, progress.part(0.0, 0.6, "Reading the part"));
+        ++c.work.loads;
+        c.loaded = std::move(loaded);
+        c.load_key = load_key.text();
+    }
+    auto part = std::make_shared<PreparedPart>();
+    part->mesh = placed(c.loaded->mesh, project.part, progress.part(0.6, 0.65));
+    part->report = c.loaded->report;
+    part->box = part->mesh->box();
+    if (!(part->box.lo.cwiseAbs().cwiseMax(part->box.hi.cwiseAbs()).maxCoeff()
+          <= tolerance::largest_coordinate))
+        throw Error(ErrorCode::coordinate_range, "part",
+                    "a coordinate is too large once the part is in its place",
+                    "check the part's units and translate");
+    part->geometry = compute_geometry(*part->mesh, progress.part(0.65, 1.0, "Measuring the part"));
+    ++c.work.placements;
+    c.part = part;
+    c.part_key = part_key.text();
+    c.index = nullptr;
+    return part;
+}
+
+std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& project,
+                                                                 const Operation& operation,
+                                                                 const PlanContext& context,
+                                                                 const Progress& progress) {
+    const OperationCommon& common = operation.common();
+    if (!operation.three_axis())
+        throw Error(ErrorCode::unsupported_format, printable(common.name),
+                    "only 3-axis operations can be linked", "choose a 3-axis operation");
+    // Each key holds what its stage and all before it read.
+    Key key;
+    key.add(std::string_view(part_key)).add(operation.kind()).add(std::string_view(project.machine));
+    key.add_up_to(Stage::strategy, project.stock, stock_parameters());
+    key.add(project.part.tessellation_tolerance);
+    key.add_up_to(Stage::strategy, context.tool, tool_parameters());
+    for (const HolderSection& s : context.tool.holder)
+        key.add(s.diameter).add(s.length);
+    key.add_up_to(Stage::strategy, operation);
+    const std::string path_key = key.text();
+    const std::string motion_key = key.add_up_to(Stage::link, operation).text();
+    key.add_up_to(Stage::output, operation).add_up_to(Stage::output, context.tool, tool_parameters());
+    key.add(unit_name(project.unit)).add(std::string_view(project.part.file));
+    const std::string program_key = key.text();
+
+    if (Planned* same = find(&Planned::program_key, program_key)) {
+        same->used = true;
+        progress.set(1.0);
+        return same->result;
+    }
+    auto result = std::make_shared<OperationResult>();
+    result->name = common.name;
+    result->kind = operation.kind();
+    auto start = std::chrono::steady_clock::now();
+    if (const Planned* same = find(&Planned::path_key, path_key)) {
+        result->path = same->result->path;
+        result->seconds_strategy = same->result->seconds_strategy;
+    } else {
+        result->path = operation.plan(context, progress.part(0.0, 0.85, common.name));
+        result->seconds_strategy = seconds_since(start);
+        ++work.strategies;
+    }
+    for (const Pass& pass : result->path.passes) {
+        result->cc_points += pass.cc.size();
+        result->cl_points += pass.cl.size();
+    }
+    if (result->cl_points == 0)
+        throw Error(ErrorCode::empty_result, "operation '" + printable(common.name) + "'", "nothing is cut",
+                    "check part, tool and direction");
+
+    ClProgram& program = result->program;
+    start = std::chrono::steady_clock::now();
+    if (const Planned* same = find(&Planned::motion_key, motion_key)) {
+        program.motions = same->result->program.motions;
+        result->seconds_link = same->result->seconds_link;
+    } else {
+        LinkOptions options;
+        options.clearance = common.clearance;
+        // Passes lie at most one step-over apart; a tool's width is what one stays down for.
+        options.link_distance = std::max(context.tool.diameter, 2 * result->path.stepover_max);
+        options.chord_tolerance = chord_tolerance(operation);
+        program.motions = link_three_axis(result->path, context, common.allowance, options,
+                                          progress.part(0.85, 0.98, common.name + ": linking"));
+        result->seconds_link = seconds_since(start);
+        ++work.links;
+    }
+    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
+    program.operation_name = common.name;
+    program.unit = project.unit;
+    program.tool_number = context.tool.number;
+    program.tool_name = context.tool.name;
+    program.cutter = context.tool.cutter();
+    program.feed_mm_per_min = common.feed;
+    program.spindle_rpm = common.spindle;
+    program.multi_axis = !operation.three_axis();
+    result->totals = motion_totals(program, context.machine);
+    result->seconds_planning = result->seconds_strategy + result->seconds_link;
+    ++work.programs;
+    progress.set(1.0);
+    planned.push_back({path_key, motion_key, program_key, result, true});
+    return result;
+}
+
+std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const std::string& only_operation,
+                                                const Progress& progress) {
+    check_project(project);
+    std::vector<const Operation*> asked;
+    std::vector<std::string> names;
+    for (const auto& o : project.operations) {
+        names.push_back(o->common().name);
+        if (only_operation.empty() || names.back() == only_operation) asked.push_back(o.get());
+    }
+    if (names.empty())
+        throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
+                    "add an operation");
+    if (asked.empty()) {
+        const std::string near = nearest_name(only_operation, names);
+        throw Error(ErrorCode::missing_reference, "operations",
+                    "there is no operation '" + printable(only_operation) + "'",
+                    near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
+    }
+
+    Cache& c = *cache_;
+    auto result = std::make_shared<PlanResult>();
+    result->part = prepare(project, progress.part(0.0, 0.15));
+    result->stock = stock_box(project.stock, result->part->box);
+    if (!c.index || c.index->mesh_ptr() != result->part->mesh) {
+        c.index =
+            std::make_shared<ContactIndex>(result->part->mesh, progress.part(0.15, 0.2, "Indexing the part"));
+        ++c.work.indexes;
+    }
+
+    PlanContext context;
+    context.part = result->part->mesh;
+    context.geometry = result->part->geometry;
+    context.contact = c.index;
+    context.part_box = result->part->box;
+    context.stock_box = result->stock;
+    context.machine = find_machine(project.machine);
+    context.tessellation_tolerance = project.part.tessellation_tolerance;
+    for (auto& p : c.planned)
+        p.used = false;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const double n = double(asked.size());
+        context.tool = project.tool_of(*asked[i]);
+        const Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
+        try {
+            result->operations.push_back(c.operation(project, *asked[i], context, part));
+        } catch (const Error& e) {
+            // A strategy knows what is wrong, not which of the project's operations it is.
+            const std::string place = "operation '" + printable(asked[i]->common().name) + "'";
+            if (e.where().starts_with("operation '")) throw;
+            throw e.within(place);
+        }
+    }
+    std::erase_if(c.planned, [&](const Cache::Planned& p) {
+        if (p.used) return false;
+        if (only_operation.empty()) return true;
+        // Planning one operation keeps the others' results, and drops what this one had before.
+        return p.result->name == only_operation
+               || std::find(names.begin(), names.end(), p.result->name) == names.end();
+    });
+    progress.set(1.0);
+    return result;
+}
+
+} // namespace facetmill

@@ -1,0 +1,319 @@
+#include "core/job/project.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+const ParameterTable<PartSpec>& part_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        ParameterTable<PartSpec> t;
+        t.add(&PartSpec::file,
+              {.key = "file",
+               .label = "File",
+               .help = "The part's mesh (STL, OBJ, PLY); a relative path starts at the project file.",
+               .kind = K::text,
+               .stage = Stage::mesh});
+        t.add_choice(&PartSpec::unit,
+                     {.key = "units",
+                      .label = "Units",
+                      .help = "Unit of the numbers in the mesh file. Default: the project's.",
+                      .words = {"mm", "in"},
+                      .stage = Stage::mesh});
+        t.add(&PartSpec::rotate, {.key = "rotate",
+                                  .label = "Rotate",
+                                  .help = "Turns the part about X, then Y, then Z (fixed axes).",
+                                  .kind = K::triple,
+                                  .quantity = Quantity::angle,
+                                  .minimum = -2 * pi,
+                                  .maximum = 2 * pi,
+                                  .stage = Stage::mesh});
+        t.add(&PartSpec::translate, {.key = "translate",
+                                     .label = "Translate",
+                                     .help = "Moves the part after it was turned.",
+                                     .kind = K::triple,
+                                     .quantity = Quantity::length,
+                                     .minimum = -1e6,
+                                     .maximum = 1e6,
+                                     .stage = Stage::mesh});
+        t.add(&PartSpec::tessellation_tolerance, {.key = "tessellation_tolerance",
+                                                  .label = "Tessellation tolerance",
+                                                  .help = "How far the true surface may lie outside and "
+                                                          "inside the mesh. 0 takes the mesh as the part.",
+                                                  .kind = K::pair,
+                                                  .quantity = Quantity::length,
+                                                  .minimum = 0,
+                                                  .maximum = 1000,
+                                                  .stage = Stage::contact});
+        return t;
+    }();
+    return table;
+}
+
+const ParameterTable<HolderSection>& holder_parameters() {
+    static const auto table = [] {
+        ParameterTable<HolderSection> t;
+        t.add(&HolderSection::diameter, {.key = "diameter",
+                                         .label = "Diameter",
+                                         .help = "Diameter of the section.",
+                                         .quantity = Quantity::length,
+                                         .minimum = 0,
+                                         .maximum = 1e5,
+                                         .open_minimum = true,
+                                         .stage = Stage::cutter});
+        t.add(&HolderSection::length, {.key = "length",
+                                       .label = "Length",
+                                       .help = "Length of the section along the axis.",
+                                       .quantity = Quantity::length,
+                                       .minimum = 0,
+                                       .maximum = 1e5,
+                                       .open_minimum = true,
+                                       .stage = Stage::cutter});
+        return t;
+    }();
+    return table;
+}
+
+Project::Project(const Project& other)
+    : path(other.path), unit(other.unit), part(other.part), stock(other.stock), machine(other.machine),
+      tools(other.tools) {
+    operations.reserve(other.operations.size());
+    for (const auto& o : other.operations)
+        operations.push_back(o->clone());
+}
+
+Project& Project::operator=(const Project& other) {
+    if (this != &other) *this = Project(other);
+    return *this;
+}
+
+fs::path Project::part_path() const {
+    const fs::path file = part.file;
+    return file.is_absolute() ? file : path.parent_path() / file;
+}
+
+const Tool& Project::tool_of(const Operation& operation) const {
+    const long number = operation.common().tool;
+    std::string known;
+    for (const Tool& t : tools) {
+        if (t.number == number) return t;
+        known += (known.empty() ? "" : ", ") + std::to_string(t.number);
+    }
+    throw Error(ErrorCode::missing_reference, "operation '" + printable(operation.common().name) + "'",
+                "there is no tool " + std::to_string(number),
+                known.empty() ? "the project has no tools: add one" : "tools there are: " + known);
+}
+
+void move_project(Project& project, const fs::path& path) {
+    const fs::path file = project.part.file;
+    const auto folder = [](const fs::path& p) { return fs::absolute(p).lexically_normal().parent_path(); };
+    if (!file.empty() && (project.path.empty() || folder(project.path) != folder(path))) {
+        // A project that was never saved has an absolute part file or one relative to the working folder.
+        const fs::path target = fs::absolute(project.part_path()).lexically_normal();
+        const fs::path relative = target.lexically_relative(folder(path));
+        const bool below = !relative.empty() && *relative.begin() != "..";
+        if (below || (file.is_relative() && !relative.empty()))
+            project.part.file = relative.generic_string();
+        else
+            project.part.file = target.generic_string();
+    }
+    project.path = path;
+}
+
+namespace {
+
+void check_values(const Parameterized& values, const std::string& place, LengthUnit unit) {
+    for (const ParameterInfo* info : values.parameters()) {
+        try {
+            info->check(values.get(info->key), unit);
+        } catch (const Error& e) {
+            throw Error(e.code(), place + "." + info->key, e.message(), e.remedy());
+        }
+    }
+}
+
+template <class Struct>
+void check_struct(const Struct& values, const ParameterTable<Struct>& table, const std::string& place,
+                  LengthUnit unit) {
+    Struct copy = values;
+    check_values(ParameterView<Struct>(copy, table), place, unit);
+}
+
+std::string at(const char* list, std::size_t i) {
+    return list + ("[" + std::to_string(i) + "]");
+}
+
+void check_part(const Project& p) {
+    check_struct(p.part, part_parameters(), "part", p.unit);
+    if (p.part.file.empty())
+        throw Error(ErrorCode::missing_key, "part.file", "the part has no file",
+                    "name an STL, OBJ or PLY file");
+    std::string extension = fs::path(p.part.file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    if (extension == ".facetmill")
+        throw Error(ErrorCode::unsupported_format, "part.file", "a project cannot be the part of a project",
+                    "name an STL, OBJ or PLY file");
+}
+
+void check_tools(const Project& p) {
+    for (std::size_t i = 0; i < p.tools.size(); ++i) {
+        const Tool& tool = p.tools[i];
+        const std::string place = at("tools", i);
+        check_struct(tool, tool_parameters(), place, p.unit);
+        for (std::size_t k = 0; k < tool.holder.size(); ++k)
+            check_struct(tool.holder[k], holder_parameters(), place + "." + at("holder", k), p.unit);
+        try {
+            check_tool(tool);
+        } catch (const Error& e) {
+            throw Error(e.code(), place + (e.where().empty() ? "" : "." + e.where()), e.message(),
+                        e.remedy());
+        }
+        for (std::size_t k = 0; k < i; ++k)
+            if (p.tools[k].number == tool.number)
+                throw Error(ErrorCode::out_of_range, place + ".number",
+                            "the tool number " + std::to_string(tool.number) + " occurs twice",
+                            "give every tool its own number");
+    }
+}
+
+void check_operations(const Project& p) {
+    for (std::size_t i = 0; i < p.operations.size(); ++i) {
+        const Operation& operation = *p.operations[i];
+        const std::string place = at("operations", i);
+        const std::string& name = operation.common().name;
+        check_values(operation, place, p.unit);
+        if (name.find_first_not_of(' ') == std::string::npos)
+            throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
+                        "give the operation a name");
+        for (std::size_t k = 0; k < i; ++k)
+            if (p.operations[k]->common().name == name)
+                throw Error(ErrorCode::out_of_range, place + ".name",
+                            "the name '" + printable(name) + "' occurs twice",
+                            "give every operation its own name");
+        try {
+            p.tool_of(operation);
+        } catch (const Error& e) {
+            throw Error(e.code(), place + ".tool", e.message(), e.remedy());
+        }
+    }
+}
+
+} // namespace
+
+void check_project(const Project& project) {
+    check_part(project);
+    check_struct(project.stock, stock_parameters(), "stock", project.unit);
+    find_machine(project.machine);
+    check_tools(project);
+    check_operations(project);
+}
+
+void apply_setting(Project& project, std::string_view setting) {
+    const std::string shown = "--set " + printable(setting, 120);
+    const auto usage = [&](const std::string& what) {
+        throw Error(ErrorCode::usage, shown, what, "write NAME.key=value, as in Finish.tolerance=0.01");
+    };
+    // A name may hold '.' and '=': the longest name that fits counts.
+    Operation* operation = nullptr;
+    std::size_t length = 0;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < project.operations.size(); ++i) {
+        Operation* o = project.operations[i].get();
+        names.push_back(o->common().name);
+        for (const std::string& name : {o->common().name, std::to_string(i + 1)}) {
+            const bool fits =
+                setting.size() > name.size() && setting.starts_with(name) && setting[name.size()] == '.';
+            // A name beats a place of the same length.
+            if (fits && (name.size() > length || (name.size() == length && name == o->common().name))) {
+                operation = o;
+                length = name.size();
+            }
+        }
+    }
+    if (!operation) {
+        const std::size_t equal = setting.find('='), dot = setting.substr(0, equal).rfind('.');
+        if (equal == std::string_view::npos) usage("there is no '='");
+        if (dot == std::string_view::npos || dot == 0) usage("there is no operation name before the key");
+        const std::string name(setting.substr(0, dot)), near = nearest_name(name, names);
+        std::string list;
+        for (const auto& n : names)
+            list += (list.empty() ? "" : ", ") + printable(n);
+        throw Error(ErrorCode::missing_reference, shown, "there is no operation '" + printable(name) + "'",
+                    near.empty() ? "operations there are: " + list
+                                 : "did you mean '" + printable(near) + "'?");
+    }
+    const std::string_view rest = setting.substr(length + 1);
+    const std::size_t equal = rest.find('=');
+    if (equal == std::string_view::npos) usage("there is no '='");
+    const std::string key(rest.substr(0, equal));
+    if (key.empty()) usage("there is no key before '='");
+    try {
+        operation->set(key, operation->parameter(key).parse(rest.substr(equal + 1), project.unit));
+    } catch (const Error& e) {
+        throw Error(e.code(), shown, e.message(), e.remedy());
+    }
+}
+
+namespace {
+
+/// Largest of 1, 2, 5 times a power of ten that is not above v, in the edge's unit.
+double round_down(double v) {
+    const double power = std::pow(10.0, std::floor(std::log10(v) + 1e-9));
+    for (double step : {5.0, 2.0})
+        if (v >= step * power * (1 - 1e-9)) return step * power;
+    return power;
+}
+
+/// A diameter one can buy, not above `target`; a round number where there is none so small.
+double usual_diameter(double target, LengthUnit unit) {
+    static const std::vector<double> mm = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25};
+    static const std::vector<double> inch = {1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8,
+                                             1.0 / 2,  5.0 / 8, 3.0 / 4,  1};
+    const auto& sizes = unit == LengthUnit::inch ? inch : mm;
+    const auto above = std::upper_bound(sizes.begin(), sizes.end(), target * (1 + 1e-9));
+    return above == sizes.begin() ? round_down(target) : *std::prev(above);
+}
+
+} // namespace
+
+Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& part_box) {
+    const double per = mm_per(unit);
+    // A flat part of no width still gets a tool.
+    const Vec3 size = part_box.size() / per;
+    const double diagonal = std::max(size.norm(), 1e-3);
+    const double width = std::max(std::min(size.x(), size.y()), diagonal / 20);
+    const double diameter = usual_diameter(width / 8, unit);
+
+    Project p;
+    p.unit = unit;
+    p.part.file = fs::absolute(part_file).lexically_normal().generic_string();
+    p.part.unit = unit;
+    const double margin = round_down(diagonal / 40) * per;
+    p.stock.margin = {margin, margin, margin};
+
+    Tool tool;
+    tool.number = 1;
+    tool.diameter = tool.shank_diameter = diameter * per;
+    tool.corner_radius = tool.diameter / 2;
+    tool.flute_length = 3 * tool.diameter;
+    tool.shank_length = std::max(4 * tool.diameter, part_box.size().z());
+    tool.name = "Ball " + format_number(diameter);
+    p.tools.push_back(tool);
+
+    auto operation = make_operation("finish3");
+    OperationCommon& common = operation->common();
+    common.name = "Finish";
+    common.tool = tool.number;
+    common.tolerance = round_down(std::min(diagonal / 4000, diameter / 100)) * per;
+    common.feed = (unit == LengthUnit::inch ? 40 : 1000) * per;
+    common.spindle = 6000;
+    common.clearance = round_down(diagonal / 25) * per;
+    p.operations.push_back(std::move(operation));
+    return p;
+}
+
+} // namespace facetmill

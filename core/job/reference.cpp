@@ -1,0 +1,118 @@
+#include "core/job/reference.h"
+
+#include "core/job/project.h"
+#include "core/setup/machine.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr LengthUnit shown_unit = LengthUnit::mm;
+
+std::string type_text(const ParameterInfo& p) {
+    std::string words;
+    for (const auto& w : p.words)
+        words += (words.empty() ? "`" : ", `") + w + "`";
+    switch (p.kind) {
+    case ParameterKind::number:
+        return "number";
+    case ParameterKind::number_or_word:
+        return "number or " + words;
+    case ParameterKind::integer:
+        return "whole number";
+    case ParameterKind::boolean:
+        return "`true` or `false`";
+    case ParameterKind::choice:
+        return words;
+    case ParameterKind::text:
+        return "text";
+    case ParameterKind::pair:
+        return "two numbers";
+    case ParameterKind::triple:
+        return "three numbers";
+    }
+    return {};
+}
+
+/// A cell of a table: no bars, no line breaks.
+std::string cell(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n') text[i] = ' ';
+        if (text[i] == '|') text.insert(i++, "\\");
+    }
+    return text;
+}
+
+void table(std::string& page, const std::vector<const ParameterInfo*>& parameters) {
+    page += "| key | meaning | value | unit | range | default |\n|---|---|---|---|---|---|\n";
+    for (const ParameterInfo* p : parameters) {
+        const std::string value = p->value_text(p->default_value, shown_unit);
+        page += "| `" + p->key + "` | **" + cell(p->label) + ".** " + cell(p->help) + " | "
+                + cell(type_text(*p)) + " | " + std::string(edge_unit_name(p->quantity, shown_unit)) + " | "
+                + cell(p->range_text(shown_unit)) + " | " + (value.empty() ? "" : "`" + cell(value) + "`")
+                + " |\n";
+    }
+    page += '\n';
+}
+
+template <class Struct>
+void table_of(std::string& page, const ParameterTable<Struct>& parameters) {
+    std::vector<const ParameterInfo*> infos;
+    for (const auto& e : parameters.entries())
+        infos.push_back(&e.info);
+    table(page, infos);
+}
+
+} // namespace
+
+std::string reference_page() {
+    std::string page =
+        "# Parameters\n\n"
+        "Written by `facetmill-cli reference` from the program's own descriptions; a test keeps it current.\n"
+        "Units, ranges and defaults are shown for a project in mm. In a project file lengths are in its "
+        "`units`,\n"
+        "angles in degrees, feeds in units per minute. `--set NAME.key=value` sets any key of an operation "
+        "for\n"
+        "one run.\n\n"
+        "## Project file\n\n"
+        "JSON in UTF-8. An unknown key, a key that occurs twice, a wrong type and a value out of range are\n"
+        "errors that name the key.\n\n"
+        "| key | meaning |\n|---|---|\n"
+        "| `facetmill` | Version of the file: "
+        + std::to_string(project_version)
+        + ". Older files are migrated. Required. |\n"
+          "| `units` | `mm` or `in`: unit of every length in the file. Required. |\n"
+          "| `part` | The part, see below. Required. |\n"
+          "| `stock` | The raw material, see below. Default: the part's box. |\n"
+          "| `machine` | Name of a machine, see below. Default: `"
+        + Project().machine
+        + "`. |\n"
+          "| `tools` | List of tools, see below. |\n"
+          "| `operations` | List of operations in machining order; each has a `kind` and the keys of that "
+          "kind. |\n\n"
+          "## Part\n\n";
+    table_of(page, part_parameters());
+    page += "## Stock\n\n";
+    table_of(page, stock_parameters());
+    page += "## Machines\n\n| `machine` | meaning | rapids in x, y, z |\n|---|---|---|\n";
+    for (const Machine& m : machines()) {
+        page += "| `" + m.name + "` | " + cell(m.label) + " |";
+        for (int k = 0; k < 3; ++k)
+            page += (k ? ", " : " ") + format_number(m.rapid_mm_per_s[k] * 60);
+        page += " mm/min |\n";
+    }
+    page += "\n## Tools\n\n`number` and `diameter` are required; `shank_diameter` is the tool's diameter "
+            "where it is not given.\n\n";
+    table_of(page, tool_parameters());
+    page += "`holder` is a list of cylinders from the shank upward, each with:\n\n";
+    table_of(page, holder_parameters());
+    page += "## Operations\n\n";
+    for (const OperationKind& kind : operation_kinds()) {
+        page += "### `" + kind.kind + "`: " + kind.label + "\n\n";
+        table(page, kind.make()->parameters());
+    }
+    page.pop_back();
+    return page;
+}
+
+} // namespace facetmill

@@ -1,0 +1,151 @@
+// What a plan leaves on disk: APT programs and report.json.
+#include "core/base/file.h"
+#include "core/job/planner.h"
+#include "core/job/strict_json.h"
+#include "core/output/apt.h"
+
+#include <system_error>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_name = 60;
+
+Json numbers(const Vec3& v, double per) {
+    Json list = Json::array();
+    for (int k = 0; k < 3; ++k)
+        list.push_back(json_number(v[k] / per, "report"));
+    return list;
+}
+
+Json box_json(const Box3& box, double per) {
+    return Json{{"low", numbers(box.lo, per)}, {"high", numbers(box.hi, per)}};
+}
+
+/// Removes a folder that this job made, when the job fails.
+class NewFolder {
+public:
+    explicit NewFolder(const fs::path& path) {
+        std::error_code ec;
+        fs::path top = path;
+        while (!top.empty() && !fs::exists(top, ec)) {
+            made_.push_back(top);
+            top = top.has_relative_path() ? top.parent_path() : fs::path();
+        }
+        fs::create_directories(path, ec);
+        if (std::error_code none; !fs::is_directory(path, none)) {
+            remove();
+            throw Error(ErrorCode::unwritable, printable(path.string(), 400),
+                        "cannot make the folder" + (ec ? ": " + ec.message() : std::string()),
+                        "name a folder that exists or can be made");
+        }
+    }
+    ~NewFolder() {
+        if (!keep_) remove();
+    }
+    void keep() { keep_ = true; }
+
+private:
+    void remove() {
+        std::error_code ec;
+        for (const fs::path& p : made_)
+            fs::remove(p, ec); // only when empty
+    }
+    std::vector<fs::path> made_;
+    bool keep_ = false;
+};
+
+} // namespace
+
+std::string report_json(const Project& project, const PlanResult& result) {
+    const double per = mm_per(project.unit);
+    Json operations = Json::array();
+    for (const auto& o : result.operations) {
+        const auto number = [&](double v) {
+            return json_number(v, "report: operation '" + printable(o->name) + "'");
+        };
+        Json warnings = Json::array();
+        for (const auto& w : o->path.warnings)
+            warnings.push_back(w);
+        Json entry;
+        entry["name"] = o->name;
+        entry["kind"] = o->kind;
+        entry["passes"] = o->path.drive_planes;
+        entry["stepover_min"] = number(o->path.stepover_min / per);
+        entry["stepover_max"] = number(o->path.stepover_max / per);
+        entry["cc_points"] = o->cc_points;
+        entry["cl_points"] = o->cl_points;
+        entry["cleanup_points"] = o->path.cleanup_points;
+        entry["rework_regions"] = o->path.rework_regions;
+        entry["cut_length"] = number(o->totals.cut_length / per);
+        entry["rapid_length"] = number(o->totals.rapid_length / per);
+        entry["time_seconds"] = number(o->totals.time_seconds);
+        entry["cusp_max"] = number(o->path.cusp_max / per);
+        entry["warnings"] = std::move(warnings);
+        entry["seconds_planning"] = number(o->seconds_planning);
+        entry["direction_degrees"] = number(degrees(o->path.direction));
+        operations.push_back(std::move(entry));
+    }
+    const MeshReport& mesh = result.part->report;
+    Json report;
+    report["units"] = std::string(unit_name(project.unit));
+    report["part"] = Json{{"file", printable(project.part.file, 400)},
+                          {"facets", mesh.facets},
+                          {"watertight", mesh.watertight},
+                          {"box", box_json(result.part->box, per)},
+                          {"warnings", mesh.warnings}};
+    report["stock"] = Json{{"box", box_json(result.stock, per)}};
+    report["machine"] = project.machine;
+    report["operations"] = std::move(operations);
+    return pretty_json(report);
+}
+
+std::string program_file_name(std::size_t place, const std::string& operation_name) {
+    std::string name;
+    for (char ch : operation_name) {
+        const auto c = static_cast<unsigned char>(ch);
+        if ((c & 0xC0) == 0x80) continue; // one '-' per UTF-8 character
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')
+                           || c == '_' || c == '.';
+        if (plain)
+            name += ch;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+        if (name.size() == longest_name) break;
+    }
+    while (!name.empty() && (name.back() == '-' || name.back() == '.'))
+        name.pop_back();
+    if (name.empty()) name = "operation";
+    const std::string number = std::to_string(place);
+    return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
+}
+
+std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
+                                 const Progress& progress) {
+    if (result.operations.empty())
+        throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
+    NewFolder made(folder);
+    OutputSet files;
+    std::vector<fs::path> paths;
+    const double n = double(result.operations.size());
+    for (std::size_t i = 0; i < result.operations.size(); ++i) {
+        const OperationResult& o = *result.operations[i];
+        std::size_t place = 0;
+        while (place < project.operations.size() && project.operations[place]->common().name != o.name)
+            ++place;
+        paths.push_back(folder / program_file_name(place + 1, o.name));
+        write_apt(o.program, files.add(paths.back()),
+                  progress.part(double(i) / n, double(i + 1) / n, "Writing"));
+    }
+    paths.push_back(folder / "report.json");
+    files.add(paths.back()).write(report_json(project, result));
+    progress.check();
+    files.commit();
+    made.keep();
+    return paths;
+}
+
+} // namespace facetmill
