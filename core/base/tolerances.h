@@ -38,4 +38,35 @@ inline constexpr double float_noise = 1e-6;
 /// A closed mesh whose volume is below this share of area times diagonal encloses nothing.
 inline constexpr double flat_volume = 1e-9;
 
+/// Facets whose unit normal has a smaller z than this count as vertical: a 3-axis cutter passes them, but they ask for no
+/// pass of their own.
+inline constexpr double vertical_normal_z = 1e-3;
+/// Radians: directions closer than this are the same.
+inline constexpr double level_angle = 1e-6;
+/// To this (mm) the entry of a line into a cutter is found where no closed form is used.
+inline constexpr double ray_accuracy = 1e-7;
+/// Farther (mm) than this from the cutter, a contact point is one of a cutter grown by an allowance.
+inline constexpr double contact_distance = 1e-6;
+
+/// Angles (radians) and, as a share of the cutter's size, lengths of a cutter's profile that differ by less are equal:
+/// a few times the rounding of their computation.
+inline constexpr double cutter_angle = 1e-12;
+/// Share of the cutter's size by which rounded values may miss tangency and still mean it.
+inline constexpr double cutter_tangency = 1e-5;
+/// Where a plane touches the cutter is known to this many roundings, times the condition of the facet; nearer to an
+/// edge of the facet, that edge is asked too.
+inline constexpr double contact_roundings = 64;
+/// Bounds that let the index skip a block are widened by this share of the lengths in them: above all rounding.
+inline constexpr double bound_slack = 1e-13;
+/// Diameter (mm) of the cutter that stands for a line when the height of the mesh at one place is asked for.
+inline constexpr double needle_diameter = 1e-6;
+/// The smallest step-over, as a share of the one on a level plane: steeper places than it can serve are reported.
+inline constexpr double smallest_step_share = 0.01;
+/// Chord tolerances of a path are at least this (mm).
+inline constexpr double smallest_chord = 1e-6;
+/// Points of a slice closer than this share of the part's diagonal say nothing about how the normal changes.
+inline constexpr double vanishing_step = 1e-6;
+/// Average changes of normals that differ by less than this share are alike.
+inline constexpr double like_normal_change = 0.01;
+
 } // namespace facetmill::tolerance

@@ -1,5 +1,6 @@
 // Meshes in and out. Readers of our own for STL (binary, ASCII), OBJ and PLY (ASCII, both binary orders); see
-// mesh_report.h for what is checked. Units: the files have none; `unit` says how to read them and the result is mm.
+// mesh_report.h for what is checked. Units: the files have none; `unit` says how to read them and the result
+// is mm.
 #pragma once
 
 #include "core/base/progress.h"
@@ -14,18 +15,27 @@
 namespace facetmill {
 
 struct LoadedMesh {
-    std::shared_ptr<const Mesh> mesh; ///< welded, millimetres; degenerate facets are left out, counted in the report
-    MeshReport report;                ///< lengths in the file's own unit numbers where the field says so
+    /// Welded (exactly equal corners are one vertex, numbered by first occurrence in the file), millimetres.
+    /// Degenerate facets are left out, duplicate ones kept; the rest stands in the order of the file with its
+    /// winding, also where the report says inside_out: nothing is turned or healed.
+    std::shared_ptr<const Mesh> mesh;
+    MeshReport report; ///< lengths in the file's own unit numbers where the field says so
 };
 
-/// Reads by content, then by extension. Throws Error (see ErrorCode, "files"); the place names file and line, byte or
-/// record. Cancellation within 20 ms.
+/// The extension names the format (.stl, .obj, .ply); a file with another content is refused. Without a known
+/// extension the content decides. Any non-finite or far-away vertex, a file that was cut, text that is not
+/// quite the format: all are errors (see ErrorCode, "files") whose place names the file and the line, facet
+/// or vertex; nothing is guessed but what a word in the report's warnings tells. The same result for every
+/// thread count. Cancellation within 20 ms.
 LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
-/// The same from memory; `name` stands for the path in messages and decides by its extension where content does not.
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit, const Progress& progress);
+/// The same from memory; `name` stands for the path in messages and decides by its extension where content
+/// does not.
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
+                     const Progress& progress);
 
-/// Binary STL (float, little endian, header never starting with "solid"), coordinates divided by mm_per(unit). Throws
-/// Error(unwritable, coordinate_range, too_large).
+/// Binary STL (float, little endian, header never starting with "solid"), coordinates divided by
+/// mm_per(unit). Throws Error(unwritable, no_facets, non_finite, coordinate_range, too_large); the file
+/// appears complete or not at all.
 void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
 
 } // namespace facetmill

@@ -1,9 +1,12 @@
-// What a mesh file held and what was found in it: the honest account that `info` prints and the workbench shows.
+// What a mesh file held and what was found in it: the honest account that `info` prints and the workbench
+// shows.
 #pragma once
 
 #include "core/base/progress.h"
 #include "core/base/units.h"
 #include "core/mesh/mesh.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -11,30 +14,65 @@
 namespace facetmill {
 
 struct MeshReport {
-    std::string format; ///< "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary"
-    std::string name;   ///< the solid's name, printable, at most 200 bytes
-    std::size_t facets = 0;          ///< facets in the file, degenerate ones included
-    std::size_t welded_vertices = 0; ///< distinct corner positions (exactly equal; -0 is 0) of the non-degenerate facets
-    std::size_t degenerate = 0;      ///< facets of zero area (equal or exactly collinear corners); left out of the mesh
-    std::size_t duplicate = 0;       ///< facets whose corner set occurred before (either winding); kept
-    std::size_t open_edges = 0;      ///< edges of one facet
-    std::size_t non_manifold_edges = 0;   ///< edges of more than two facets
-    std::size_t inconsistent_edges = 0;   ///< edges of two facets that run along them in the same direction
-    std::size_t shells = 0;               ///< groups of facets joined by edges
+    std::string format;       ///< "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary"
+    std::string name;         ///< the solid's name, printable, at most 200 bytes
+    std::size_t facets = 0;   ///< triangles in the file, degenerate ones included
+    std::size_t vertices = 0; ///< vertices of the mesh
+    std::size_t welded_vertices =
+        0; ///< distinct corner positions (exactly equal; -0 is 0) of all facets in the file
+    std::size_t degenerate =
+        0; ///< facets of zero area (equal or exactly collinear corners); left out of the mesh
+    // All below: of the mesh, that is without the degenerate facets.
+    std::size_t duplicate = 0;             ///< facets whose corner set occurred before (either winding); kept
+    std::size_t open_edges = 0;            ///< edges of one facet
+    std::size_t non_manifold_edges = 0;    ///< edges of more than two facets
+    std::size_t inconsistent_edges = 0;    ///< edges of two facets that run along them in the same direction
+    std::size_t shells = 0;                ///< groups of facets joined by edges (also non-manifold ones)
     std::size_t non_manifold_vertices = 0; ///< vertices whose facets form more than one fan
-    bool watertight = false; ///< no open, non-manifold or inconsistent edge
-    Box3 file_box;           ///< of all facets, in the file's own numbers
-    double file_area = 0.0, file_volume = 0.0; ///< signed by the winding, in the file's own numbers
+    bool watertight = false;               ///< no open, non-manifold or inconsistent edge
+    Box3 file_box;                         ///< of all facets, in the file's own numbers
+    /// In the file's own numbers. The volume is the sum over facets of the signed tetrahedra to the origin:
+    /// what a closed mesh encloses, signed by its winding; for an open mesh it depends on where the part
+    /// lies.
+    double file_area = 0.0, file_volume = 0.0;
     LengthUnit assumed_unit = LengthUnit::mm;
+    /// By the largest extent in the file's own numbers: below `guess_inch_below` inch, else mm. A guess to
+    /// show, never acted on: an STL file has no unit.
     LengthUnit unit_guess = LengthUnit::mm;
-    /// Stable snake_case words, sorted: see docs of the readers. Each has a sentence in `explain_warning`.
+    /// Stable snake_case words, sorted; each has a sentence in `explain_warning`.
     std::vector<std::string> warnings;
+
+    Box3 box_mm() const;
+    double area_mm2() const { return file_area * mm_per(assumed_unit) * mm_per(assumed_unit); }
+    double volume_mm3() const {
+        return file_volume * mm_per(assumed_unit) * mm_per(assumed_unit) * mm_per(assumed_unit);
+    }
 };
 
-/// One sentence for a warning word: what it means and what was done.
-std::string explain_warning(const std::string& word);
+/// Parts of 10 mm and less are rarer than parts of 10 inch and less.
+inline constexpr double guess_inch_below = 10.0;
+/// And below this it is more likely metres than inches: `units_guess_name` says so.
+inline constexpr double guess_metre_below = 0.5;
 
-/// Shells, edges, volume and the like of any triangle list; fills the topological fields and warnings of `report`.
+/// "mm", "in", or "m" for a part smaller than `guess_metre_below` (which LengthUnit cannot say).
+std::string units_guess_name(const MeshReport& report);
+
+/// One sentence for a warning word: what it means and what was done. Empty for a word no reader uses.
+std::string explain_warning(const std::string& word);
+/// Every word that `explain_warning` knows, sorted.
+std::vector<std::string> warning_words();
+
+/// Shells, edges, volume and the like of any mesh without degenerate facets; fills the fields of `report`
+/// from `duplicate` on (and facets, vertices, welded_vertices, file_box where they are still 0), and adds the
+/// warnings that follow from the geometry: degenerate_facets, duplicate_facets, open_edges,
+/// non_manifold_edges, inconsistent_winding, multiple_shells, inside_out, unit_suspect. Lengths are divided
+/// by mm_per(report.assumed_unit). The same bits for every thread count. Cancellation within 20 ms.
 void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress);
+
+/// What `info` prints: format, name, units (assumed), units_guess, facets, vertices, welded_vertices,
+/// degenerate, duplicate, shells, watertight, open_edges, non_manifold_edges, inconsistent_edges,
+/// non_manifold_vertices, bbox (six numbers: low, high), size, area, volume (all in the file's own numbers),
+/// warnings (words), notes (their sentences).
+nlohmann::ordered_json report_json(const MeshReport& report);
 
 } // namespace facetmill

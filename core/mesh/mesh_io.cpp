@@ -1,0 +1,203 @@
+#include "core/mesh/mesh_io.h"
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/mesh/exact_area.h"
+#include "core/mesh/mesh_reader.h"
+#include "core/mesh/stl_records.h"
+#include "core/mesh/weld.h"
+
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace facetmill {
+
+namespace {
+
+using detail::MeshSource;
+using detail::TriangleSoup;
+
+constexpr std::string_view foreign_extensions[] = {
+    ".3mf", ".step",   ".stp",  ".iges", ".igs", ".amf", ".off",     ".wrl", ".vrml",
+    ".x3d", ".dae",    ".gltf", ".glb",  ".fbx", ".3ds", ".dxf",     ".dwg", ".x_t",
+    ".x_b", ".sldprt", ".ipt",  ".prt",  ".sat", ".jt",  ".brep",    ".3dm", ".blend",
+    ".vtk", ".vtp",    ".zip",  ".gz",   ".nas", ".vda", ".catpart",
+};
+
+constexpr const char* unsupported_remedy = "export the part as STL, OBJ or PLY";
+
+std::string lower_extension(const std::string& name) {
+    const std::size_t slash = name.find_last_of('/'), dot = name.find_last_of('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+    std::string extension = name.substr(dot);
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+bool looks_like_binary_stl(std::string_view bytes) {
+    if (bytes.size() < 134) return false;
+    const auto byte = [&](std::size_t i) { return std::uint64_t(static_cast<unsigned char>(bytes[80 + i])); };
+    const std::uint64_t count = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+    return 84 + 50 * count == bytes.size();
+}
+
+TriangleSoup read_soup(const MeshSource& source, const std::string& extension, const Progress& progress) {
+    if (extension == ".stl" || extension == ".stla" || extension == ".stlb")
+        return read_stl(source, progress);
+    if (extension == ".obj") return read_obj(source, progress);
+    if (extension == ".ply") return read_ply(source, progress);
+    for (const std::string_view foreign : foreign_extensions)
+        if (extension == foreign)
+            throw Error(ErrorCode::unsupported_format, source.name,
+                        extension.substr(1) + " files cannot be read", unsupported_remedy);
+    const std::string_view what = detail::familiar_content(source.bytes);
+    if (looks_like_binary_stl(source.bytes) || detail::starts_with_solid(source.bytes))
+        return read_stl(source, progress);
+    if (what == "a PLY file") return read_ply(source, progress);
+    if (what == "an OBJ file") return read_obj(source, progress);
+    throw Error(ErrorCode::unsupported_format, source.name,
+                what.empty() ? "the format is not known" : "is " + std::string(what), unsupported_remedy);
+}
+
+/// Welds, leaves the degenerate facets out and fills the report.
+LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, const Progress& progress) {
+    const double mm = mm_per(unit);
+    const std::size_t facet_count = soup.facet_count();
+    if (facet_count >= no_index / 3)
+        throw Error(ErrorCode::too_large, name, "the mesh has " + std::to_string(facet_count) + " facets",
+                    "at most 1.4 thousand million are possible");
+    detail::WeldedCorners welded;
+    const Progress weld_progress = progress.part(0.0, 0.55);
+    if (soup.records)
+        welded = detail::weld_corners(
+            3 * facet_count, [&](std::size_t c) { return detail::StlRecord(soup, c / 3).corner(c % 3); },
+            weld_progress);
+    else if (soup.indexed)
+        welded = detail::weld_corners(
+            3 * facet_count,
+            [&](std::size_t c) -> const Vec3& { return soup.points[soup.facets[c / 3][c % 3]]; },
+            weld_progress);
+    else
+        welded = detail::weld_corners(
+            3 * facet_count, [&](std::size_t c) -> const Vec3& { return soup.points[c]; }, weld_progress);
+    soup.points = {};
+    soup.facets = {};
+
+    LoadedMesh loaded;
+    MeshReport& report = loaded.report;
+    report.format = soup.format;
+    report.name = soup.name;
+    report.assumed_unit = unit;
+    report.facets = facet_count;
+    report.welded_vertices = welded.points.size();
+    report.file_box = parallel_reduce(
+        welded.points.size(), 65536, Box3{}, progress.part(0.55, 0.57),
+        [&](std::size_t begin, std::size_t end) {
+            Box3 box;
+            for (std::size_t v = begin; v < end; ++v)
+                box.add(welded.points[v]);
+            return box;
+        },
+        [](Box3 total, const Box3& part) {
+            total.add(part);
+            return total;
+        });
+
+    auto mesh = std::make_shared<Mesh>();
+    report.degenerate = parallel_reduce(
+        facet_count, 32768, std::size_t(0), progress.part(0.57, 0.62),
+        [&](std::size_t begin, std::size_t end) {
+            std::size_t degenerate = 0;
+            for (std::size_t f = begin; f < end; ++f) {
+                Facet& facet = welded.facets[f];
+                if (facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0]
+                    || detail::exactly_collinear(welded.points[facet[0]], welded.points[facet[1]],
+                                                 welded.points[facet[2]])) {
+                    facet[0] = no_index;
+                    ++degenerate;
+                }
+            }
+            return degenerate;
+        },
+        [](std::size_t a, std::size_t b) { return a + b; });
+    if (report.degenerate == facet_count)
+        throw Error(ErrorCode::no_facets, name,
+                    "none of the " + std::to_string(facet_count) + " facets has an area",
+                    "export the part again");
+    mesh->facets = std::move(welded.facets);
+    mesh->vertices = std::move(welded.points);
+    if (report.degenerate > 0) {
+        // Vertices of degenerate facets alone go; the order of the others stays.
+        progress.check();
+        std::erase_if(mesh->facets, [](const Facet& f) { return f[0] == no_index; });
+        std::vector<Index> number(mesh->vertices.size(), no_index);
+        for (const Facet& f : mesh->facets)
+            for (const Index v : f)
+                number[v] = 0;
+        progress.check();
+        Index next = 0;
+        for (std::size_t v = 0; v < number.size(); ++v)
+            if (number[v] == 0) {
+                mesh->vertices[next] = mesh->vertices[v];
+                number[v] = next++;
+            }
+        mesh->vertices.resize(next);
+        progress.check();
+        for (Facet& f : mesh->facets)
+            for (Index& v : f)
+                v = number[v];
+    }
+    const Box3 box = report.box_mm();
+    if (box.size().maxCoeff() < tolerance::smallest_extent)
+        throw Error(ErrorCode::coordinate_range, name,
+                    "the whole part is smaller than " + format_number(tolerance::smallest_extent) + " mm",
+                    "the file is damaged or in another unit");
+    if (mm != 1.0)
+        parallel_for(mesh->vertices.size(), 65536, Progress(),
+                     [&](std::size_t v) { mesh->vertices[v] *= mm; });
+
+    analyse_mesh(*mesh, report, progress.part(0.62, 1.0));
+
+    if (soup.end_missing && report.open_edges > 0)
+        throw Error(ErrorCode::truncated, name,
+                    "the word endsolid is missing and the mesh has " + std::to_string(report.open_edges)
+                        + " open edges",
+                    "the file was cut: copy or export it again");
+    const double reach = std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()) / mm;
+    const double step =
+        double(std::nextafter(float(reach), std::numeric_limits<float>::infinity()) - float(reach)) * mm;
+    if (soup.single_precision && step > tolerance::coarse_float_step)
+        soup.warnings.insert("coarse_resolution");
+    report.warnings.insert(report.warnings.end(), soup.warnings.begin(), soup.warnings.end());
+    std::sort(report.warnings.begin(), report.warnings.end());
+    loaded.mesh = std::move(mesh);
+    return loaded;
+}
+
+} // namespace
+
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
+                     const Progress& progress) {
+    const MeshSource source{bytes, printable(name, 400), tolerance::largest_coordinate / mm_per(unit)};
+    if (bytes.empty())
+        throw Error(ErrorCode::empty_file, source.name, "the file is empty", "export or copy it again");
+    try {
+        TriangleSoup soup = read_soup(source, lower_extension(name), progress.part(0.0, 0.4));
+        return finish(soup, source.name, unit, progress.part(0.4, 1.0));
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large, source.name, "the mesh does not fit into memory",
+                    "export the part with a coarser tolerance");
+    }
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress) {
+    const InputFile file(path);
+    return read_mesh(file.bytes(), path.string(), unit, progress);
+}
+
+} // namespace facetmill

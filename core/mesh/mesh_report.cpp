@@ -1,0 +1,398 @@
+#include "core/mesh/mesh_report.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+
+namespace facetmill {
+
+namespace {
+
+struct Sentence {
+    const char* word;
+    const char* text;
+};
+
+constexpr Sentence sentences[] = {
+    {"attribute_data",
+     "The attribute words of the binary STL file are not zero (colours of some writers); they were ignored."},
+    {"attribute_payload", "Bytes follow every facet of the binary STL file, as many as its attribute word "
+                          "says; they were skipped."},
+    {"bad_normals", "Some stored normals are missing or not numbers; normals are computed from the corners, "
+                    "so nothing is lost."},
+    {"big_endian", "The binary STL file has its bytes in reverse order; it was read accordingly."},
+    {"binary_solid_header",
+     "The binary STL file starts with the word 'solid' like a text; it was read as binary."},
+    {"coarse_resolution", "The part lies so far from the origin (or is so large) that 32-bit coordinates are "
+                          "more than 0.01 mm apart; export it near the origin."},
+    {"comma_decimal", "Numbers have decimal commas; they were read as such."},
+    {"count_wrong",
+     "The facet count in the header is wrong; the facets up to the end of the file were read."},
+    {"degenerate_facets", "Some facets have no area (equal or collinear corners); they were left out."},
+    {"duplicate_facets", "Some facets occur more than once, in this or the other winding; all were kept."},
+    {"empty_solid", "A solid without facets is in the file; it was ignored."},
+    {"free_form_ignored", "The OBJ file has curves or surfaces beside its facets; they were ignored."},
+    {"inconsistent_winding", "Neighbouring facets run along their common edge in the same direction: some "
+                             "are turned over. None was turned back."},
+    {"inside_out", "The mesh is closed but wound inside out; it was left so. Cutter contact does not depend "
+                   "on the winding."},
+    {"lines_ignored", "The file has points or lines beside its facets; they were ignored."},
+    {"missing_endsolid",
+     "The word endsolid is missing; the mesh is closed, so the file was taken as complete."},
+    {"multiple_shells", "The mesh consists of several pieces that share no edge; all are machined."},
+    {"multiple_solids", "The file has several solids; their facets were put together."},
+    {"non_manifold_edges", "Some edges have more than two facets; all facets were kept."},
+    {"normals_disagree",
+     "Some stored normals point against the winding of their facets; the winding counts."},
+    {"open_edges", "Some edges have only one facet: the mesh is a sheet or has gaps. Nothing was healed; a "
+                   "cutter may enter a gap."},
+    {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
+    {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
+    {"trailing_data", "Bytes follow the end of the mesh; they were ignored."},
+    {"unit_suspect", "The part is smaller than 1 mm or larger than 10 m: the file may be in another unit."},
+    {"unknown_lines", "Lines that the format does not know were ignored."},
+    {"unterminated_line",
+     "The last line has no line end: the file may have been cut. It was read as it stands."},
+    {"weights_ignored", "Vertices have rational weights other than 1; they were ignored."},
+};
+
+/// Sets of facets joined by edges, for concurrent joining: the root of a set is its smallest facet, so the
+/// sets and their number do not depend on the order of joining.
+class FacetSets {
+public:
+    explicit FacetSets(std::size_t count) : parent_(count) {
+        for (std::size_t i = 0; i < count; ++i)
+            parent_[i].store(Index(i), std::memory_order_relaxed);
+    }
+    void join(Index a, Index b) {
+        for (;;) {
+            a = root(a);
+            b = root(b);
+            if (a == b) return;
+            if (a < b) std::swap(a, b);
+            Index expected = a;
+            if (parent_[a].compare_exchange_weak(expected, b, std::memory_order_relaxed)) return;
+        }
+    }
+    bool is_root(std::size_t i) const { return parent_[i].load(std::memory_order_relaxed) == i; }
+
+private:
+    Index root(Index i) {
+        for (;;) {
+            Index up = parent_[i].load(std::memory_order_relaxed);
+            if (up == i) return i;
+            const Index further = parent_[up].load(std::memory_order_relaxed);
+            if (further != up) parent_[i].compare_exchange_weak(up, further, std::memory_order_relaxed);
+            i = further;
+        }
+    }
+    std::vector<std::atomic<Index>> parent_;
+};
+
+struct EdgeCounts {
+    std::size_t duplicate = 0, open = 0, non_manifold = 0, inconsistent = 0, split_vertices = 0,
+                used_vertices = 0;
+
+    EdgeCounts& operator+=(const EdgeCounts& o) {
+        duplicate += o.duplicate;
+        open += o.open;
+        non_manifold += o.non_manifold;
+        inconsistent += o.inconsistent;
+        split_vertices += o.split_vertices;
+        used_vertices += o.used_vertices;
+        return *this;
+    }
+};
+
+/// Looks at one vertex after the other with the facets around it; every edge is counted at its lower vertex.
+class VertexVisitor {
+public:
+    VertexVisitor(const Mesh& mesh, FacetSets& sets, const Progress& progress)
+        : mesh_(mesh), sets_(sets), progress_(progress) {}
+
+    /// `corners` are the corners 3 f + k that lie at `vertex`, ascending.
+    void visit(Index vertex, const Index* corners, std::size_t count, EdgeCounts& counts) {
+        if (count == 0) return;
+        ++counts.used_vertices;
+        spokes_.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Facet& f = mesh_.facets[corners[i] / 3];
+            const std::size_t k = corners[i] % 3;
+            spokes_.push_back({f[(k + 1) % 3], f[(k + 2) % 3], Index(i), true});
+            spokes_.push_back({f[(k + 2) % 3], f[(k + 1) % 3], Index(i), false});
+        }
+        sort_spokes();
+        fan_.resize(count);
+        std::iota(fan_.begin(), fan_.end(), Index(0));
+        std::size_t fans = count;
+        for (std::size_t begin = 0, end = 0; begin < spokes_.size(); begin = end) {
+            const Index other = spokes_[begin].other;
+            for (end = begin + 1; end < spokes_.size() && spokes_[end].other == other; ++end) {
+                const Index a = fan_root(spokes_[begin].local), b = fan_root(spokes_[end].local);
+                if (a == b) continue;
+                fan_[std::max(a, b)] = std::min(a, b);
+                --fans;
+            }
+            if (other > vertex) edge(&spokes_[begin], end - begin, corners, counts);
+        }
+        counts.split_vertices += fans > 1;
+    }
+
+private:
+    struct Spoke {
+        Index other;  ///< the vertex at the other end
+        Index third;  ///< the remaining corner of the facet
+        Index local;  ///< which of the vertex's corners
+        bool leaving; ///< the facet runs from the vertex to `other`
+    };
+
+    Index fan_root(Index i) {
+        while (fan_[i] != i) {
+            fan_[i] = fan_[fan_[i]];
+            i = fan_[i];
+        }
+        return i;
+    }
+
+    void edge(const Spoke* spokes, std::size_t count, const Index* corners, EdgeCounts& counts) {
+        counts.open += count == 1;
+        counts.non_manifold += count > 2;
+        counts.inconsistent += count == 2 && spokes[0].leaving == spokes[1].leaving;
+        if (count == 1) return;
+        for (std::size_t i = 1; i < count; ++i)
+            sets_.join(corners[spokes[0].local] / 3, corners[spokes[i].local] / 3);
+        // A corner set a < b < c is looked for at its edge a-b only.
+        thirds_.clear();
+        for (std::size_t i = 0; i < count; ++i)
+            if (spokes[i].third > spokes[i].other) thirds_.push_back(spokes[i].third);
+        std::sort(thirds_.begin(), thirds_.end());
+        for (std::size_t i = 1; i < thirds_.size(); ++i)
+            counts.duplicate += thirds_[i] == thirds_[i - 1];
+    }
+
+    void sort_spokes() {
+        if (spokes_.size() <= 24) { // nearly always; sorting by insertion is the fastest here
+            for (std::size_t i = 1; i < spokes_.size(); ++i) {
+                const Spoke s = spokes_[i];
+                std::size_t j = i;
+                for (; j > 0 && spokes_[j - 1].other > s.other; --j)
+                    spokes_[j] = spokes_[j - 1];
+                spokes_[j] = s;
+            }
+            return;
+        }
+        if (spokes_.size() <= 50'000) {
+            std::sort(spokes_.begin(), spokes_.end(),
+                      [](const Spoke& a, const Spoke& b) { return a.other < b.other; });
+            return;
+        }
+        // One vertex of a million facets: by bytes, so that a cancel is seen between the passes.
+        std::vector<Spoke> sorted(spokes_.size());
+        for (int shift = 0; shift < 32; shift += 8) {
+            progress_.check();
+            std::array<std::size_t, 257> place{};
+            for (const Spoke& s : spokes_)
+                ++place[((s.other >> shift) & 0xFF) + 1];
+            std::partial_sum(place.begin(), place.end(), place.begin());
+            for (const Spoke& s : spokes_)
+                sorted[place[(s.other >> shift) & 0xFF]++] = s;
+            spokes_.swap(sorted);
+        }
+    }
+
+    const Mesh& mesh_;
+    FacetSets& sets_;
+    const Progress& progress_;
+    std::vector<Spoke> spokes_;
+    std::vector<Index> fan_, thirds_;
+};
+
+EdgeCounts count_edges(const Mesh& mesh, FacetSets& sets, const Progress& progress) {
+    // Corners sorted by vertex.
+    std::vector<Index> begin(mesh.vertices.size() + 1, 0);
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+        if ((f & 0xFFFF) == 0) progress.check();
+        for (const Index v : mesh.facets[f])
+            ++begin[v + 1];
+    }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        begin[v + 1] += begin[v];
+    std::vector<Index> corners(3 * mesh.facets.size());
+    {
+        std::vector<Index> next(begin.begin(), begin.end() - 1);
+        for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+            if ((f & 0xFFFF) == 0) progress.check();
+            for (std::size_t k = 0; k < 3; ++k)
+                corners[next[mesh.facets[f][k]]++] = Index(3 * f + k);
+        }
+    }
+    return parallel_reduce(
+        mesh.vertices.size(), 4096, EdgeCounts{}, progress,
+        [&](std::size_t first, std::size_t last) {
+            EdgeCounts counts;
+            VertexVisitor visitor(mesh, sets, progress);
+            for (std::size_t v = first; v < last; ++v)
+                visitor.visit(Index(v), corners.data() + begin[v], begin[v + 1] - begin[v], counts);
+            return counts;
+        },
+        [](EdgeCounts total, const EdgeCounts& part) { return total += part; });
+}
+
+/// Sums over the facets, about `center`.
+struct Integrals {
+    double volume = 0.0, area = 0.0;
+    Vec3 area_vector = Vec3::Zero();
+};
+
+Integrals integrate(const Mesh& mesh, const Vec3& center, const Progress& progress) {
+    return parallel_reduce(
+        mesh.facets.size(), 16384, Integrals{}, progress,
+        [&](std::size_t first, std::size_t last) {
+            Integrals sum;
+            for (std::size_t f = first; f < last; ++f) {
+                const Vec3 a = mesh.corner(f, 0) - center;
+                const Vec3 cross = mesh.facet_cross(f);
+                sum.volume += a.dot(cross);
+                sum.area += cross.norm();
+                sum.area_vector += cross;
+            }
+            return sum;
+        },
+        [](Integrals total, const Integrals& part) {
+            total.volume += part.volume;
+            total.area += part.area;
+            total.area_vector += part.area_vector;
+            return total;
+        });
+}
+
+} // namespace
+
+Box3 MeshReport::box_mm() const {
+    Box3 box = file_box;
+    box.lo *= mm_per(assumed_unit);
+    box.hi *= mm_per(assumed_unit);
+    return box;
+}
+
+std::string units_guess_name(const MeshReport& report) {
+    if (report.file_box.size().maxCoeff() < guess_metre_below) return "m";
+    return std::string(unit_name(report.unit_guess));
+}
+
+std::string explain_warning(const std::string& word) {
+    for (const Sentence& s : sentences)
+        if (word == s.word) return s.text;
+    return {};
+}
+
+std::vector<std::string> warning_words() {
+    std::vector<std::string> words;
+    for (const Sentence& s : sentences)
+        words.emplace_back(s.word);
+    return words;
+}
+
+void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress) {
+    const double mm = mm_per(report.assumed_unit);
+    const std::size_t facet_count = mesh.facets.size();
+    FacetSets sets(facet_count);
+    const EdgeCounts edges = count_edges(mesh, sets, progress.part(0.0, 0.8));
+    const auto add = [](std::size_t a, std::size_t b) { return a + b; };
+    report.shells = parallel_reduce(
+        facet_count, 65536, std::size_t(0), progress.part(0.8, 0.85),
+        [&](std::size_t first, std::size_t last) {
+            std::size_t roots = 0;
+            for (std::size_t f = first; f < last; ++f)
+                roots += sets.is_root(f);
+            return roots;
+        },
+        add);
+    report.duplicate = edges.duplicate;
+    report.open_edges = edges.open;
+    report.non_manifold_edges = edges.non_manifold;
+    report.inconsistent_edges = edges.inconsistent;
+    report.non_manifold_vertices = edges.split_vertices;
+    report.watertight =
+        facet_count > 0 && edges.open == 0 && edges.non_manifold == 0 && edges.inconsistent == 0;
+    report.vertices = mesh.vertices.size();
+    if (report.facets == 0) report.facets = facet_count;
+    if (report.welded_vertices == 0) report.welded_vertices = edges.used_vertices;
+
+    Box3 box = report.box_mm();
+    if (report.file_box.empty()) {
+        box = mesh.box();
+        if (!box.empty()) {
+            report.file_box.lo = box.lo / mm;
+            report.file_box.hi = box.hi / mm;
+        }
+    }
+    // About the middle of the part, where rounding is least. The volume about the origin of coordinates
+    // differs by the sum of the area vectors, which vanishes for a closed mesh.
+    const Vec3 center = box.empty() ? Vec3(Vec3::Zero()) : box.center();
+    const Integrals sum = integrate(mesh, center, progress.part(0.85, 1.0));
+    double volume = sum.volume / 6.0;
+    if (!report.watertight) volume += center.dot(sum.area_vector) / 6.0;
+    report.file_volume = volume / (mm * mm * mm);
+    report.file_area = 0.5 * sum.area / (mm * mm);
+
+    const double extent = box.size().maxCoeff();
+    report.unit_guess = extent / mm < guess_inch_below ? LengthUnit::inch : LengthUnit::mm;
+
+    const auto warn = [&](bool condition, const char* word) {
+        if (condition) report.warnings.emplace_back(word);
+    };
+    warn(report.degenerate > 0, "degenerate_facets");
+    warn(report.duplicate > 0, "duplicate_facets");
+    warn(report.open_edges > 0, "open_edges");
+    warn(report.non_manifold_edges > 0, "non_manifold_edges");
+    warn(report.inconsistent_edges > 0, "inconsistent_winding");
+    warn(report.shells > 1, "multiple_shells");
+    warn(report.open_edges == 0 && volume < -tolerance::flat_volume * 0.5 * sum.area * box.diagonal(),
+         "inside_out");
+    warn(facet_count > 0
+             && (extent < tolerance::suspect_small_extent || extent > tolerance::suspect_large_extent),
+         "unit_suspect");
+    std::sort(report.warnings.begin(), report.warnings.end());
+    report.warnings.erase(std::unique(report.warnings.begin(), report.warnings.end()), report.warnings.end());
+}
+
+nlohmann::ordered_json report_json(const MeshReport& report) {
+    const Box3& box = report.file_box;
+    const Vec3 size = box.size();
+    nlohmann::ordered_json j;
+    j["format"] = report.format;
+    j["name"] = report.name;
+    j["units"] = std::string(unit_name(report.assumed_unit));
+    j["units_guess"] = units_guess_name(report);
+    j["facets"] = report.facets;
+    j["vertices"] = report.vertices;
+    j["welded_vertices"] = report.welded_vertices;
+    j["degenerate"] = report.degenerate;
+    j["duplicate"] = report.duplicate;
+    j["shells"] = report.shells;
+    j["watertight"] = report.watertight;
+    j["open_edges"] = report.open_edges;
+    j["non_manifold_edges"] = report.non_manifold_edges;
+    j["inconsistent_edges"] = report.inconsistent_edges;
+    j["non_manifold_vertices"] = report.non_manifold_vertices;
+    j["bbox"] = {box.lo.x(), box.lo.y(), box.lo.z(), box.hi.x(), box.hi.y(), box.hi.z()};
+    j["size"] = {size.x(), size.y(), size.z()};
+    j["area"] = report.file_area;
+    j["volume"] = report.file_volume;
+    j["warnings"] = report.warnings;
+    auto notes = nlohmann::ordered_json::array();
+    for (const std::string& word : report.warnings)
+        notes.push_back(explain_warning(word));
+    j["notes"] = std::move(notes);
+    return j;
+}
+
+} // namespace facetmill

@@ -1,0 +1,501 @@
+// PLY, ASCII and binary of both byte orders: any elements, properties and number types in any order. The
+// element `vertex` must have x, y, z; the element `face` a list `vertex_indices` or `vertex_index`.
+// Everything else is passed over.
+#include "core/mesh/mesh_reader.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+namespace facetmill::detail {
+
+namespace {
+
+enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+std::size_t type_size(PlyType type) {
+    switch (type) {
+    case PlyType::i8:
+    case PlyType::u8:
+        return 1;
+    case PlyType::i16:
+    case PlyType::u16:
+        return 2;
+    case PlyType::i32:
+    case PlyType::u32:
+    case PlyType::f32:
+        return 4;
+    case PlyType::f64:
+        return 8;
+    }
+    return 8;
+}
+
+bool is_integer(PlyType type) {
+    return type != PlyType::f32 && type != PlyType::f64;
+}
+
+struct PlyProperty {
+    std::string_view name;
+    PlyType type = PlyType::f32; ///< of a list: of its members
+    bool list = false;
+    PlyType count_type = PlyType::u8;
+};
+
+struct PlyElement {
+    std::string_view name;
+    std::uint64_t count = 0;
+    std::size_t offset = 0; ///< of its line, for messages
+    std::vector<PlyProperty> properties;
+
+    bool has_list() const {
+        return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list; });
+    }
+    /// Bytes of one in a binary file, with empty lists; at least, in a text.
+    std::size_t least_size(bool ascii) const {
+        std::size_t size = 0;
+        for (const PlyProperty& p : properties)
+            size += ascii ? 2 : type_size(p.list ? p.count_type : p.type);
+        return size;
+    }
+};
+
+enum class PlyEncoding { ascii, little_endian, big_endian };
+
+/// What the vertices and faces go into while the data is read; the same for both encodings.
+struct PlyMesh {
+    std::vector<Vec3> points;
+    std::vector<Index> corners, sizes;
+    bool lines = false;
+};
+
+class PlyReader {
+public:
+    explicit PlyReader(const MeshSource& source) : source_(source), cursor_{source.bytes} {}
+
+    TriangleSoup run(const Progress& progress) {
+        header();
+        const PlyElement* vertex = find("vertex");
+        const PlyElement* face = find("face");
+        if (!vertex || !face) {
+            if (find("tristrips"))
+                throw Error(ErrorCode::not_triangles, source_.name, "the facets are stored as strips",
+                            "export the part with faces");
+            throw Error(ErrorCode::no_facets, source_.name,
+                        vertex ? "the file holds points but no face" : "the file holds no vertices",
+                        "export the part as triangles");
+        }
+        for (const PlyElement& element : elements_)
+            check_count(element);
+        if (face->count == 0)
+            throw Error(ErrorCode::no_facets, source_.name, "the file holds no face",
+                        "export the part as triangles");
+        for (std::size_t i = 0; i < elements_.size(); ++i) {
+            const double n = double(elements_.size());
+            read_element(elements_[i], progress.part(0.9 * double(i) / n, 0.9 * double(i + 1) / n));
+        }
+        if (encoding_ == PlyEncoding::ascii) {
+            if (!is_line_end(source_.bytes.back())) soup_.warnings.insert("unterminated_line");
+            if (!cursor_.token().empty()) {
+                soup_.warnings.erase("unterminated_line");
+                soup_.warnings.insert("trailing_data");
+            }
+        } else if (cursor_.position < source_.bytes.size()) {
+            soup_.warnings.insert("trailing_data");
+        }
+        finish(progress.part(0.9, 1.0));
+        return std::move(soup_);
+    }
+
+private:
+    [[noreturn]] void fail(ErrorCode code, std::size_t offset, const std::string& what,
+                           const std::string& remedy = "the file is damaged: export it again") const {
+        throw Error(code, at_line(source_, offset), what, remedy);
+    }
+    std::size_t start_of(std::string_view token) const {
+        return std::size_t(token.data() - source_.bytes.data());
+    }
+    [[noreturn]] void fail_truncated(const std::string& where, const std::string& what) const {
+        throw Error(ErrorCode::truncated, source_.name + ", " + where, what,
+                    "the file was cut: copy or export it again");
+    }
+    const PlyElement* find(std::string_view name) const {
+        for (const PlyElement& e : elements_)
+            if (e.name == name) return &e;
+        return nullptr;
+    }
+
+    // Header
+    // --------------------------------------------------------------------------------------------------------
+
+    std::string_view header_token(const char* what) {
+        const std::string_view token = cursor_.token_in_line();
+        if (token.empty()) {
+            if (cursor_.at_end()) fail_truncated("the header", "the file ends inside the header");
+            fail(ErrorCode::syntax, cursor_.position, std::string(what) + " expected");
+        }
+        return token;
+    }
+
+    PlyType type(std::string_view token) const {
+        static constexpr std::pair<std::string_view, PlyType> names[] = {
+            {"char", PlyType::i8},     {"int8", PlyType::i8},     {"uchar", PlyType::u8},
+            {"uint8", PlyType::u8},    {"short", PlyType::i16},   {"int16", PlyType::i16},
+            {"ushort", PlyType::u16},  {"uint16", PlyType::u16},  {"int", PlyType::i32},
+            {"int32", PlyType::i32},   {"uint", PlyType::u32},    {"uint32", PlyType::u32},
+            {"float", PlyType::f32},   {"float32", PlyType::f32}, {"double", PlyType::f64},
+            {"float64", PlyType::f64},
+        };
+        for (const auto& [name, t] : names)
+            if (token == name) return t;
+        fail(ErrorCode::syntax, start_of(token), "unknown number type '" + printable(token, 40) + "'");
+    }
+
+    void header() {
+        bool has_format = false;
+        cursor_.position = byte_order_mark(source_.bytes);
+        if (cursor_.token_in_line() != "ply")
+            throw Error(ErrorCode::syntax, source_.name, "is not a PLY file: it does not start with 'ply'",
+                        "open the mesh itself, under a name that ends as its format does");
+        for (;;) {
+            const std::size_t line_end = cursor_.position;
+            cursor_.to_line_end();
+            if (cursor_.position != line_end && !only_blank(line_end, cursor_.position))
+                fail(ErrorCode::syntax, line_end, "too many words in the header line");
+            if (cursor_.at_end()) fail_truncated("the header", "the file ends inside the header");
+            cursor_.skip_line_end();
+            const std::string_view word = cursor_.token_in_line();
+            if (word == "comment" || word == "obj_info") {
+                cursor_.to_line_end();
+            } else if (word == "format") {
+                const std::string_view name = header_token("a format");
+                has_format = true;
+                if (name == "ascii")
+                    encoding_ = PlyEncoding::ascii;
+                else if (name == "binary_little_endian")
+                    encoding_ = PlyEncoding::little_endian;
+                else if (name == "binary_big_endian")
+                    encoding_ = PlyEncoding::big_endian;
+                else
+                    fail(ErrorCode::syntax, start_of(name), "unknown format '" + printable(name, 40) + "'");
+                if (const auto version = header_token("a version"); version != "1.0" && version != "1")
+                    fail(ErrorCode::syntax, start_of(version),
+                         "unknown version '" + printable(version, 40) + "'");
+            } else if (word == "element") {
+                PlyElement element;
+                element.offset = start_of(word);
+                element.name = header_token("a name");
+                if (find(element.name))
+                    fail(ErrorCode::syntax, element.offset,
+                         "the element '" + printable(element.name, 40) + "' occurs twice");
+                const std::string_view count = header_token("a count");
+                const auto r = std::from_chars(count.data(), count.data() + count.size(), element.count);
+                if (r.ec != std::errc() || r.ptr != count.data() + count.size())
+                    fail(ErrorCode::syntax, start_of(count),
+                         "a count expected, found '" + printable(count, 40) + "'");
+                elements_.push_back(element);
+            } else if (word == "property") {
+                if (elements_.empty())
+                    fail(ErrorCode::syntax, start_of(word), "a property before any element");
+                PlyProperty property;
+                std::string_view t = header_token("a type");
+                if (t == "list") {
+                    property.list = true;
+                    t = header_token("a type");
+                    property.count_type = type(t);
+                    if (!is_integer(property.count_type))
+                        fail(ErrorCode::syntax, start_of(t), "the count of a list must be an integer");
+                    t = header_token("a type");
+                }
+                property.type = type(t);
+                property.name = header_token("a name");
+                elements_.back().properties.push_back(property);
+            } else if (word == "end_header") {
+                break;
+            } else if (!word.empty()) {
+                fail(ErrorCode::syntax, start_of(word), "unknown header word '" + printable(word, 40) + "'");
+            }
+        }
+        while (!cursor_.at_end() && is_blank(source_.bytes[cursor_.position]))
+            ++cursor_.position;
+        if (cursor_.at_end()) fail_truncated("the header", "nothing follows the header");
+        // In a binary file a CR LF may also be a CR and a first data byte of 10; writers of CR alone are
+        // extinct.
+        cursor_.skip_line_end();
+        if (!has_format) fail(ErrorCode::syntax, cursor_.position - 1, "the header names no format");
+        soup_.format = encoding_ == PlyEncoding::ascii ? "PLY ASCII" : "PLY binary";
+        soup_.indexed = true;
+    }
+
+    bool only_blank(std::size_t begin, std::size_t end) const {
+        return std::all_of(&source_.bytes[begin], &source_.bytes[begin] + (end - begin), is_blank);
+    }
+
+    /// A count that the file cannot hold is refused before anything is allocated for it.
+    void check_count(const PlyElement& element) const {
+        const std::uint64_t left =
+            source_.bytes.size() - cursor_.position + 1; // the last number may end the file
+        const std::size_t each = element.least_size(encoding_ == PlyEncoding::ascii);
+        if (each > 0 && element.count > left / each)
+            fail(ErrorCode::truncated, element.offset,
+                 "the header announces " + std::to_string(element.count) + " of '"
+                     + printable(element.name, 40) + "', more than the file has bytes for",
+                 "the file was cut: copy or export it again");
+        if (element.count >= no_index && each > 0)
+            throw Error(ErrorCode::too_large, source_.name,
+                        "the file has more than 4 thousand million elements",
+                        "export the part with a coarser tolerance");
+    }
+
+    // Data
+    // ----------------------------------------------------------------------------------------------------------
+
+    /// "vertex 12": what is being read, for messages.
+    std::string place(const PlyElement& element, std::uint64_t i) const {
+        return printable(element.name, 40) + " " + std::to_string(i + 1);
+    }
+    [[noreturn]] void fail_at(ErrorCode code, const PlyElement& element, std::uint64_t i,
+                              const std::string& what,
+                              const std::string& remedy = "the file is damaged: export it again") const {
+        if (encoding_ == PlyEncoding::ascii) fail(code, cursor_.position, what, remedy);
+        throw Error(code, source_.name + ", " + place(element, i), what, remedy);
+    }
+
+    double ascii_value(const PlyElement& element, std::uint64_t i) {
+        const std::string_view token = cursor_.token_in_line();
+        double value = 0;
+        if (token.empty()) {
+            if (cursor_.at_end()) fail_truncated(place(element, i), "the file ends here");
+            fail(ErrorCode::syntax, cursor_.position,
+                 "too few numbers for one '" + printable(element.name, 40) + "'");
+        }
+        switch (read_number(token, value)) {
+        case NumberForm::number:
+            return value;
+        case NumberForm::non_finite:
+            return std::numeric_limits<double>::quiet_NaN();
+        case NumberForm::overflow:
+            return infinity;
+        default:
+            break;
+        }
+        if (token.data() + token.size() == source_.bytes.data() + source_.bytes.size())
+            fail_truncated(place(element, i), "the file ends inside a number");
+        fail(ErrorCode::syntax, start_of(token), "a number expected, found '" + printable(token, 40) + "'");
+    }
+
+    double binary_value(PlyType type, const PlyElement& element, std::uint64_t i) {
+        const std::size_t size = type_size(type);
+        if (source_.bytes.size() - cursor_.position < size)
+            fail_truncated(place(element, i), "the file ends here");
+        unsigned char raw[8];
+        std::memcpy(raw, source_.bytes.data() + cursor_.position, size);
+        cursor_.position += size;
+        if (encoding_ == PlyEncoding::big_endian) std::reverse(raw, raw + size);
+        std::uint64_t bits = 0;
+        for (std::size_t k = size; k-- > 0;)
+            bits = bits << 8 | raw[k];
+        switch (type) {
+        case PlyType::i8:
+            return double(std::int8_t(bits));
+        case PlyType::u8:
+            return double(std::uint8_t(bits));
+        case PlyType::i16:
+            return double(std::int16_t(bits));
+        case PlyType::u16:
+            return double(std::uint16_t(bits));
+        case PlyType::i32:
+            return double(std::int32_t(bits));
+        case PlyType::u32:
+            return double(std::uint32_t(bits));
+        case PlyType::f32:
+            return double(std::bit_cast<float>(std::uint32_t(bits))) + 0.0;
+        case PlyType::f64:
+            return std::bit_cast<double>(bits) + 0.0;
+        }
+        return 0.0;
+    }
+
+    double value(PlyType type, const PlyElement& element, std::uint64_t i) {
+        return encoding_ == PlyEncoding::ascii ? ascii_value(element, i) : binary_value(type, element, i);
+    }
+
+    /// A whole number in a range, as counts and indices must be.
+    std::uint64_t whole_number(PlyType type, const PlyElement& element, std::uint64_t i, double most,
+                               const char* what) {
+        const double v = value(type, element, i);
+        if (!(v >= 0.0 && v <= most && v == std::floor(v)))
+            fail_at(ErrorCode::syntax, element, i,
+                    std::string(what) + " " + format_number(v) + " is not possible");
+        return std::uint64_t(v);
+    }
+
+    void read_element(const PlyElement& element, const Progress& progress) {
+        const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+        int axis_of[3] = {-1, -1, -1};
+        int list_of = -1;
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const PlyProperty& property = element.properties[p];
+            if (is_vertex && !property.list)
+                for (int axis = 0; axis < 3; ++axis)
+                    if (property.name == std::string_view("xyz").substr(std::size_t(axis), 1))
+                        axis_of[axis] = int(p);
+            if (is_face && property.list
+                && (property.name == "vertex_indices" || property.name == "vertex_index"))
+                list_of = int(p);
+        }
+        if (is_vertex && (axis_of[0] < 0 || axis_of[1] < 0 || axis_of[2] < 0))
+            fail(ErrorCode::syntax, element.offset, "the vertices have no x, y and z");
+        if (is_face && (list_of < 0 || !is_integer(element.properties[std::size_t(list_of)].type)))
+            fail(ErrorCode::syntax, element.offset, "the faces have no list vertex_indices of integers");
+        if (is_vertex) {
+            mesh_.points.reserve(std::size_t(element.count));
+            soup_.single_precision = element.properties[std::size_t(axis_of[0])].type == PlyType::f32
+                                     && encoding_ != PlyEncoding::ascii;
+        }
+        if (element.properties.empty()) return; // nothing is stored, however many there are
+        if (encoding_ != PlyEncoding::ascii && !is_vertex && !is_face && !element.has_list()) {
+            const std::uint64_t bytes =
+                element.count * element.least_size(false); // checked before not to overflow
+            if (bytes > source_.bytes.size() - cursor_.position)
+                fail_truncated(place(element, 0), "the file ends in these elements");
+            cursor_.position += std::size_t(bytes);
+            return;
+        }
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            if ((i & 0xFFF) == 0) progress.set(double(i) / double(element.count));
+            if (encoding_ == PlyEncoding::ascii) begin_row();
+            Vec3 point = Vec3::Zero();
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const PlyProperty& property = element.properties[p];
+                if (property.list && int(p) == list_of) {
+                    read_face(element, i, property, progress);
+                } else if (property.list) {
+                    skip_list(element, i, property, progress);
+                } else {
+                    const double v = value(property.type, element, i);
+                    for (int axis = 0; axis < 3; ++axis)
+                        if (axis_of[axis] == int(p)) point[axis] = v;
+                }
+            }
+            if (encoding_ == PlyEncoding::ascii) end_row(element);
+            if (is_vertex) add_point(element, i, point);
+        }
+    }
+
+    void begin_row() {
+        for (;;) {
+            while (!cursor_.at_end() && is_blank(source_.bytes[cursor_.position]))
+                ++cursor_.position;
+            if (cursor_.at_end() || !is_line_end(source_.bytes[cursor_.position])) return;
+            cursor_.skip_line_end();
+        }
+    }
+    void end_row(const PlyElement& element) {
+        const std::string_view extra = cursor_.token_in_line();
+        if (!extra.empty())
+            fail(ErrorCode::syntax, start_of(extra),
+                 "too many numbers for one '" + printable(element.name, 40) + "'");
+        cursor_.skip_line_end();
+    }
+
+    void add_point(const PlyElement& element, std::uint64_t i, const Vec3& point) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::isnan(point[axis]) || (std::isinf(point[axis]) && encoding_ != PlyEncoding::ascii))
+                fail_at(ErrorCode::non_finite, element, i, "a coordinate is not a finite number");
+        if (point.cwiseAbs().maxCoeff() > source_.coordinate_limit)
+            fail_at(ErrorCode::coordinate_range, element, i,
+                    "a coordinate is beyond " + format_number(source_.coordinate_limit),
+                    "the file is damaged or in another unit");
+        mesh_.points.push_back(point);
+    }
+
+    /// The length of a list, that the rest of the file can hold.
+    std::uint64_t list_length(const PlyElement& element, std::uint64_t i, const PlyProperty& property) {
+        const std::uint64_t length =
+            whole_number(property.count_type, element, i, double(no_index), "the list length");
+        const std::size_t each = encoding_ == PlyEncoding::ascii ? 2 : type_size(property.type);
+        if (length * each > source_.bytes.size() - cursor_.position)
+            fail_truncated(place(element, i), "the file ends inside a list of " + std::to_string(length));
+        return length;
+    }
+
+    void read_face(const PlyElement& element, std::uint64_t i, const PlyProperty& property,
+                   const Progress& progress) {
+        const std::uint64_t length = list_length(element, i, property);
+        const std::size_t begin = mesh_.corners.size();
+        for (std::uint64_t k = 0; k < length; ++k) {
+            if ((k & 0xFFFF) == 0xFFFF) progress.check();
+            mesh_.corners.push_back(
+                Index(whole_number(property.type, element, i, double(no_index - 1), "the vertex number")));
+            if (find_vertex_count() <= mesh_.corners.back())
+                fail_at(ErrorCode::syntax, element, i,
+                        "the face names vertex " + std::to_string(mesh_.corners.back()) + ", the file has "
+                            + std::to_string(find_vertex_count()) + " (from 0)");
+        }
+        if (length < 3) {
+            mesh_.corners.resize(begin);
+            mesh_.lines = true;
+        } else {
+            mesh_.sizes.push_back(Index(length));
+        }
+    }
+    std::uint64_t find_vertex_count() {
+        if (!vertex_count_) vertex_count_ = find("vertex")->count;
+        return *vertex_count_;
+    }
+
+    void skip_list(const PlyElement& element, std::uint64_t i, const PlyProperty& property,
+                   const Progress& progress) {
+        const std::uint64_t length = list_length(element, i, property);
+        if (encoding_ != PlyEncoding::ascii) {
+            cursor_.position += std::size_t(length * type_size(property.type));
+            return;
+        }
+        for (std::uint64_t k = 0; k < length; ++k) {
+            if ((k & 0xFFFF) == 0xFFFF) progress.check();
+            ascii_value(element, i);
+        }
+    }
+
+    void finish(const Progress& progress) {
+        if (mesh_.sizes.empty())
+            throw Error(ErrorCode::no_facets, source_.name, "no face has three corners",
+                        "export the part as triangles");
+        if (mesh_.lines) soup_.warnings.insert("lines_ignored");
+        soup_.points = std::move(mesh_.points);
+        soup_.facets.reserve(mesh_.corners.size() - 2 * mesh_.sizes.size());
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < mesh_.sizes.size(); ++i) {
+            if ((i & 0xFFF) == 0) progress.set(double(i) / double(mesh_.sizes.size()));
+            if (mesh_.sizes[i] > 3) soup_.warnings.insert("polygons_triangulated");
+            if (!triangulate_polygon(soup_.points, &mesh_.corners[begin], mesh_.sizes[i], soup_.facets))
+                soup_.warnings.insert("polygons_folded");
+            begin += mesh_.sizes[i];
+        }
+    }
+
+    const MeshSource& source_;
+    TextCursor cursor_;
+    PlyEncoding encoding_ = PlyEncoding::ascii;
+    std::vector<PlyElement> elements_;
+    std::optional<std::uint64_t> vertex_count_;
+    PlyMesh mesh_;
+    TriangleSoup soup_;
+};
+
+} // namespace
+
+TriangleSoup read_ply(const MeshSource& source, const Progress& progress) {
+    if (is_wide_text(source.bytes))
+        throw Error(ErrorCode::encoding, source.name, "the text is UTF-16 or UTF-32",
+                    "save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)");
+    return PlyReader(source).run(progress);
+}
+
+} // namespace facetmill::detail
