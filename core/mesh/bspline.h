@@ -21,13 +21,14 @@ public:
     explicit CubicBSpline(std::vector<Vec2> poles);
 
     /// `t` outside [0, 1] is clamped.
-    Vec2 point(double t) const { return evaluate(t).point; }
+    Vec2 point(double t) const;
     CurvePoint2 evaluate(double t) const;
     int spans() const { return int(poles_.size()) - 3; }
     const std::vector<Vec2>& poles() const { return poles_; }
 
 private:
-    double knot(int i) const;
+    template <bool derivatives>
+    CurvePoint2 de_boor(double t) const;
     std::vector<Vec2> poles_;
 };
 

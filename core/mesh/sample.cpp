@@ -1,41 +1,28 @@
 #include "core/mesh/sample.h"
 
-#include "core/mesh/sample_surface.h"
-#include "core/mesh/sample_tessellate.h"
+#include "core/mesh/sample_parts.h"
 
 #include <cmath>
 
 namespace facetmill {
 
-namespace {
-
-/// Cells are about square, and several to a span of the section curves.
-Mesh lu_sample(std::string_view name, double tolerance, const Progress& progress) {
-    const LoftedSurface& s = lu_surface(name);
-    const int along = 24;
-    const auto middle = [&s](double v) { return s.point(0.5, v); };
-    PatchGrid grid;
-    grid.b = even_stations(middle, 0.0, 1.0, along);
-    double length = 0.0;
-    for (std::size_t i = 0; i + 1 < grid.b.size(); ++i)
-        length += (middle(grid.b[i + 1]) - middle(grid.b[i])).norm();
-    const double extent = s.sections().back().x - s.sections().front().x;
-    const int across = std::max(4, int(std::lround(along * extent / length)));
-    for (int i = 0; i <= across; ++i)
-        grid.a.push_back(double(i) / across);
-    return tessellate_patch([&s](double u, double v) { return s.point(u, v); }, grid, tolerance,
-                            std::string(name), progress);
-}
-
-} // namespace
-
 const std::vector<SampleKind>& sample_kinds() {
+    using enum LengthUnit;
     static const std::vector<SampleKind> kinds{
-        {"concave", "Concave surface", "Lu's first benchmark: a ruled valley of 10 × 10 in.",
-         LengthUnit::inch},
-        {"convex", "Convex surface", "Lu's second benchmark: a ruled ridge of 10 × 10 in.", LengthUnit::inch},
+        {"concave", "Concave surface", "Lu's first benchmark: a ruled valley, 10 × 10 in.", inch},
+        {"convex", "Convex surface", "Lu's second benchmark: a ruled ridge, 10 × 10 in.", inch},
         {"complex", "Complex surface", "Lu's third benchmark: convex, concave and saddle regions, 9 × 11 in.",
-         LengthUnit::inch},
+         inch},
+        {"pillar", "Pillar", "A long curved strip with concave blends, like a car's A-pillar, 20 × 6 in.",
+         inch},
+        {"gap", "Surface with a gap", "A domed surface with a winding gap between two walls, 6 × 5 in.",
+         inch},
+        {"shell", "Body shell", "A car body with four steep concave scoops, 12 × 6 in.", inch},
+        {"square-prism", "Square prism", "Jasra's turned prism: side 50 mm, 40 mm long, about the X axis.",
+         mm},
+        {"cylinder", "Cylinder", "Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.", mm},
+        {"twisted-prism", "Twisted prism",
+         "A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.", mm},
     };
     return kinds;
 }
@@ -52,9 +39,18 @@ std::shared_ptr<const Mesh> make_sample(std::string_view name, double chord_tole
         throw Error(ErrorCode::out_of_range, "sample", "unknown name '" + printable(name) + "'",
                     "use one of: " + names);
     if (!(chord_tolerance_mm > 0.0) || !std::isfinite(chord_tolerance_mm))
-        throw Error(ErrorCode::out_of_range, std::string(name), "the chord tolerance is not above 0",
+        throw Error(ErrorCode::out_of_range, std::string(name), "the chord tolerance is not a length above 0",
                     "give a positive length");
-    return std::make_shared<const Mesh>(lu_sample(name, chord_tolerance_mm, progress));
+    const auto make = [&]() -> Mesh {
+        if (name == "pillar") return sample::pillar(chord_tolerance_mm, progress);
+        if (name == "gap") return sample::gap(chord_tolerance_mm, progress);
+        if (name == "shell") return sample::shell(chord_tolerance_mm, progress);
+        if (name == "square-prism") return sample::square_prism();
+        if (name == "cylinder") return sample::cylinder(chord_tolerance_mm);
+        if (name == "twisted-prism") return sample::twisted_prism(chord_tolerance_mm, progress);
+        return sample::lu(name, chord_tolerance_mm, progress);
+    };
+    return std::make_shared<const Mesh>(make());
 }
 
 } // namespace facetmill

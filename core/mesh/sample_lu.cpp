@@ -3,6 +3,10 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/mesh/sample_parts.h"
+#include "core/mesh/sample_tessellate.h"
+
+#include <cmath>
 
 namespace facetmill {
 
@@ -137,6 +141,24 @@ const LoftedSurface& lu_surface(std::string_view name) {
     if (name == "complex") return complex;
     throw Error(ErrorCode::out_of_range, "sample surface", "unknown name '" + printable(name) + "'",
                 "use concave, convex or complex");
+}
+
+/// Cells are about square, and several to a span of the section curves.
+Mesh sample::lu(std::string_view name, double tolerance, const Progress& progress) {
+    const LoftedSurface& s = lu_surface(name);
+    const int along = 24;
+    const auto middle = [&s](double v) { return s.point(0.5, v); };
+    PatchGrid grid;
+    grid.b = even_stations(middle, 0.0, 1.0, along);
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < grid.b.size(); ++i)
+        length += (middle(grid.b[i + 1]) - middle(grid.b[i])).norm();
+    const double extent = s.sections().back().x - s.sections().front().x;
+    const int across = std::max(4, int(std::lround(along * extent / length)));
+    for (int i = 0; i <= across; ++i)
+        grid.a.push_back(double(i) / across);
+    return tessellate_patch([&s](double u, double v) { return s.point(u, v); }, grid, tolerance,
+                            std::string(name), progress);
 }
 
 } // namespace facetmill

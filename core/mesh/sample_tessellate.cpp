@@ -63,7 +63,7 @@ public:
                 double facets = 0.0;
                 for (double e : error)
                     facets += std::max(1.0, e / allowed_);
-                if (!(facets < double(sample_facet_limit))) too_many();
+                if (!(facets < double(sample_facet_limit))) throw_too_many_facets(what_);
             }
             for (std::size_t i = 0; i < open.size(); ++i) {
                 if (i % 256 == 0) progress.check();
@@ -77,7 +77,7 @@ public:
                 if (error[i] <= allowed_ || changed_[open[i]]) continue;
                 cut(open[i]);
                 if (++splits % 256 == 0) progress.check();
-                if (triangles_.size() > sample_facet_limit) too_many();
+                if (triangles_.size() > sample_facet_limit) throw_too_many_facets(what_);
             }
             changed_.assign(triangles_.size(), false);
         }
@@ -93,13 +93,6 @@ public:
     }
 
 private:
-    [[noreturn]] void too_many() const {
-        throw Error(ErrorCode::out_of_range, what_,
-                    "the chord tolerance is so small that the mesh would have more than "
-                        + std::to_string(sample_facet_limit / 1'000'000) + " million facets",
-                    "use a larger tolerance");
-    }
-
     void start(const PatchGrid& grid) {
         const std::size_t na = grid.a.size(), nb = grid.b.size();
         const std::size_t columns = grid.closed_a ? na - 1 : na;
@@ -305,6 +298,13 @@ private:
 };
 
 } // namespace
+
+void throw_too_many_facets(const std::string& what) {
+    throw Error(ErrorCode::out_of_range, what,
+                "the chord tolerance is so small that the mesh would have more than "
+                    + std::to_string(sample_facet_limit / 1'000'000) + " million facets",
+                "use a larger tolerance");
+}
 
 Mesh tessellate_patch(const PatchFunction& patch, const PatchGrid& grid, double tolerance,
                       const std::string& what, const Progress& progress) {

@@ -33,6 +33,7 @@ Mesh tessellate_patch(const PatchFunction& patch, const PatchGrid& grid, double 
                       const std::string& what, const Progress& progress);
 
 inline constexpr std::size_t sample_facet_limit = 20'000'000;
+[[noreturn]] void throw_too_many_facets(const std::string& what);
 
 /// `cells` + 1 parameters from `from` to `to` at about equal distances along the curve, for coarse grids.
 std::vector<double> even_stations(const std::function<Vec3(double)>& curve, double from, double to,
