@@ -36,8 +36,14 @@ struct LinkOptions {
     double chord_tolerance = 0.01;
 };
 
+/// What suits an operation: links as far as four step-overs or the cutter's radius, a twentieth of the tolerance.
+LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context, const OperationCommon& common);
+
 /// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into the part)
-/// where the next pass is near, else by retract, rapid at clearance height, approach. Throws Cancelled within 100 ms.
+/// where the next pass is near, else by retract, rapid at clearance height, approach. Rapids run level at clearance_z,
+/// above part, stock and every tip; the tool goes down and up at feed, over tips that do not gouge. `allowance` is the
+/// operation's; the part's inner tessellation tolerance is added as the strategy does. Throws Error(out_of_range),
+/// Cancelled within 100 ms.
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 

@@ -1,0 +1,49 @@
+// What a cutter with vertical axis covers: where its tip stands when it touches a plane, and how much it
+// leaves standing above a point of the surface. Millimetres; rho is the distance from the axis, z the height
+// above the tip.
+#pragma once
+
+#include "core/cutter/cutter.h"
+
+#include <optional>
+
+namespace facetmill {
+
+class CutterCover {
+public:
+    /// `slack`: a bottom line that stays within this height of a plane counts as lying on it, so that a flat
+    /// bottom stands over its contact point, not a radius beside it, on planes that are level but for
+    /// rounding.
+    CutterCover(const CutterProfile& profile, double slack);
+
+    /// The point (rho, z) of the profile that touches a plane whose unit normal `n` has n.z > 0.
+    Vec2 support(const Vec3& n) const;
+    /// Tip minus contact point for that plane: the tip stands downhill of the contact.
+    Vec3 tip_offset(const Vec3& n) const;
+
+    /// Smallest t for which p + t n lies in the cutter, taken endless upward, with its tip at `tip`;
+    /// +infinity when the line passes it by or meets it only beyond `limit`. Negative when the cutter cuts
+    /// below p. n is a unit vector, n.z >= 0. This is the height of the material over p, along n, that the
+    /// cutter leaves: the cusp (Lu 3.29 measures along the axis of the frame at the contact point, which is
+    /// the same direction).
+    double ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const;
+
+    /// Unit normal of the surface that the cutter touches at `rel` (contact minus tip), pointing into the
+    /// cutter; nothing at a corner of the profile, where the cutter leaves it open.
+    std::optional<Vec3> contact_normal(const Vec3& rel) const;
+
+    bool has_flat_bottom() const { return flat_radius_ > 0; }
+    /// Radius to which the bottom is level within the slack.
+    double flat_radius() const { return flat_radius_; }
+    double radius() const { return radius_; }
+    /// Height of the lowest point at the largest radius.
+    double shoulder() const { return shoulder_; }
+    const CutterProfile& profile() const { return profile_; }
+
+private:
+    CutterProfile profile_;
+    double slack_, radius_, shoulder_ = 0, flat_radius_ = 0;
+    bool ball_ = false;
+};
+
+} // namespace facetmill

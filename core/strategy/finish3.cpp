@@ -1,0 +1,404 @@
+#include "core/strategy/finish3.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/slice.h"
+#include "core/strategy/stepover.h"
+
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+const OperationRegistration registration("finish3", "Finish, 3-axis",
+                                         [] { return std::make_unique<Finish3>(); });
+
+constexpr int direction_planes = 7;
+constexpr std::size_t most_drive_planes = 100000;
+
+std::string length_text(double mm) {
+    return format_number(mm, 4) + " mm";
+}
+
+/// Everything one plan needs, worked out once.
+class Planner {
+public:
+    Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress);
+    StrategyResult run();
+
+private:
+    void add_line(const DriveLine& line, double reach, const Progress& progress);
+    void plan_constant(double step);
+    void plan_adaptive();
+    void add_warnings();
+    Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
+    CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
+    Progress still(double fraction) const { return progress_.part(fraction, fraction); }
+
+    const Finish3Settings& settings_;
+    const PlanContext& context_;
+    const Progress& progress_;
+    double cusp_allowed_, allowance_, chord_;
+    CutterProfile profile_;
+    CutterCover cover_;
+    AxialLift lift_;
+    DriveFrame frame_;
+    std::optional<ContactDomain> domain_;
+    LiftField field_;
+    LineTolerance fine_;
+    std::optional<StepOver> stepover_;
+    StrategyResult result_;
+    int unsatisfied_ = 0;
+};
+
+double cusp_budget(const Finish3Settings& settings, const PlanContext& context) {
+    const auto [out, in] = context.tessellation_tolerance;
+    if (!(out >= 0 && in >= 0 && std::isfinite(out) && std::isfinite(in)))
+        throw Error(ErrorCode::out_of_range, "tessellation_tolerance",
+                    "the tessellation tolerances are not lengths of 0 or more",
+                    "correct them in the part's settings");
+    const double budget = settings.tolerance - out - in;
+    if (!(budget > 0))
+        throw Error(ErrorCode::out_of_range, "tolerance",
+                    "the tessellation tolerances (" + length_text(out) + " out, " + length_text(in)
+                        + " in) use up the machining tolerance of " + length_text(settings.tolerance),
+                    "allow a larger tolerance or tessellate the part more finely");
+    return budget;
+}
+
+double chord_of(const Finish3Settings& settings, double budget) {
+    const double chord =
+        settings.chord_tolerance.is_number() ? settings.chord_tolerance.number : 0.05 * budget;
+    return std::max(std::min(chord, 0.5 * budget), tolerance::smallest_chord);
+}
+
+Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
+    : settings_(settings), context_(context), progress_(progress),
+      cusp_allowed_(cusp_budget(settings, context)),
+      allowance_(settings.allowance + context.tessellation_tolerance[1]),
+      chord_(chord_of(settings, cusp_allowed_)), profile_(context.tool.cutter()),
+      cover_(profile_, 0.125 * cusp_allowed_), lift_(context.contact, profile_, allowance_) {}
+
+StrategyResult Planner::run() {
+    progress_.part(0, 0.02, "Choosing the direction").set(0);
+    frame_ = DriveFrame(travel_direction(settings_.direction, context_, progress_.part(0, 0.02)));
+    result_.direction = frame_.angle;
+    domain_.emplace(*context_.part, frame_, cover_, allowance_, still(0.02));
+    if (domain_->empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "no facet of the part can be cut from above: all "
+                        + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
+                    "rotate the part");
+    // What the tip path may lack of the lift and exceed it, together, is the chord tolerance: half of each
+    // for the points looked at, half for leaving points out.
+    fine_.below = fine_.above = 0.5 * chord_;
+    fine_.spacing = safe_spacing(profile_, fine_.below);
+    field_ = {&lift_, domain_->lowest_tip()};
+
+    StepOverInput input;
+    input.mesh = context_.part.get();
+    input.contact = context_.contact;
+    input.lift = &lift_;
+    input.cover = &cover_;
+    input.domain = &*domain_;
+    input.frame = frame_;
+    input.allowance = allowance_;
+    input.floor = field_.floor;
+    input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
+    input.merge = fine_.spacing;
+    stepover_.emplace(input);
+
+    progress_.part(0.02, 1, "Placing drive planes").set(0);
+    if (settings_.stepover.is_number())
+        plan_constant(settings_.stepover.number);
+    else
+        plan_adaptive();
+    if (result_.passes.empty())
+        throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
+                    "check part and direction");
+    add_warnings();
+    return std::move(result_);
+}
+
+void Planner::plan_constant(double step) {
+    const double lo = domain_->lo(), hi = domain_->hi();
+    // Centred: the same margin at both borders, at most half a step.
+    const double planes = std::max(1.0, std::ceil((hi - lo) / step - tolerance::level_angle));
+    if (planes > double(most_drive_planes))
+        throw Error(ErrorCode::limit_exceeded, "stepover",
+                    "a step-over of " + length_text(step) + " makes more than "
+                        + std::to_string(most_drive_planes) + " drive planes",
+                    "choose a larger step-over");
+    const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
+    DriveLine last;
+    for (std::size_t i = 0; i < std::size_t(planes); ++i) {
+        const double done = double(i) / planes;
+        const Progress here = still(0.02 + 0.98 * done);
+        const double v = first + double(i) * step;
+        DriveLine line = stepover_->line(v, 0.5 * step, here);
+        result_.cusp_max = std::max(
+            result_.cusp_max, stepover_->worst_cusp(i == 0 ? nullptr : &last, &line, i == 0 ? lo : 0, here));
+        add_line(line, 0.5 * step, here);
+        last = std::move(line);
+        progress_.set(0.02 + 0.98 * (double(i) + 1) / planes);
+    }
+    result_.cusp_max = std::max(result_.cusp_max, stepover_->worst_cusp(&last, nullptr, hi, still(1)));
+    result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
+}
+
+void Planner::plan_adaptive() {
+    const double lo = domain_->lo(), hi = domain_->hi();
+    result_.stepover_min = infinity;
+    std::optional<DriveLine> last;
+    for (std::size_t i = 0;; ++i) {
+        const double at = last ? last->v : lo;
+        const Progress here = still(0.02 + 0.98 * (hi > lo ? (at - lo) / (hi - lo) : 0));
+        if (last) {
+            // Enough for the rest up to the border?
+            const double rest = hi - last->v;
+            if (rest <= 0) break;
+            if (rest <= stepover_->largest_step()) {
+                const double cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
+                if (cusp <= stepover_->allowed_cusp()) {
+                    result_.cusp_max = std::max(result_.cusp_max, cusp);
+                    break;
+                }
+            }
+        }
+        if (i >= most_drive_planes)
+            throw Error(ErrorCode::limit_exceeded, "stepover",
+                        "the tolerance asks for more than " + std::to_string(most_drive_planes)
+                            + " drive planes",
+                        "allow a larger tolerance or set a step-over");
+        StepOver::Step step = stepover_->next(last ? &*last : nullptr, here);
+        if (!step.satisfied) ++unsatisfied_;
+        result_.cusp_max = std::max(result_.cusp_max, step.cusp);
+        const double width = step.line.v - at;
+        if (last) {
+            result_.stepover_min = std::min(result_.stepover_min, width);
+            result_.stepover_max = std::max(result_.stepover_max, width);
+        }
+        add_line(step.line, 0.5 * width, here);
+        last = std::move(step.line);
+        progress_.set(0.02 + 0.98 * (hi > lo ? (last->v - lo) / (hi - lo) : 1));
+    }
+    if (result_.stepover_max == 0) result_.stepover_min = 0; // a single plane has no neighbour
+}
+
+void Planner::add_line(const DriveLine& line, double reach, const Progress& progress) {
+    const int drive = result_.drive_planes;
+    std::vector<Pass> passes;
+    for (const Interval& range : stepover_->ranges(line.v, reach)) {
+        const auto points =
+            lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
+        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), line.v, progress);
+        pass.drive = drive;
+        pass.offset = line.v;
+        passes.push_back(std::move(pass));
+    }
+    if (settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1) {
+        std::reverse(passes.begin(), passes.end());
+        for (Pass& p : passes) {
+            std::reverse(p.cc.begin(), p.cc.end());
+            std::reverse(p.cl.begin(), p.cl.end());
+        }
+    }
+    for (Pass& p : passes)
+        result_.passes.push_back(std::move(p));
+    ++result_.drive_planes;
+}
+
+CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) const {
+    if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
+    const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
+    const auto open = cover_.contact_normal(contact.point - lifted);
+    Vec3 normal = open ? *open : context_.part->facet_normal(contact.facet);
+    if (normal.z() < 0) normal = -normal;
+    return {contact.point, normal};
+}
+
+Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const {
+    const auto place = [&](const LinePoint& p, Pass& pass) {
+        const Vec3 tip = frame_.point(p.s, v, p.z);
+        pass.cl.push_back({tip, Vec3(0, 0, 1)});
+        pass.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
+    };
+    const double cos_limit = std::cos(settings_.normal_limit), shortest = 0.25 * fine_.spacing;
+    // Between a and b (both placed elsewhere), more points while the normal turns too much.
+    const auto fill = [&](const auto& self, const LinePoint& a, const Vec3& na, const LinePoint& b,
+                          const Vec3& nb, Pass& pass) -> void {
+        if (na.dot(nb) >= cos_limit || b.s - a.s < 2 * shortest) return;
+        LinePoint mid{0.5 * (a.s + b.s), 0};
+        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along);
+        Pass middle;
+        place(mid, middle);
+        const Vec3 nm = middle.cc.front().normal;
+        self(self, a, na, mid, nm, pass);
+        pass.cl.push_back(middle.cl.front());
+        pass.cc.push_back(middle.cc.front());
+        self(self, mid, nm, b, nb, pass);
+    };
+    constexpr std::size_t block = 16;
+    std::vector<Pass> parts((points.size() - 1) / block + 1);
+    parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
+        Pass& part = parts[begin / block];
+        for (std::size_t i = begin; i < end; ++i) {
+            place(points[i], part);
+            if (i + 1 == points.size()) continue;
+            Pass next;
+            place(points[i + 1], next);
+            const Vec3 normal = part.cc.back().normal; // `fill` moves what `part` holds
+            fill(fill, points[i], normal, points[i + 1], next.cc.front().normal, part);
+        }
+    });
+    Pass pass;
+    for (const Pass& p : parts) {
+        pass.cl.insert(pass.cl.end(), p.cl.begin(), p.cl.end());
+        pass.cc.insert(pass.cc.end(), p.cc.begin(), p.cc.end());
+    }
+    return pass;
+}
+
+void Planner::add_warnings() {
+    auto& warnings = result_.warnings;
+    const double height = std::max(context_.part_box.size().z(), cusp_allowed_);
+    const bool uncut = result_.cusp_max == infinity;
+    // The material left can be no higher than the part where a pass misses it altogether.
+    result_.cusp_max = std::min(result_.cusp_max, height);
+    if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
+        warnings.push_back(
+            "the step-over of " + length_text(settings_.stepover.number) + " leaves "
+            + (uncut ? std::string("places uncut") : "cusps of " + length_text(result_.cusp_max))
+            + "; the tolerance allows " + length_text(cusp_allowed_));
+    if (unsatisfied_ > 0)
+        warnings.push_back(
+            std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
+            + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
+            + length_text(result_.cusp_max) + " stay there, " + length_text(cusp_allowed_) + " are allowed");
+    double lowest = infinity;
+    for (const Pass& p : result_.passes)
+        for (const CutterLocation& c : p.cl)
+            lowest = std::min(lowest, c.tip.z());
+    const double depth = context_.part_box.hi.z() - lowest;
+    if (depth > context_.tool.flute_length)
+        warnings.push_back(
+            "the tip goes " + length_text(depth) + " below the top of the part, but the tool cuts over only "
+            + length_text(context_.tool.flute_length) + ": shank or holder may touch steep places");
+    const double below = context_.stock_box.lo.z() - lowest;
+    if (!context_.stock_box.empty() && below > chord_)
+        warnings.push_back("the tip goes " + length_text(below)
+                           + " below the bottom of the stock, to cut the part's lower border fully");
+}
+
+double normal_change(const PlanContext& context, const MeshGeometry& geometry, const DriveFrame& frame,
+                     const Progress& progress) {
+    const MeshSlicer slicer(*context.part, geometry, frame, progress);
+    const double shortest = tolerance::vanishing_step * context.part_box.diagonal();
+    double sum = 0;
+    std::size_t count = 0;
+    for (int i = 0; i < direction_planes; ++i) {
+        progress.check();
+        const double v = slicer.lo() + (slicer.hi() - slicer.lo()) * (i + 0.5) / direction_planes;
+        for (const SliceChain& chain : slicer.slice(v))
+            add_normal_change(chain, shortest, sum, count);
+    }
+    return count > 0 ? std::sqrt(sum / double(count)) : 0;
+}
+
+} // namespace
+
+double travel_direction(const NumberOrWord& asked, const PlanContext& context, const Progress& progress) {
+    if (asked.is_number()) return asked.number;
+    if (asked.is("x")) return 0;
+    if (asked.is("y")) return 0.5 * pi;
+    std::shared_ptr<const MeshGeometry> geometry = context.geometry;
+    if (!geometry) geometry = compute_geometry(*context.part, progress.part(0, 0.3));
+    const double x = normal_change(context, *geometry, DriveFrame(0), progress.part(0.3, 0.6));
+    const double y = normal_change(context, *geometry, DriveFrame(0.5 * pi), progress.part(0.6, 1));
+    if (std::abs(x - y) <= tolerance::like_normal_change * std::max(x, y))
+        return context.part_box.size().y() > context.part_box.size().x() ? 0.5 * pi : 0;
+    return x <= y ? 0 : 0.5 * pi;
+}
+
+const ParameterTable<Finish3Settings>& finish3_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        using S = Finish3Settings;
+        ParameterTable<S> t;
+        add_common_parameters(t);
+        t.add(&S::stepover, {.key = "stepover",
+                             .label = "Step-over",
+                             .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
+                                     "largest that the tolerance "
+                                     "allows; a length is kept whatever cusps it leaves.",
+                             .kind = K::number_or_word,
+                             .quantity = Quantity::length,
+                             .minimum = 0,
+                             .maximum = 1000,
+                             .open_minimum = true,
+                             .words = {"adaptive"}});
+        t.add_choice(&S::topology, {.key = "topology",
+                                    .label = "Topology",
+                                    .help = "Course of the passes: parallel drive planes.",
+                                    .words = {"parallel"},
+                                    .advanced = true});
+        t.add_choice(
+            &S::pattern,
+            {.key = "pattern",
+             .label = "Pattern",
+             .help =
+                 "zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above "
+                 "the part.",
+             .words = {"zigzag", "oneway"}});
+        t.add(&S::chord_tolerance, {.key = "chord_tolerance",
+                                    .label = "Chord tolerance",
+                                    .help = "How far straight moves may run beside the exact path, to either "
+                                            "side; auto is a twentieth of the "
+                                            "tolerance. At most half the tolerance is used.",
+                                    .kind = K::number_or_word,
+                                    .quantity = Quantity::length,
+                                    .minimum = 0,
+                                    .maximum = 1000,
+                                    .open_minimum = true,
+                                    .words = {"auto"},
+                                    .advanced = true});
+        t.add(&S::normal_limit, {.key = "normal_limit",
+                                 .label = "Normal limit",
+                                 .help = "Largest turn of the surface normal between neighbouring points of "
+                                         "a pass; more points are put in "
+                                         "where it turns more.",
+                                 .kind = K::number,
+                                 .quantity = Quantity::angle,
+                                 .minimum = radians(0.1),
+                                 .maximum = 0.5 * pi,
+                                 .advanced = true});
+        return t;
+    }();
+    return table;
+}
+
+std::vector<const ParameterInfo*> Finish3::parameters() const {
+    Finish3Settings unused;
+    return ParameterView(unused, finish3_parameters()).parameters();
+}
+
+ParameterValue Finish3::get(std::string_view key) const {
+    Finish3Settings copy = settings_;
+    return ParameterView(copy, finish3_parameters()).get(key);
+}
+
+void Finish3::set(std::string_view key, const ParameterValue& value) {
+    ParameterView(settings_, finish3_parameters()).set(key, value);
+}
+
+StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
+    if (!context.part || context.part->facets.empty())
+        throw Error(ErrorCode::empty_result, settings_.name, "the part has no facets", "choose another part");
+    if (!(settings_.tolerance > 0))
+        throw Error(ErrorCode::out_of_range, "tolerance", "the tolerance is not above 0",
+                    "enter a length above 0");
+    return Planner(settings_, context, progress).run();
+}
+
+} // namespace facetmill

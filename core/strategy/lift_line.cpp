@@ -1,0 +1,106 @@
+#include "core/strategy/lift_line.h"
+
+#include "core/base/parallel.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block_segments = 16;
+constexpr int deepest = 40;
+
+class Refiner {
+public:
+    Refiner(const LiftField& field, const Vec2& origin, const Vec2& direction, const LineTolerance& tolerance,
+            const Progress& progress)
+        : field_(field), origin_(origin), direction_(direction), tolerance_(tolerance), progress_(progress) {}
+
+    LinePoint at(double s) const { return {s, field_.tip_z(origin_ + s * direction_)}; }
+
+    /// Appends what lies between a and b, and b.
+    void add(const LinePoint& a, const LinePoint& b, std::vector<LinePoint>& out, int depth = 0) const {
+        const double ds = b.s - a.s, dz = b.z - a.z;
+        if (ds <= tolerance_.shortest() || depth >= deepest) {
+            if (dz < 0)
+                out.push_back({b.s, a.z});
+            else if (dz > 0)
+                out.push_back({a.s, b.z});
+            out.push_back(b);
+            return;
+        }
+        if (depth % 8 == 7) progress_.check();
+        const LinePoint mid = at(0.5 * (a.s + b.s));
+        // Across the chord. Of a kink's height the middle sees at least half, wherever the kink is; of an arc
+        // all.
+        const double lift = (mid.z - 0.5 * (a.z + b.z)) * ds / std::hypot(ds, dz);
+        if (lift <= 0.5 * tolerance_.below && lift >= -0.5 * tolerance_.above) {
+            out.push_back(mid);
+            out.push_back(b);
+            return;
+        }
+        add(a, mid, out, depth + 1);
+        add(mid, b, out, depth + 1);
+    }
+
+private:
+    const LiftField& field_;
+    Vec2 origin_, direction_;
+    LineTolerance tolerance_;
+    const Progress& progress_;
+};
+
+} // namespace
+
+double safe_spacing(const CutterProfile& profile, double below) {
+    const double radius = std::max(profile.cutter().r, 0.5 * profile.max_radius());
+    return std::min(std::sqrt(8 * radius * below), 0.25 * profile.max_radius());
+}
+
+std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
+                                 double s1, const LineTolerance& tolerance, const Progress& progress) {
+    const Refiner refiner(field, origin, direction, tolerance, progress);
+    if (!(s1 > s0)) return {refiner.at(s0)};
+    const auto n = std::size_t(std::ceil((s1 - s0) / tolerance.spacing));
+    const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
+    const std::size_t blocks = (n - 1) / block_segments + 1;
+    std::vector<std::vector<LinePoint>> parts(blocks);
+    parallel_blocks(n, block_segments, progress, [&](std::size_t begin, std::size_t end) {
+        auto& part = parts[begin / block_segments];
+        LinePoint last = refiner.at(node(begin));
+        if (begin == 0) part.push_back(last);
+        for (std::size_t i = begin; i < end; ++i) {
+            const LinePoint next = refiner.at(node(i + 1));
+            refiner.add(last, next, part);
+            last = next;
+        }
+    });
+    std::vector<LinePoint> line;
+    for (const auto& part : parts)
+        line.insert(line.end(), part.begin(), part.end());
+    return line;
+}
+
+std::vector<LinePoint> thinned(const std::vector<LinePoint>& line, double below, double above) {
+    if (line.size() < 3) return line;
+    std::vector<LinePoint> kept{line.front()};
+    std::size_t from = 0;
+    while (from + 1 < line.size()) {
+        // Slopes of a chord from `from` that respect all points passed so far.
+        double low = -infinity, high = infinity;
+        std::size_t best = from + 1;
+        for (std::size_t k = from + 1; k < line.size(); ++k) {
+            const double ds = line[k].s - line[from].s, dz = line[k].z - line[from].z;
+            if (!(ds > 0)) break;
+            const double slope = dz / ds;
+            if (slope >= low && slope <= high) best = k;
+            low = std::max(low, (dz - below) / ds);
+            high = std::min(high, (dz + above) / ds);
+            if (low > high) break;
+        }
+        kept.push_back(line[best]);
+        from = best;
+    }
+    return kept;
+}
+
+} // namespace facetmill

@@ -1,0 +1,331 @@
+#include "core/strategy/stepover.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block_columns = 8;
+/// A lift that changes by more than this per unit sideways is looked at as a wall.
+constexpr double wall_slope = 5;
+/// Accepted without a further try: share of the allowed cusp.
+constexpr double good_share = 0.96;
+
+bool inside(const std::vector<Interval>& intervals, double u, double slack) {
+    for (const Interval& i : intervals)
+        if (u >= i.lo - slack && u <= i.hi + slack) return true;
+    return false;
+}
+
+} // namespace
+
+StepOver::StepOver(const StepOverInput& input) : in_(input), field_{input.lift, input.floor} {
+    const double radius = in_.cover->radius(), r = std::max(in_.cover->profile().cutter().r, in_.cusp);
+    if (in_.cover->has_flat_bottom())
+        needle_ = std::make_unique<AxialLift>(
+            in_.contact, CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    // On a level plane, cusps between passes of a ball of radius r.
+    const double level = 2 * std::sqrt(std::max(2 * r * in_.cusp - in_.cusp * in_.cusp, 0.0));
+    largest_ = 0.95 * 2 * radius; // Lu's c for roughing: never the whole diameter
+    guess_ = std::min(largest_, level);
+    smallest_ = tolerance::smallest_step_share * std::min(level, largest_);
+    grid_ = 0.08 * radius;
+}
+
+std::vector<Interval> StepOver::ranges(double v, double reach) const {
+    return in_.domain->strip(v - reach, v + reach, in_.merge);
+}
+
+DriveLine StepOver::line(double v, double reach, const Progress& progress) const {
+    DriveLine line;
+    line.v = v;
+    LineTolerance rough;
+    rough.below = rough.above = 0.125 * in_.cusp;
+    rough.spacing = grid_;
+    for (const Interval& r : ranges(v, reach))
+        line.runs.push_back(
+            lift_line(field_, v * in_.frame.across, in_.frame.along, r.lo, r.hi, rough, progress));
+    return line;
+}
+
+StepOver::Sample StepOver::sample(double u, double v) const {
+    Sample s;
+    const Vec2 xy = in_.frame.xy(u, v);
+    const AxialContact c = in_.lift->contact(xy.x(), xy.y());
+    s.tip_z = std::max(c.tip_z, in_.floor);
+    if (!(c.tip_z >= in_.floor) || c.facet == no_index) return s;
+    const Vec3 tip(xy.x(), xy.y(), c.tip_z);
+    s.valid = true;
+    s.point = c.point;
+    if (needle_) {
+        const double z = needle_->tip_z(xy.x(), xy.y());
+        if (c.tip_z - in_.allowance - z <= 0.125 * in_.cusp) {
+            s.normal = Vec3(0, 0, 1);
+            s.point = Vec3(xy.x(), xy.y(), z + in_.allowance);
+            return s;
+        }
+    }
+    if (const auto n = in_.cover->contact_normal(c.point - tip))
+        s.normal = *n;
+    else
+        s.normal = in_.mesh->facet_normal(c.facet);
+    if (s.normal.z() < 0) s.normal = -s.normal;
+    s.point += in_.allowance * s.normal;
+    return s;
+}
+
+double StepOver::entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
+    if (!line) return infinity;
+    const double limit = 2 * in_.cover->radius();
+    double best = infinity;
+    const auto tip = [&](const LinePoint& q) { return in_.frame.point(q.s, line->v, q.z); };
+    for (const auto& run : line->runs) {
+        if (run.empty() || run.front().s > u + limit || run.back().s < u - limit) continue;
+        if (run.size() == 1) {
+            best = std::min(best, in_.cover->ray_entry(p, n, tip(run[0]), limit));
+            continue;
+        }
+        // The smallest entry along one piece: convex, because a swept convex body is convex.
+        const auto piece = [&](std::size_t k) {
+            const Vec3 a = tip(run[k]), b = tip(run[k + 1]);
+            const auto f = [&](double x) { return in_.cover->ray_entry(p, n, a + x * (b - a), limit); };
+            const double f0 = f(0), f1 = f(0.5), f2 = f(1);
+            double least = std::min({f0, f1, f2});
+            if (least == infinity) return least;
+            if (f0 < infinity && f1 < infinity && f2 < infinity) {
+                const double bend = f0 - 2 * f1 + f2;
+                if (bend > 0) {
+                    const double x = 0.5 + 0.25 * (f0 - f2) / bend;
+                    if (x > 0 && x < 1) least = std::min(least, f(x));
+                }
+                return least;
+            }
+            double lo = 0, hi = 1;
+            for (int i = 0; i < 24; ++i) {
+                const double x1 = lo + 0.382 * (hi - lo), x2 = hi - 0.382 * (hi - lo);
+                const double g1 = f(x1), g2 = f(x2);
+                least = std::min({least, g1, g2});
+                if (g1 < g2 || (g1 == g2 && f0 < f2))
+                    hi = x2;
+                else
+                    lo = x1;
+            }
+            return least;
+        };
+        const auto after =
+            std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
+        const std::size_t last = run.size() - 2;
+        std::size_t k = after == run.begin() ? 0 : std::min(std::size_t(after - run.begin()) - 1, last);
+        double here = piece(k);
+        if (here == infinity) {
+            // Not met near u: look at all of the run that can reach p.
+            std::size_t found = no_index;
+            for (std::size_t i = 0; i < run.size(); ++i) {
+                if (std::abs(run[i].s - u) > limit) continue;
+                const double t = in_.cover->ray_entry(p, n, tip(run[i]), limit);
+                if (t < here) {
+                    here = t;
+                    found = i;
+                }
+            }
+            if (found == no_index) continue;
+            k = std::min(found, last);
+            here = std::min(here, piece(k));
+        }
+        std::size_t left = k, right = k;
+        for (double t; left > 0 && (t = piece(left - 1)) < here; --left)
+            here = t;
+        for (double t; right < last && (t = piece(right + 1)) < here; ++right)
+            here = t;
+        best = std::min(best, here);
+    }
+    return std::max(best, 0.0);
+}
+
+double StepOver::left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const {
+    return std::min(entry(a, u, s.point, s.normal), entry(b, u, s.point, s.normal));
+}
+
+double StepOver::wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from,
+                      double z_to) const {
+    // Halve towards the middle height: on a steep wall this ends at a contact halfway down, at a jump on its
+    // two sides.
+    const double middle = 0.5 * (z_from + z_to), shortest = 0.125 * in_.cusp;
+    while ((to - from).norm() > shortest) {
+        const Vec2 mid = 0.5 * (from + to);
+        const Vec2 xy = in_.frame.xy(mid.x(), mid.y());
+        const double z = field_.tip_z(xy);
+        const bool with_from = (z > middle) == (z_from > middle);
+        (with_from ? from : to) = mid;
+        (with_from ? z_from : z_to) = z;
+    }
+    const bool from_high = z_from > z_to;
+    const Vec2 high = from_high ? from : to;
+    Sample top = sample(high.x(), high.y());
+    if (!top.valid) return 0;
+    double worst = left_at(a, b, high.x(), top);
+    if (std::abs(z_from - z_to) < wall_slope * shortest) return worst;
+    const Vec2 xy = in_.frame.xy(high.x(), high.y());
+    Vec2 side = xy - Vec2(top.point.x(), top.point.y());
+    if (!(side.norm() > 0.5 * in_.cover->radius())) return worst; // not the cutter's side that touches
+    side.normalize();
+    top.point = Vec3(xy.x(), xy.y(), middle + in_.cover->shoulder())
+                - in_.cover->radius() * Vec3(side.x(), side.y(), 0);
+    top.normal = Vec3(side.x(), side.y(), 0);
+    return std::max(worst, left_at(a, b, high.x(), top));
+}
+
+double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
+                            const Progress& progress) const {
+    const double v0 = a ? a->v : edge, v1 = b ? b->v : edge;
+    if (!(v1 > v0)) return 0;
+    constexpr int rows = 3;
+    double share[rows] = {0.25, 0.5, 0.75};
+    if (!a) share[0] = 0.01;
+    if (!b) share[2] = 0.99;
+    double v[rows];
+    std::vector<Interval> domain[rows], all;
+    for (int i = 0; i < rows; ++i) {
+        v[i] = v0 + share[i] * (v1 - v0);
+        domain[i] = in_.domain->line(v[i], in_.merge);
+        all.insert(all.end(), domain[i].begin(), domain[i].end());
+    }
+    const auto of_line = [&](const DriveLine* line) {
+        return line ? in_.domain->line(line->v, in_.merge) : std::vector<Interval>();
+    };
+    const std::vector<Interval> domain_a = of_line(a), domain_b = of_line(b);
+    std::vector<double> columns;
+    std::vector<char> joins_next;
+    for (const Interval& r : joined(std::move(all), in_.merge)) {
+        const auto n = std::size_t(std::ceil(r.length() / grid_)) + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            columns.push_back(n == 1 ? r.lo : r.lo + r.length() * (double(i) / double(n - 1)));
+            joins_next.push_back(i + 1 < n);
+        }
+    }
+    const double steep = wall_slope;
+    return parallel_reduce(
+        columns.size(), block_columns, 0.0, progress,
+        [&](std::size_t begin, std::size_t end) {
+            double worst = 0;
+            for (std::size_t c = begin; c < end; ++c) {
+                const double u = columns[c];
+                Sample s[rows];
+                double x[rows], y[rows];
+                for (int i = 0; i < rows; ++i) {
+                    if (!inside(domain[i], u, tolerance::contact_distance)) continue;
+                    s[i] = sample(u, v[i]);
+                    if (!s[i].valid) continue;
+                    const double ta = entry(a, u, s[i].point, s[i].normal);
+                    const double tb = entry(b, u, s[i].point, s[i].normal);
+                    worst = std::max(worst, std::min(ta, tb));
+                    x[i] = std::sqrt(ta);
+                    y[i] = std::sqrt(tb);
+                }
+                if (worst == infinity) return worst;
+                // The cusp's ridge lies where both cutters leave the same; roots of cusps run linearly.
+                if (a && b) {
+                    const auto ridge = [&](double xa, double xb, double ya, double yb) {
+                        const double da = ya - xa, db = xb - yb;
+                        if (!(da > 0 && db > 0) || da == infinity || db == infinity) return;
+                        const double root = xa + (xb - xa) * da / (da + db);
+                        worst = std::max(worst, root * root);
+                    };
+                    for (int i = 0; i + 1 < rows; ++i)
+                        if (s[i].valid && s[i + 1].valid) ridge(x[i], x[i + 1], y[i], y[i + 1]);
+                    if (s[0].valid && s[1].valid) ridge(0, x[0], std::max(2 * y[0] - y[1], y[0]), y[0]);
+                    if (s[rows - 1].valid && s[rows - 2].valid)
+                        ridge(x[rows - 1], std::max(2 * x[rows - 1] - x[rows - 2], x[rows - 1]), y[rows - 1],
+                              0);
+                }
+                for (int i = 0; i + 1 < rows; ++i)
+                    if (s[i].valid && s[i + 1].valid
+                        && std::abs(s[i].tip_z - s[i + 1].tip_z)
+                               > std::max(steep * (v[i + 1] - v[i]), in_.cusp))
+                        worst = std::max(
+                            worst, wall(a, b, Vec2(u, v[i]), Vec2(u, v[i + 1]), s[i].tip_z, s[i + 1].tip_z));
+                // Outermost rows against the lines themselves.
+                const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line,
+                                         int row) {
+                    if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
+                    const double z = field_.tip_z(in_.frame.xy(u, line->v));
+                    if (std::abs(z - s[row].tip_z) > std::max(steep * std::abs(v[row] - line->v), in_.cusp))
+                        worst =
+                            std::max(worst, wall(a, b, Vec2(u, line->v), Vec2(u, v[row]), z, s[row].tip_z));
+                };
+                to_line(a, domain_a, 0);
+                to_line(b, domain_b, rows - 1);
+                // A wall across the passes, between this column and the next.
+                if (s[1].valid && joins_next[c]
+                    && inside(domain[1], columns[c + 1], tolerance::contact_distance)) {
+                    const double z = field_.tip_z(in_.frame.xy(columns[c + 1], v[1]));
+                    if (std::abs(z - s[1].tip_z) > std::max(steep * (columns[c + 1] - u), in_.cusp))
+                        worst = std::max(
+                            worst, wall(a, b, Vec2(u, v[1]), Vec2(columns[c + 1], v[1]), s[1].tip_z, z));
+                }
+            }
+            return worst;
+        },
+        [](double x, double y) { return std::max(x, y); });
+}
+
+StepOver::Step StepOver::next(const DriveLine* a, const Progress& progress) {
+    const double from = a ? a->v : in_.domain->lo();
+    const double cap = std::min(largest_, in_.domain->hi() - from);
+    Step best, last;
+    best.satisfied = last.satisfied = false;
+    double low = 0, high = infinity;
+    double step = std::min(a ? guess_ : 0.5 * guess_, cap);
+    const auto attempt = [&](double d) {
+        Step s;
+        s.line = line(from + d, 0.5 * d, progress);
+        s.cusp = worst_cusp(a, &s.line, from, progress);
+        s.satisfied = s.cusp <= in_.cusp;
+        return s;
+    };
+    for (int tries = 0; tries < 24; ++tries) {
+        Step s = attempt(step);
+        double wish = 0.5 * step;
+        if (s.cusp < infinity)
+            wish = s.cusp > 0 ? std::min(step * std::sqrt(0.985 * in_.cusp / s.cusp), 4 * step) : 4 * step;
+        if (s.satisfied) {
+            low = step;
+            const bool good = s.cusp >= good_share * in_.cusp;
+            best = std::move(s);
+            if (good || step >= cap) break;
+        } else {
+            high = step;
+            last = std::move(s);
+            if (step <= smallest_) break;
+        }
+        if (low > 0 && high - low <= 0.01 * high) break;
+        if (low == 0) {
+            step = std::clamp(wish, 0.1 * high, 0.9 * high);
+            step = std::max(step, std::min(smallest_, 0.9 * high));
+        } else if (high == infinity) {
+            step = std::min(std::max(wish, 1.02 * low), cap);
+        } else {
+            const double margin = 0.1 * (high - low);
+            step = std::clamp(wish, low + margin, high - margin);
+        }
+        step = std::min(step, cap);
+    }
+    if (best.satisfied) {
+        if (a) guess_ = std::min(low, largest_);
+        return best;
+    }
+    // No step is small enough. Take the largest that leaves hardly more than the smallest does: what a
+    // smaller step does not improve is not the step's fault.
+    double fine = last.cusp;
+    for (double d = std::min(2 * step, cap); d > step && d <= guess_; d = std::min(2 * d, cap)) {
+        Step s = attempt(d);
+        if (!(s.cusp <= 1.05 * fine)) break;
+        last = std::move(s);
+        if (d >= cap) break;
+    }
+    return last;
+}
+
+} // namespace facetmill
