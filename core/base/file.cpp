@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <mutex>
 #include <system_error>
 
 #include <fcntl.h>
@@ -12,6 +13,32 @@
 namespace facetmill {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Temporary files that exist now. The mutex is held while one is made, removed or renamed, so that
+/// abandon_outputs finds either all of it or nothing.
+struct Temporaries {
+    std::recursive_mutex mutex; ///< recursive: a set commits files
+    std::vector<fs::path> paths;
+};
+
+Temporaries& temporaries() {
+    static auto* all = new Temporaries; // outlives every thread
+    return *all;
+}
+
+using TemporariesLock = std::unique_lock<std::recursive_mutex>;
+
+} // namespace
+
+void abandon_outputs() {
+    TemporariesLock lock(temporaries().mutex);
+    std::error_code ec;
+    for (const fs::path& p : temporaries().paths)
+        fs::remove(p, ec);
+    lock.release(); // stays locked
+}
 
 InputFile::InputFile(const fs::path& path) : path_(path) {
     const std::string name = printable(path.string(), 400);
@@ -77,13 +104,16 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
     }
     // The name does not repeat the target's, which may be as long as the file system allows.
     std::string pattern = (target_.parent_path() / ".facetmill.XXXXXX").string();
+    TemporariesLock lock(temporaries().mutex);
     const int fd = ::mkstemp(pattern.data());
     if (fd < 0) fail(std::strerror(errno));
     temporary_ = pattern;
+    temporaries().paths.push_back(temporary_);
     ::fchmod(fd, 0644);
     file_ = ::fdopen(fd, "wb");
     if (!file_) {
         ::close(fd);
+        forget();
         fs::remove(temporary_, ec);
         fail("no stream");
     }
@@ -92,9 +122,15 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
 OutputFile::~OutputFile() {
     if (file_) std::fclose(file_);
     if (!committed_) {
+        TemporariesLock lock(temporaries().mutex);
         std::error_code ec;
         fs::remove(temporary_, ec);
+        forget();
     }
+}
+
+void OutputFile::forget() {
+    std::erase(temporaries().paths, temporary_);
 }
 
 void OutputFile::fail(const std::string& what) const {
@@ -116,10 +152,12 @@ void OutputFile::close_stream() {
 
 void OutputFile::commit() {
     close_stream();
+    TemporariesLock lock(temporaries().mutex);
     std::error_code ec;
     fs::rename(temporary_, target_, ec);
     if (ec) fail(ec.message());
     committed_ = true;
+    forget();
 }
 
 OutputFile& OutputSet::add(const fs::path& target) {
@@ -133,6 +171,7 @@ OutputFile& OutputSet::add(const fs::path& target) {
 void OutputSet::commit() {
     for (auto& f : files_)
         f->close_stream();
+    TemporariesLock lock(temporaries().mutex);
     // What stands at a target keeps a second name until all renames are done.
     struct Kept {
         OutputFile* file;

@@ -1,4 +1,5 @@
-// Files in and out. Outputs are written beside their place and renamed, so that a cancelled or failed job leaves nothing.
+// Files in and out. Outputs are written beside their place and renamed, so that a cancelled or failed job
+// leaves nothing.
 #pragma once
 
 #include "core/base/error.h"
@@ -12,8 +13,8 @@
 
 namespace facetmill {
 
-/// A whole file, read-only, memory-mapped where the system allows. Throws Error(not_found, is_directory, unreadable,
-/// empty_file). Devices, pipes and sockets are refused as unreadable.
+/// A whole file, read-only, memory-mapped where the system allows. Throws Error(not_found, is_directory,
+/// unreadable, empty_file). Devices, pipes and sockets are refused as unreadable.
 class InputFile {
 public:
     explicit InputFile(const std::filesystem::path& path);
@@ -32,9 +33,9 @@ private:
     std::vector<char> buffer_;
 };
 
-/// Writes to a temporary file in the target's folder; `commit` flushes, checks and renames it over the target. Without
-/// commit the destructor removes the temporary file. A target that is a link stands for the file it leads to; one that is
-/// a folder, device, pipe or socket is refused. Throws Error(unwritable).
+/// Writes to a temporary file in the target's folder; `commit` flushes, checks and renames it over the
+/// target. Without commit the destructor removes the temporary file. A target that is a link stands for the
+/// file it leads to; one that is a folder, device, pipe or socket is refused. Throws Error(unwritable).
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path target);
@@ -45,20 +46,22 @@ public:
     void write(std::string_view bytes);
     void commit();
     const std::filesystem::path& target() const { return target_; }
-    /// Where the bytes go until `commit`, for libraries that only write to a named file; call `close_stream` first.
+    /// Where the bytes go until `commit`, for libraries that only write to a named file; call `close_stream`
+    /// first.
     const std::filesystem::path& temporary() const { return temporary_; }
     void close_stream();
 
 private:
     friend class OutputSet;
     [[noreturn]] void fail(const std::string& what) const;
+    void forget();
     std::filesystem::path target_, temporary_;
     std::FILE* file_ = nullptr;
     bool committed_ = false;
 };
 
-/// Several outputs of one job that appear together or not at all: `commit` renames all after every one is complete, and
-/// puts back what stood there before when one of them cannot be renamed.
+/// Several outputs of one job that appear together or not at all: `commit` renames all after every one is
+/// complete, and puts back what stood there before when one of them cannot be renamed.
 class OutputSet {
 public:
     /// Throws Error(unwritable), also for a target that is in the set already.
@@ -68,5 +71,10 @@ public:
 private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
+
+/// Removes the temporary files of all outputs that are not committed, waiting for a commit that is under way,
+/// and lets none be made or committed from then on: for a process that ends at once. Does not return control
+/// over outputs to anyone: threads that use one wait for ever.
+void abandon_outputs();
 
 } // namespace facetmill

@@ -13,6 +13,9 @@
 #include <random>
 #include <thread>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace facetmill;
 
 namespace {
@@ -261,6 +264,28 @@ private slots:
         QCOMPARE(text("old"), std::string("after"));
         QCOMPARE(text("new"), std::string("after"));
         QCOMPARE(entries(), 3);
+    }
+
+    void an_abandoned_process_leaves_nothing() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder = dir.path().toStdString();
+        const pid_t child = ::fork();
+        if (child == 0) { // the lock is never given back: in a process of its own
+            OutputFile done(folder / "done");
+            done.commit();
+            OutputFile half(folder / "half");
+            half.write("1");
+            abandon_outputs();
+            ::_exit(7);
+        }
+        int status = 0;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 7);
+        QStringList names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            names << QString::fromStdString(entry.path().filename().string());
+        QCOMPARE(names, QStringList{"done"});
     }
 
     void links_lead_to_their_file() {
