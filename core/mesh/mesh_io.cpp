@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 
 namespace facetmill {
 
@@ -83,8 +84,8 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
             [&](std::size_t c) -> const Vec3& { return soup.points[soup.facets[c / 3][c % 3]]; },
             weld_progress);
     else
-        welded = detail::weld_corners(
-            3 * facet_count, [&](std::size_t c) -> const Vec3& { return soup.points[c]; }, weld_progress);
+        welded = detail::weld_corners(3 * facet_count, detail::PieceCorners(soup.pieces), weld_progress);
+    soup.pieces = {};
     soup.points = {};
     soup.facets = {};
 
@@ -179,15 +180,16 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
     return loaded;
 }
 
-} // namespace
-
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
-                     const Progress& progress) {
+/// `release` lets the file go as soon as nothing is read from it any more: its pages count as memory.
+template <class Release>
+LoadedMesh read_and_finish(std::string_view bytes, const std::string& name, LengthUnit unit,
+                           const Progress& progress, const Release& release) {
     const MeshSource source{bytes, printable(name, 400), tolerance::largest_coordinate / mm_per(unit)};
     if (bytes.empty())
         throw Error(ErrorCode::empty_file, source.name, "the file is empty", "export or copy it again");
     try {
         TriangleSoup soup = read_soup(source, lower_extension(name), progress.part(0.0, 0.4));
+        if (!soup.records) release();
         return finish(soup, source.name, unit, progress.part(0.4, 1.0));
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large, source.name, "the mesh does not fit into memory",
@@ -195,9 +197,16 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit
     }
 }
 
+} // namespace
+
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
+                     const Progress& progress) {
+    return read_and_finish(bytes, name, unit, progress, [] {});
+}
+
 LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress) {
-    const InputFile file(path);
-    return read_mesh(file.bytes(), path.string(), unit, progress);
+    std::optional<InputFile> file(path);
+    return read_and_finish(file->bytes(), path.string(), unit, progress, [&] { file.reset(); });
 }
 
 } // namespace facetmill

@@ -15,7 +15,7 @@ namespace facetmill::detail {
 
 /// Triangles in the file's own numbers, before welding. Every coordinate has been checked to be finite and in
 /// range. One of three forms: records of a binary STL file left where they are (`records`), three points a
-/// facet (`points` alone), or points with facets of indices into them.
+/// facet in file order (`pieces`), or points with facets of indices into them.
 struct TriangleSoup {
     std::string format; ///< as MeshReport::format
     std::string name;
@@ -28,13 +28,48 @@ struct TriangleSoup {
     bool big_endian = false;
     std::vector<std::uint64_t> record_offsets; ///< from `records`; empty: one every 50 bytes
 
+    std::vector<std::vector<Vec3>> pieces;
+
     std::vector<Vec3> points;
     std::vector<Facet> facets;
     bool indexed = false;
 
     std::size_t facet_count() const {
-        return records ? record_count : indexed ? facets.size() : points.size() / 3;
+        if (records) return record_count;
+        if (indexed) return facets.size();
+        std::size_t count = 0;
+        for (const std::vector<Vec3>& piece : pieces)
+            count += piece.size() / 3;
+        return count;
     }
+};
+
+/// Corner of a soup in pieces by its number; quick for any order.
+class PieceCorners {
+public:
+    explicit PieceCorners(const std::vector<std::vector<Vec3>>& pieces) : pieces_(pieces) {
+        begins_.push_back(0);
+        for (const std::vector<Vec3>& piece : pieces)
+            begins_.push_back(begins_.back() + piece.size());
+        // One guess for every stretch of about half a piece: the search then takes a step or two.
+        stretch_ = begins_.back() / (2 * pieces.size() + 1) + 1;
+        for (std::size_t corner = 0, piece = 0; corner < begins_.back(); corner += stretch_) {
+            while (corner >= begins_[piece + 1])
+                ++piece;
+            guess_.push_back(piece);
+        }
+    }
+    const Vec3& operator()(std::size_t corner) const {
+        std::size_t piece = guess_[corner / stretch_];
+        while (corner >= begins_[piece + 1])
+            ++piece;
+        return pieces_[piece][corner - begins_[piece]];
+    }
+
+private:
+    const std::vector<std::vector<Vec3>>& pieces_;
+    std::vector<std::size_t> begins_, guess_;
+    std::size_t stretch_ = 1;
 };
 
 /// A file being read: its bytes, what to call it in messages, and the largest coordinate allowed in its own

@@ -209,6 +209,7 @@ private:
     }
 
     void facet() {
+        const std::size_t begin = cursor_.position;
         std::string_view token = cursor_.token();
         Vec3 normal = Vec3::Zero();
         bool usable = false;
@@ -243,6 +244,10 @@ private:
             usable ? compare_normal(normal, corners[0], corners[1], corners[2]) : NormalState::unusable;
         found_.bad_normals = found_.bad_normals || state == NormalState::unusable;
         found_.normals_disagree = found_.normals_disagree || state == NormalState::opposes;
+        if (found_.points.empty()) { // all facets of a writer are about as long as the first
+            const std::size_t left = cursor_.text.size() - begin, length = cursor_.position - begin + 1;
+            found_.points.reserve(3 * (left / length + left / (8 * length) + 1));
+        }
         found_.points.insert(found_.points.end(), corners, corners + 3);
     }
 
@@ -305,7 +310,8 @@ std::vector<std::size_t> piece_ends(std::string_view text, std::size_t size) {
 /// Pieces side by side. Nothing is believed unless every piece ends with a facet exactly where the next one
 /// begins: any doubt (also an error, also a name that looks like a facet) is left to the reading in one
 /// piece.
-std::optional<AsciiFindings> read_in_pieces(const MeshSource& source, const Progress& progress) {
+std::optional<AsciiFindings> read_in_pieces(const MeshSource& source, std::vector<std::vector<Vec3>>& points,
+                                            const Progress& progress) {
     constexpr std::size_t piece_size = std::size_t(1) << 20;
     const std::vector<std::size_t> ends = piece_ends(source.bytes, piece_size);
     if (ends.size() == 1) return std::nullopt;
@@ -326,15 +332,9 @@ std::optional<AsciiFindings> read_in_pieces(const MeshSource& source, const Prog
 
     AsciiFindings all = std::move(pieces[0]);
     all.open_at_end = pieces.back().open_at_end;
-    std::vector<std::size_t> offset(pieces.size() + 1, all.points.size());
+    points.push_back(std::move(all.points));
     for (std::size_t i = 1; i < pieces.size(); ++i)
-        offset[i + 1] = offset[i] + pieces[i].points.size();
-    all.points.resize(offset.back());
-    parallel_blocks(pieces.size() - 1, 1, Progress(), [&](std::size_t i, std::size_t) {
-        std::vector<Vec3>& points = pieces[i + 1].points;
-        std::copy(points.begin(), points.end(), all.points.begin() + std::ptrdiff_t(offset[i + 1]));
-        points = {};
-    });
+        points.push_back(std::move(pieces[i].points));
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         const AsciiFindings& p = pieces[i];
         all.solids += p.solids;
@@ -351,9 +351,10 @@ std::optional<AsciiFindings> read_in_pieces(const MeshSource& source, const Prog
 } // namespace
 
 TriangleSoup read_ascii_stl(const MeshSource& source, const Progress& progress) {
+    TriangleSoup soup;
     AsciiFindings found;
     bool comma = false;
-    if (auto pieces = read_in_pieces(source, progress)) {
+    if (auto pieces = read_in_pieces(source, soup.pieces, progress)) {
         found = std::move(*pieces);
     } else {
         try {
@@ -369,15 +370,13 @@ TriangleSoup read_ascii_stl(const MeshSource& source, const Progress& progress) 
             }
         }
     }
-    if (found.points.empty())
+    if (soup.pieces.empty()) soup.pieces.push_back(std::move(found.points));
+    if (soup.facet_count() == 0)
         throw Error(ErrorCode::no_facets, source.name, "the file holds no facet", "export the part again");
-
-    TriangleSoup soup;
     soup.format = "STL ASCII";
     soup.name = found.name;
     soup.single_precision = true;
     soup.end_missing = found.missing_endsolid || found.open_at_end;
-    soup.points = std::move(found.points);
     const auto warn = [&](bool condition, const char* word) {
         if (condition) soup.warnings.insert(word);
     };
