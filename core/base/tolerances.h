@@ -53,6 +53,10 @@ inline constexpr double contact_distance = 1e-6;
 inline constexpr double cutter_angle = 1e-12;
 /// Share of the cutter's size by which rounded values may miss tangency and still mean it.
 inline constexpr double cutter_tangency = 1e-5;
+/// Share of the diameter, and radians, by which a tool may differ from a named shape and keep its name.
+inline constexpr double same_shape = 1e-3;
+/// Radii (mm) of cutters below this are refused: no tool, and near the rounding of coordinates.
+inline constexpr double smallest_cutter = 1e-9;
 /// Where a plane touches the cutter is known to this many roundings, times the condition of the facet; nearer to an
 /// edge of the facet, that edge is asked too.
 inline constexpr double contact_roundings = 64;

@@ -241,9 +241,9 @@ void CutterProfile::finish() {
     lower_count_ = 0;
     while (lower_count_ < pieces_.size() && pieces_[lower_count_].from.x() < max_radius_)
         ++lower_count_;
-    if (max_radius_ < tolerance::smallest_extent)
+    if (max_radius_ < tolerance::smallest_cutter)
         refuse("d", "the cutter's radius " + mm(max_radius_) + " is too small",
-               "at least " + mm(tolerance::smallest_extent));
+               "at least " + mm(tolerance::smallest_cutter));
 }
 
 double CutterProfile::height_at(double rho) const {

@@ -1,4 +1,5 @@
-// A tool: the cutting part, the shank above it and the holder stack above that, all on one axis, tip at z = 0.
+// A tool: the cutting part, the shank above it and the holder stack above that, all on one axis, tip at z =
+// 0.
 #pragma once
 
 #include "core/base/parameter.h"
@@ -15,7 +16,9 @@ struct HolderSection {
     bool operator==(const HolderSection&) const = default;
 };
 
-/// Plain values as the project file has them; millimetres and radians.
+/// Plain values as the project file has them; millimetres and radians. `diameter` is APT's d (cutter.h): the
+/// diameter of a cylindrical cutter, and of a tapered one that where bottom and side line meet, below the
+/// corner rounding. (Lu's R is the radius at the top, which would change with the flute length.)
 struct Tool {
     long number = 1;
     std::string name = "Tool";
@@ -25,15 +28,19 @@ struct Tool {
     double shank_diameter = 6, shank_length = 30;
     std::vector<HolderSection> holder; ///< beside the parameters: key "holder" in files
 
-    /// The cutting part; throws Error(out_of_range) naming the parameter when the values make no convex cutter.
+    /// The cutting part; throws Error(out_of_range) naming the parameter when the values make no convex
+    /// cutter.
     AptCutter cutter() const;
-    /// "Ball end", "Flat end", "Bull nose", "Cone", "Tapered ball", ...
+    /// "Ball end", "Flat end", "Bull nose", "Cone", "Tapered ball", ...; "Invalid" when the values make no
+    /// cutter.
     std::string shape_name() const;
 };
 
 const ParameterTable<Tool>& tool_parameters();
 
-/// Checks all values together (corner radius against diameter, shank against holder, ...). Throws Error(out_of_range).
+/// Checks every value by itself and all together (corner radius against diameter, taper against flute length,
+/// shank against holder). Throws Error(out_of_range) whose place is the key, "holder[1].diameter" for a
+/// section.
 void check_tool(const Tool& tool);
 
 } // namespace facetmill

@@ -1,0 +1,170 @@
+#include "core/setup/tool.h"
+
+#include "core/base/tolerances.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// No tool is longer or wider, mm.
+constexpr double largest_tool = 1e4;
+constexpr double steepest_angle = pi / 2 - 1e-3;
+
+[[noreturn]] void refuse(const std::string& key, const std::string& what, const std::string& remedy) {
+    throw Error(ErrorCode::out_of_range, key, what, remedy);
+}
+
+std::string mm(double v) {
+    return format_number(v) + " mm";
+}
+
+/// The tool's key for a letter of the cutter.
+std::string key_of(const std::string& letter) {
+    if (letter == "d") return "diameter";
+    if (letter == "r") return "corner_radius";
+    if (letter == "alpha") return "bottom_angle";
+    if (letter == "beta") return "taper_angle";
+    if (letter == "h") return "flute_length";
+    return letter;
+}
+
+} // namespace
+
+const ParameterTable<Tool>& tool_parameters() {
+    static const ParameterTable<Tool> table = [] {
+        using K = ParameterKind;
+        using Q = Quantity;
+        constexpr Stage stage = Stage::cutter;
+        ParameterTable<Tool> t;
+        t.add(&Tool::number, {.key = "number",
+                              .label = "Number",
+                              .help = "Place in the magazine; operations name the tool by it.",
+                              .kind = K::integer,
+                              .quantity = Q::count,
+                              .minimum = 1,
+                              .maximum = 99999,
+                              .stage = Stage::output});
+        t.add(&Tool::name, {.key = "name",
+                            .label = "Name",
+                            .help = "What the setup sheet calls the tool.",
+                            .kind = K::text,
+                            .stage = Stage::output});
+        t.add(&Tool::diameter,
+              {.key = "diameter",
+               .label = "Diameter",
+               .help = "Cutting diameter. With a taper angle: where bottom and side line meet, below "
+                       "the corner rounding.",
+               .quantity = Q::length,
+               .minimum = 0,
+               .maximum = largest_tool,
+               .open_minimum = true,
+               .stage = stage});
+        t.add(&Tool::corner_radius, {.key = "corner_radius",
+                                     .label = "Corner radius",
+                                     .help = "0 for a sharp corner; half the diameter for a ball end.",
+                                     .quantity = Q::length,
+                                     .minimum = 0,
+                                     .maximum = largest_tool,
+                                     .stage = stage});
+        t.add(&Tool::bottom_angle,
+              {.key = "bottom_angle",
+               .label = "Bottom angle",
+               .help = "From a radial line through the tip up to the bottom: 0 for a flat bottom; a "
+                       "cone of half angle w has 90° less w.",
+               .quantity = Q::angle,
+               .minimum = 0,
+               .maximum = steepest_angle,
+               .stage = stage,
+               .advanced = true});
+        t.add(&Tool::taper_angle,
+              {.key = "taper_angle",
+               .label = "Taper angle",
+               .help = "From the axis to the side: positive when the tool widens upward, negative for a "
+                       "dovetail.",
+               .quantity = Q::angle,
+               .minimum = -steepest_angle,
+               .maximum = steepest_angle,
+               .stage = stage,
+               .advanced = true});
+        t.add(&Tool::flute_length, {.key = "flute_length",
+                                    .label = "Flute length",
+                                    .help = "Height of the cutting part above the tip.",
+                                    .quantity = Q::length,
+                                    .minimum = 0,
+                                    .maximum = largest_tool,
+                                    .open_minimum = true,
+                                    .stage = stage});
+        t.add(&Tool::shank_diameter, {.key = "shank_diameter",
+                                      .label = "Shank diameter",
+                                      .help = "Of the plain part between flutes and holder.",
+                                      .quantity = Q::length,
+                                      .minimum = 0,
+                                      .maximum = largest_tool,
+                                      .open_minimum = true,
+                                      .stage = stage});
+        t.add(&Tool::shank_length, {.key = "shank_length",
+                                    .label = "Shank length",
+                                    .help = "Of the plain part that is out of the holder.",
+                                    .quantity = Q::length,
+                                    .minimum = 0,
+                                    .maximum = largest_tool,
+                                    .stage = stage});
+        return t;
+    }();
+    return table;
+}
+
+AptCutter Tool::cutter() const {
+    try {
+        return AptCutter::from_shape(diameter, corner_radius, bottom_angle, taper_angle, flute_length);
+    } catch (const Error& e) {
+        throw Error(e.code(), key_of(e.where()), e.message(), e.remedy());
+    }
+}
+
+std::string Tool::shape_name() const {
+    AptCutter c;
+    try {
+        c = cutter();
+    } catch (const Error&) {
+        return "Invalid";
+    }
+    const double same = tolerance::same_shape * c.d;
+    const double touch = c.e + c.r * std::sin(c.alpha); // where the corner circle leaves the bottom line
+    const bool sharp = c.r <= same, ball = !sharp && touch <= same;
+    const bool flat = c.alpha <= tolerance::same_shape;
+    if (c.beta < -tolerance::same_shape) return ball ? "Lollipop" : "Dovetail";
+    const bool tapered = c.beta > tolerance::same_shape;
+    if (ball) return tapered ? "Tapered ball" : "Ball end";
+    if (!sharp && flat) return tapered ? "Tapered bull nose" : "Bull nose";
+    if (!sharp) return tapered ? "Tapered cone-bottom bull nose" : "Cone-bottom bull nose";
+    if (flat) return tapered ? "Tapered flat" : "Flat end";
+    if (tapered) return "Tapered drill point";
+    return c.h <= 0.5 * c.d * std::tan(c.alpha) + same ? "Cone" : "Drill point";
+}
+
+void check_tool(const Tool& tool) {
+    for (const auto& entry : tool_parameters().entries())
+        entry.info.check(entry.get(tool));
+    CutterProfile{tool.cutter()};
+    for (std::size_t i = 0; i < tool.holder.size(); ++i) {
+        const std::string place = "holder[" + std::to_string(i) + "]";
+        for (const auto& [key, value] :
+             {std::pair{".diameter", tool.holder[i].diameter}, std::pair{".length", tool.holder[i].length}}) {
+            if (!std::isfinite(value))
+                refuse(place + key, "the value is not a finite number", "enter a number");
+            if (value <= 0 || value > largest_tool)
+                refuse(place + key, "the value " + mm(value) + " is out of range",
+                       "allowed: above 0 mm and at most " + mm(largest_tool));
+        }
+    }
+    if (!tool.holder.empty() && tool.holder.front().diameter < tool.shank_diameter)
+        refuse("holder[0].diameter",
+               "the holder of " + mm(tool.holder.front().diameter) + " cannot hold a shank of "
+                   + mm(tool.shank_diameter),
+               "enter a smaller shank_diameter or a larger holder");
+}
+
+} // namespace facetmill
