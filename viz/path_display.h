@@ -28,7 +28,7 @@ inline constexpr std::size_t motion_kinds = 5; ///< number of MotionKind's enume
 /// Open polylines in flat arrays: line i runs over points[offsets[i]] .. points[offsets[i + 1] - 1].
 struct Polylines {
     std::vector<float> points; ///< 3 per point, relative to the display's centre
-    std::vector<std::int64_t> offsets{0};
+    std::vector<std::int32_t> offsets{0};
     bool empty() const { return offsets.size() < 2; }
 };
 

@@ -1,13 +1,14 @@
-// What the workbench's viewport and the pictures show: a part, its stock, tool paths and a tool, with legend, scale,
-// axes and title. A Scene owns renderers but no window: it is attached to any vtkRenderWindow, a widget's or an
-// off-screen one (offscreen.h). It knows no widgets and runs on the thread that renders.
+// What the workbench's viewport and the pictures show: a part, its stock, tool paths and a tool, with legend,
+// scale, axes and title. A Scene owns renderers but no window: it is attached to any vtkRenderWindow, a
+// widget's or an off-screen one (offscreen.h). It knows no widgets and runs on the thread that renders.
 //
-// Frames. World coordinates are part coordinates in mm. Display coordinates are device pixels of the window with the
-// origin at the top left and y down, as widgets and pictures have them. Projection is parallel, so that the scale bar
-// holds everywhere.
+// Frames. World coordinates are part coordinates in mm. Display coordinates are device pixels of the window
+// with the origin at the top left and y down, as widgets and pictures have them. Projection is parallel, so
+// that the scale bar holds everywhere.
 //
-// Everything that takes long for a large part or path (arrays, normals, edges) is done by prepare_part_display and
-// prepare_path_display on any thread; the Scene takes the finished display and only hands it to the graphics card.
+// Everything that takes long for a large part or path (arrays, normals, edges) is done by
+// prepare_part_display and prepare_path_display on any thread; the Scene takes the finished display and only
+// hands it to the graphics card.
 #pragma once
 
 #include "core/base/units.h"
@@ -71,9 +72,9 @@ struct Marker {
 /// Where the line of sight through a pixel meets the part first.
 struct PartPick {
     Vec3 point;
-    Vec3 normal;      ///< unit, of the facet, by its winding
+    Vec3 normal; ///< unit, of the facet, by its winding
     std::size_t facet;
-    bool back_side;   ///< seen from inside
+    bool back_side; ///< seen from inside
 };
 
 /// The CC or CL nearest to a pixel. `source` counts the paths given to set_path.
@@ -93,7 +94,8 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    /// Adds the scene's renderers (two layers) to a window. Call once per window; the window may go before the scene.
+    /// Adds the scene's renderers (two layers) to a window. Call once per window; the window may go before
+    /// the scene.
     void attach(vtkRenderWindow* window);
     void detach();
 
@@ -130,8 +132,8 @@ public:
 
     void set_marker(const std::optional<Marker>& marker);
 
-    /// Top left; both lines are shortened in the middle to the width of the window. Bytes that are not UTF-8 and control
-    /// characters are replaced.
+    /// Top left; both lines are shortened in the middle to the width of the window. Bytes that are not UTF-8
+    /// and control characters are replaced.
     void set_title(const std::string& title, const std::string& subtitle = {});
     /// Shown in the middle while there is no part, stock or path.
     void set_empty_text(const std::string& text);
@@ -144,7 +146,8 @@ public:
     void set_motion_visible(MotionKind kind, bool on);
     bool motion_visible(MotionKind kind) const;
 
-    /// Box of what is visible of part, stock and paths; of the tool too when `with_tool`. Empty when nothing is.
+    /// Box of what is visible of part, stock and paths; of the tool too when `with_tool`. Empty when nothing
+    /// is.
     Box3 bounds(bool with_tool = false) const;
     /// Looks from a standard direction and fits.
     void set_view(StandardView view);
@@ -152,13 +155,13 @@ public:
     void fit(bool with_tool = false);
     /// Zoom by a factor (> 1: nearer) that keeps the world point under the pixel in place.
     void zoom_at(double x, double y, double factor);
-    /// Turning centre of the camera: the middle of the bounds, in the plane of the screen's centre line.
+    /// Brings a world point to the middle of the window, where the camera turns about it.
     void center_on(const Vec3& point);
 
     /// Needs an attached window with a size. Takes about 10 ms for a million facets or points.
     std::optional<PartPick> pick_part(double x, double y) const;
-    /// The nearest CL or CC of the visible layers within `radius` pixels. Among those about equally near, the one nearest
-    /// to the eye; points hidden behind the visible part are passed over.
+    /// The nearest CL or CC of the visible layers within `radius` pixels. Among those about equally near, the
+    /// one nearest to the eye; points hidden behind the visible part are passed over.
     std::optional<PathPick> pick_path(double x, double y, double radius) const;
     /// Pixel of a world point.
     Vec2 display_of(const Vec3& point) const;

@@ -1,0 +1,300 @@
+#include "viz/overlay.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr double margin = 12, padding = 9, row = 18, sample_width = 26, gap = 8;
+constexpr double title_size = 15, text_size = 12;
+constexpr int dots_per_inch = 72;                   // a point is a pixel
+constexpr double cap_height = 0.72, descent = 0.21; // of VTK's own font, in font sizes
+
+void set_font(vtkTextProperty* property, double pixels, bool bold) {
+    property->SetFontFamilyToArial();
+    property->SetFontSize(std::max(1, int(std::lround(pixels))));
+    property->SetBold(bold ? 1 : 0);
+}
+
+/// Starts of UTF-8 characters, and the end.
+std::vector<std::size_t> character_starts(const std::string& text) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) starts.push_back(i);
+    starts.push_back(text.size());
+    return starts;
+}
+
+} // namespace
+
+double axes_side(double width, double height) {
+    const double side = std::min({96.0, 0.3 * width, 0.3 * height});
+    return side >= 44 ? std::floor(side) : 0.0;
+}
+
+double round_length(double longest_mm, LengthUnit unit) {
+    const double longest = longest_mm / mm_per(unit);
+    const double power = std::pow(10.0, std::floor(std::log10(longest)));
+    double best = power;
+    for (const double step : {2.0, 5.0, 10.0})
+        if (step * power <= longest * (1.0 + 1e-12)) best = step * power;
+    return best * mm_per(unit);
+}
+
+Overlay::Overlay(vtkRenderer* renderer) : renderer_(renderer) {
+    shapes_ = vtkSmartPointer<vtkPolyData>::New();
+    shape_points_ = vtkSmartPointer<vtkPoints>::New();
+    shape_colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    shape_colors_->SetNumberOfComponents(4);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shapes_);
+    mapper->SetScalarModeToUseCellData();
+    mapper->ScalarVisibilityOn();
+    shapes_actor_ = vtkSmartPointer<vtkActor2D>::New();
+    shapes_actor_->SetMapper(mapper);
+    shapes_actor_->SetLayerNumber(0);
+    shapes_actor_->PickableOff();
+    renderer_->AddViewProp(shapes_actor_);
+}
+
+Overlay::~Overlay() = default;
+
+double Overlay::text_width(const std::string& text, double size, bool bold) {
+    vtkNew<vtkTextProperty> property;
+    set_font(property, size * ratio_, bold);
+    int box[4] = {0, 0, 0, 0};
+    if (text.empty() || !vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box, dots_per_inch))
+        return 0.0;
+    return (box[1] - box[0] + 1) / ratio_;
+}
+
+std::string Overlay::shortened(const std::string& text, double width, double size, bool bold) {
+    if (text_width(text, size, bold) <= width) return text;
+    // The two ends tell names apart: "long-fixture-n…e-2-rev-b.stl".
+    const auto starts = character_starts(text);
+    const std::size_t n = starts.size() - 1;
+    const auto cut_to = [&](std::size_t keep) {
+        const std::size_t front = (keep + 1) / 2, back = keep - front;
+        return text.substr(0, starts[front]) + "\u2026" + text.substr(starts[n - back]);
+    };
+    std::size_t low = 0, high = n; // cut_to(low) fits or nothing does
+    while (high - low > 1) {
+        const std::size_t middle = (low + high) / 2;
+        (text_width(cut_to(middle), size, bold) <= width ? low : high) = middle;
+    }
+    return low < 3 ? std::string() : cut_to(low);
+}
+
+void Overlay::rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha) {
+    // Whole device pixels keep thin rectangles sharp.
+    const auto snap = [&](double v) { return std::round(v * ratio_); };
+    const double corners[4][2] = {
+        {snap(x0), snap(y0)}, {snap(x1), snap(y0)}, {snap(x1), snap(y1)}, {snap(x0), snap(y1)}};
+    vtkIdType ids[4];
+    for (int k = 0; k < 4; ++k)
+        ids[k] = shape_points_->InsertNextPoint(corners[k][0], height_ - corners[k][1], 0.0);
+    shapes_->GetPolys()->InsertNextCell(4, ids);
+    shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255 * alpha);
+}
+
+void Overlay::disc(double x, double y, double radius, const Rgb& color) {
+    constexpr int corners = 24;
+    vtkIdType ids[corners];
+    for (int k = 0; k < corners; ++k) {
+        const double t = 2.0 * pi * k / corners;
+        ids[k] = shape_points_->InsertNextPoint((x + radius * std::cos(t)) * ratio_,
+                                                height_ - (y + radius * std::sin(t)) * ratio_, 0.0);
+    }
+    shapes_->GetPolys()->InsertNextCell(corners, ids);
+    shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255);
+}
+
+void Overlay::place_text(Text text) {
+    if (text.text.empty()) return;
+    if (texts_used_ == text_actors_.size()) {
+        auto actor = vtkSmartPointer<vtkTextActor>::New();
+        actor->SetTextScaleModeToNone();
+        actor->SetLayerNumber(1);
+        actor->PickableOff();
+        actor->GetTextProperty()->SetVerticalJustificationToBottom();
+        renderer_->AddViewProp(actor);
+        text_actors_.push_back(actor);
+    }
+    vtkTextActor* actor = text_actors_[texts_used_++];
+    // Capitals and digits are centred on y, whatever letters the text has; whole pixels keep it sharp.
+    const double pixels = text.size * ratio_;
+    const double width = text_width(text.text, text.size, text.bold);
+    const double x = text.align == Text::Align::left    ? text.x
+                     : text.align == Text::Align::right ? text.x - width
+                                                        : text.x - width / 2;
+    vtkTextProperty* property = actor->GetTextProperty();
+    set_font(property, pixels, text.bold);
+    property->SetColor(text.color.r, text.color.g, text.color.b);
+    actor->SetInput(text.text.c_str());
+    actor->SetVisibility(1);
+    actor->SetPosition(std::round(x * ratio_),
+                       std::round(height_ - text.y * ratio_ - (0.5 * cap_height + descent) * pixels));
+}
+
+OverlayLayout Overlay::layout(const OverlayContent& content) {
+    return lay_out(content, false);
+}
+
+void Overlay::update(const OverlayContent& content) {
+    shape_points_->Reset();
+    shape_colors_->Reset();
+    shapes_->SetPoints(shape_points_);
+    shapes_->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+    shapes_->GetCellData()->SetScalars(shape_colors_);
+    texts_used_ = 0;
+    lay_out(content, true);
+    for (std::size_t i = texts_used_; i < text_actors_.size(); ++i)
+        text_actors_[i]->SetVisibility(0);
+    shape_points_->Modified();
+    shape_colors_->Modified();
+    shapes_->Modified();
+}
+
+OverlayLayout Overlay::lay_out(const OverlayContent& content, bool draw) {
+    ratio_ = content.ratio;
+    height_ = content.height;
+    OverlayLayout layout;
+    lay_out_legend(content, draw, layout);
+    lay_out_title(content, draw, layout);
+    lay_out_axes(content, draw, layout);
+    lay_out_scale(content, draw, layout);
+    if (draw && !content.empty_text.empty()) {
+        const Colors& colors = colors_of(content.palette);
+        const double width = content.width / ratio_, height = content.height / ratio_;
+        place_text({width / 2, height / 2, Text::Align::center,
+                    shortened(content.empty_text, width - 2 * margin, title_size, false), title_size, false,
+                    colors.faint_text});
+    }
+    return layout;
+}
+
+void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout) {
+    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double right = layout.legend.empty() ? width - margin : layout.legend.x0 - 2 * gap;
+    const double room = right - margin;
+    if (height < 80 || room < 40) return;
+    const Colors& colors = colors_of(content.palette);
+    double y = margin;
+    const auto add = [&](const std::string& text, double size, bool bold, const Rgb& color) {
+        const std::string fitted = text.empty() ? text : shortened(text, room, size, bold);
+        if (fitted.empty()) return;
+        if (draw) place_text({margin, y + 0.5 * size, Text::Align::left, fitted, size, bold, color});
+        const double w = text_width(fitted, size, bold);
+        layout.title = {margin, margin, std::max(layout.title.x1, margin + w), y + size};
+        y += size + 7;
+    };
+    add(content.title, title_size, true, colors.text);
+    add(content.subtitle, text_size, false, colors.faint_text);
+}
+
+void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
+    if (content.legend.empty()) return;
+    const double width = content.width / ratio_, height = content.height / ratio_;
+    double label_width = 0;
+    for (const LegendEntry& e : content.legend)
+        label_width = std::max(label_width, text_width(e.label, text_size, false));
+    const double w = std::ceil(2 * padding + sample_width + gap + label_width);
+    const double h = 2 * (padding - 3) + row * double(content.legend.size());
+    if (w > 0.45 * width || h > 0.55 * height) return;
+    const LayoutRect r{width - margin - w, margin, width - margin, margin + h};
+    layout.legend = r;
+    if (!draw) return;
+    const Colors& colors = colors_of(content.palette);
+    rectangle(r.x0, r.y0, r.x1, r.y1, colors.panel_border, 0.9);
+    rectangle(r.x0 + 1, r.y0 + 1, r.x1 - 1, r.y1 - 1, colors.panel);
+    const double x0 = r.x0 + padding, x1 = x0 + sample_width;
+    double y = r.y0 + padding - 3 + row / 2;
+    for (const LegendEntry& e : content.legend) {
+        const double half = std::max(1.0, 0.75 * e.width);
+        switch (e.sample) {
+        case LegendEntry::Sample::line:
+            rectangle(x0, y - half, x1, y + half, e.color);
+            break;
+        case LegendEntry::Sample::dashes:
+            for (int i = 0; i < 3; ++i) // as on the part: 3/5 drawn, 2/5 left out
+                rectangle(x0 + 10.0 * i, y - half, x0 + 10.0 * i + 6.0, y + half, e.color);
+            break;
+        case LegendEntry::Sample::dot:
+            for (int i = 0; i < 3; ++i)
+                disc(x0 + sample_width * (0.5 + i) / 3.0, y, 2.0, e.color);
+            break;
+        case LegendEntry::Sample::box:
+            rectangle(x0, y - 6, x1, y + 6, e.color);
+            rectangle(x0 + 1, y - 5, x1 - 1, y + 5, colors.panel);
+            rectangle(x0 + 1, y - 5, x1 - 1, y + 5, e.color, 0.2);
+            break;
+        case LegendEntry::Sample::surface:
+            rectangle(x0, y - 6, x1, y + 6, e.color);
+            break;
+        }
+        place_text({x1 + gap, y, Text::Align::left, e.label, text_size, false, colors.text});
+        y += row;
+    }
+}
+
+void Overlay::lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout) {
+    if (!content.axes) return;
+    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double side = axes_side(width, height);
+    if (side <= 0) return;
+    layout.axes = {margin / 2, height - margin / 2 - side, margin / 2 + side, height - margin / 2};
+    if (!draw) return;
+    const Colors& colors = colors_of(content.palette);
+    const double x = (layout.axes.x0 + layout.axes.x1) / 2, y = (layout.axes.y0 + layout.axes.y1) / 2;
+    const char* names[3] = {"X", "Y", "Z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& d = content.axis_directions[k];
+        const double flat = std::hypot(d.x(), d.y());
+        if (flat < 0.2) continue; // points at the eye or away: the name would cover the arrow
+        // Beyond the arrow's tip, never so near the middle that names meet.
+        const double reach = side * (0.33 * flat + 0.09);
+        place_text({x + d.x() / flat * reach, y - d.y() / flat * reach, Text::Align::center, names[k],
+                    std::max(10.0, 0.14 * side), true, colors.axes[k]});
+    }
+}
+
+void Overlay::lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout) {
+    if (!content.scale || !(content.mm_per_pixel > 0) || !std::isfinite(content.mm_per_pixel)) return;
+    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double left = layout.axes.empty() ? margin : layout.axes.x1 + gap;
+    const double longest = std::min({150.0, 0.35 * width, width - margin - left});
+    if (longest < 30 || height < 60) return;
+    const double length_mm = round_length(longest * content.mm_per_pixel, content.unit);
+    const double length = length_mm / content.mm_per_pixel;
+    const std::string label =
+        format_number(length_mm / mm_per(content.unit)) + " " + std::string(unit_name(content.unit));
+    const double label_width = text_width(label, text_size, false);
+    const double w = std::max(length, label_width);
+    if (w > width - margin - left) return;
+    const double x1 = width - margin, y1 = height - margin, x0 = x1 - length;
+    layout.scale = {x1 - w, y1 - 8 - text_size - 4, x1, y1};
+    if (!draw) return;
+    const Colors& colors = colors_of(content.palette);
+    rectangle(x0, y1 - 2, x1, y1, colors.text);
+    rectangle(x0, y1 - 8, x0 + 2, y1, colors.text);
+    rectangle(x1 - 2, y1 - 8, x1, y1, colors.text);
+    place_text({std::min((x0 + x1) / 2, x1 - label_width / 2), y1 - 8 - text_size / 2, Text::Align::center,
+                label, text_size, false, colors.text});
+}
+
+} // namespace facetmill

@@ -1,0 +1,107 @@
+// The flat things drawn over a scene: title, legend, scale bar, names of the axes, the text of an empty
+// scene. Laid out again for every frame, in layout pixels (device pixels / pixel ratio) from the top left;
+// what does not fit is left out rather than drawn over something else.
+#pragma once
+
+#include "viz/palette.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkActor2D;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkUnsignedCharArray;
+
+namespace facetmill {
+
+/// In layout pixels, y down.
+struct LayoutRect {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    double width() const { return x1 - x0; }
+    double height() const { return y1 - y0; }
+    bool empty() const { return !(x1 > x0 && y1 > y0); }
+};
+
+struct LegendEntry {
+    enum class Sample { line, dashes, dot, box, surface };
+    Sample sample = Sample::line;
+    Rgb color;
+    double width = 1; ///< of a line, layout pixels
+    std::string label;
+};
+
+struct OverlayContent {
+    int width = 0, height = 0; ///< device pixels
+    double ratio = 1;
+    Palette palette = Palette::light;
+    std::string title, subtitle, empty_text;
+    std::vector<LegendEntry> legend;
+    bool scale = false;
+    LengthUnit unit = LengthUnit::mm;
+    double mm_per_pixel = 0; ///< per layout pixel
+    bool axes = false;
+    std::array<Vec3, 3>
+        axis_directions; ///< X, Y, Z of the part in the camera's frame: right, up, towards the eye
+};
+
+/// Where things stand; empty where there is nothing.
+struct OverlayLayout {
+    LayoutRect title, legend, scale, axes;
+};
+
+class Overlay {
+public:
+    explicit Overlay(vtkRenderer* renderer);
+    ~Overlay();
+
+    /// Places everything, without drawing.
+    OverlayLayout layout(const OverlayContent& content);
+    /// Brings the actors up to date for the frame about to be drawn.
+    void update(const OverlayContent& content);
+
+private:
+    struct Text {
+        double x = 0, y = 0; ///< of the middle of the left end, the right end or the middle of the text
+        enum class Align { left, right, center } align = Align::left;
+        std::string text;
+        double size = 12;
+        bool bold = false;
+        Rgb color;
+    };
+
+    double text_width(const std::string& text, double size, bool bold);
+    std::string shortened(const std::string& text, double width, double size, bool bold);
+    void rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha = 1.0);
+    void disc(double x, double y, double radius, const Rgb& color);
+    void place_text(Text text);
+    OverlayLayout lay_out(const OverlayContent& content, bool draw);
+    void lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout);
+    void lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout);
+    void lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout);
+    void lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout);
+
+    vtkRenderer* renderer_;
+    double ratio_ = 1;
+    int height_ = 0;
+    vtkSmartPointer<vtkPolyData> shapes_;
+    vtkSmartPointer<vtkActor2D> shapes_actor_;
+    vtkSmartPointer<vtkPoints> shape_points_;
+    vtkSmartPointer<vtkUnsignedCharArray> shape_colors_;
+    std::vector<vtkSmartPointer<vtkTextActor>> text_actors_;
+    std::size_t texts_used_ = 0;
+};
+
+/// Side of the square in the bottom left corner that the axes take, layout pixels; 0 where there is no room.
+double axes_side(double width, double height);
+
+/// The largest of 1, 2, 5 times a power of ten (in `unit`) whose bar is not longer than `longest_mm`; in mm.
+double round_length(double longest_mm, LengthUnit unit);
+
+} // namespace facetmill

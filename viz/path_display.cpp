@@ -1,0 +1,143 @@
+#include "viz/path_display.h"
+
+#include "core/job/planner.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t check_every = 1u << 16; // points: about 1 ms
+
+class Dasher {
+public:
+    Dasher(Polylines& out, const Vec3& centre, double dash) : out_(out), centre_(centre), dash_(dash) {}
+
+    void restart() { phase_ = 0.0; }
+    /// Cuts the segment into dashes of 3/5 of the period; the pattern runs on from segment to segment.
+    void add(const Vec3& from, const Vec3& to) {
+        const double length = (to - from).norm();
+        if (!(length > 0.0)) return;
+        const double on = 0.6 * dash_;
+        double at = 0.0;
+        while (at < length) {
+            const bool drawing = phase_ < on;
+            const double step = std::min(length - at, (drawing ? on : dash_) - phase_);
+            if (drawing)
+                segment(from + (to - from) * (at / length), from + (to - from) * ((at + step) / length));
+            at += step;
+            phase_ += step;
+            if (phase_ >= dash_ * (1.0 - 1e-12)) phase_ = 0.0;
+            if (!(step > 0.0)) break; // below the resolution of `at`
+        }
+    }
+
+private:
+    void segment(const Vec3& a, const Vec3& b) {
+        for (const Vec3& p : {Vec3(a - centre_), Vec3(b - centre_)})
+            out_.points.insert(out_.points.end(), {float(p.x()), float(p.y()), float(p.z())});
+        out_.offsets.push_back(std::int32_t(out_.points.size() / 3));
+    }
+    Polylines& out_;
+    const Vec3 centre_;
+    const double dash_;
+    double phase_ = 0.0;
+};
+
+void append(Polylines& lines, const Vec3& p) {
+    lines.points.insert(lines.points.end(), {float(p.x()), float(p.y()), float(p.z())});
+}
+
+/// Ends the polyline that is being built; one of a single point is dropped unless `keep_single`.
+void finish(Polylines& lines, bool keep_single) {
+    const auto count = std::int32_t(lines.points.size() / 3);
+    const std::int32_t length = count - lines.offsets.back();
+    if (length == 1 && !keep_single) lines.points.resize(lines.points.size() - 3);
+    if (length > (keep_single ? 0 : 1)) lines.offsets.push_back(count);
+}
+
+} // namespace
+
+PathSource path_source(const std::shared_ptr<const OperationResult>& operation) {
+    if (!operation) return {};
+    return {{operation, &operation->path}, {operation, &operation->program.motions}};
+}
+
+PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress) {
+    auto display = std::make_shared<PathDisplay>();
+    display->sources = std::move(sources);
+
+    std::size_t n = 0;
+    const auto tick = [&] {
+        if (++n % check_every == 0) progress.check();
+    };
+    double rapid_length = 0.0;
+    for (const PathSource& s : display->sources) {
+        if (s.contacts)
+            for (const Pass& pass : s.contacts->passes)
+                for (const CutterContact& c : pass.cc) {
+                    tick();
+                    if (c.point.allFinite()) display->box.add(c.point);
+                }
+        if (s.motions) {
+            const auto& motions = s.motions->motions;
+            for (std::size_t i = 0; i < motions.size(); ++i) {
+                tick();
+                if (!motions[i].to.tip.allFinite()) continue;
+                display->box.add(motions[i].to.tip);
+                if (i > 0 && motions[i].kind == MotionKind::rapid && motions[i - 1].to.tip.allFinite())
+                    rapid_length += (motions[i].to.tip - motions[i - 1].to.tip).norm();
+            }
+        }
+    }
+    if (display->box.empty()) return display;
+    if (n > std::size_t(std::numeric_limits<std::int32_t>::max()) / 8)
+        throw Error(ErrorCode::too_large, "path", "has more points than can be drawn",
+                    "use a larger tolerance");
+    display->centre = display->box.center();
+    const Vec3& centre = display->centre;
+
+    // Dashes of a fixed length on the part, longer where there would be too many of them.
+    const double dash = std::max(display->box.diagonal() / 60.0, rapid_length / 200'000.0);
+    for (const PathSource& s : display->sources) {
+        if (s.contacts)
+            for (const Pass& pass : s.contacts->passes) {
+                for (const CutterContact& c : pass.cc) {
+                    tick();
+                    if (c.point.allFinite()) append(display->contacts, c.point - centre);
+                }
+                finish(display->contacts, true);
+            }
+        if (!s.motions) continue;
+        const auto& motions = s.motions->motions;
+        Dasher rapid(display->motions[std::size_t(MotionKind::rapid)], centre, dash);
+        bool open = false; // a polyline of the kind of motion i - 1 is being built
+        for (std::size_t i = 1; i < motions.size(); ++i) {
+            tick();
+            const Motion &from = motions[i - 1], &to = motions[i];
+            Polylines& line = display->motions[std::size_t(to.kind)];
+            if (open && to.kind != from.kind) {
+                finish(display->motions[std::size_t(from.kind)], false);
+                open = false;
+            }
+            if (!from.to.tip.allFinite() || !to.to.tip.allFinite()) {
+                if (open) finish(line, false);
+                open = false;
+                continue;
+            }
+            if (to.kind == MotionKind::rapid) {
+                if (from.kind != MotionKind::rapid) rapid.restart();
+                rapid.add(from.to.tip, to.to.tip);
+                continue;
+            }
+            if (!open) append(line, from.to.tip - centre);
+            open = true;
+            append(line, to.to.tip - centre);
+        }
+        if (open) finish(display->motions[std::size_t(motions.back().kind)], false);
+    }
+    return display;
+}
+
+} // namespace facetmill

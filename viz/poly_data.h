@@ -1,0 +1,23 @@
+// VTK data sets around flat arrays, without copying them and without a call per cell.
+#pragma once
+
+#include "viz/part_display.h"
+#include "viz/path_display.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace facetmill {
+
+/// The arrays are only referred to: they must outlive the data set.
+vtkSmartPointer<vtkPolyData> triangle_data(const std::vector<float>& points,
+                                           const std::vector<float>& normals,
+                                           const std::vector<std::int32_t>& triangles);
+/// Separate segments, two indices each.
+vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
+                                          const std::vector<std::int32_t>& segments);
+vtkSmartPointer<vtkPolyData> polyline_data(const Polylines& lines);
+/// The points of the polylines as dots.
+vtkSmartPointer<vtkPolyData> dot_data(const Polylines& lines);
+
+} // namespace facetmill

@@ -1,0 +1,88 @@
+// Inside of Scene; included by scene*.cpp only.
+#pragma once
+
+#include "viz/overlay.h"
+#include "viz/scene.h"
+#include "viz/tool_shape.h"
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
+
+namespace facetmill {
+
+/// An actor with its mapper, hidden until it has data. The arrays behind the data belong to whoever made
+/// them.
+struct SceneActor {
+    vtkNew<vtkActor> actor;
+    vtkNew<vtkPolyDataMapper> mapper;
+    bool filled = false;
+
+    SceneActor();
+    void set_data(vtkPolyData* data, const Vec3& centre);
+    void clear();
+};
+
+struct Scene::Impl {
+    Impl();
+    ~Impl();
+
+    void apply_palette();
+    void apply_visibility();
+    void apply_line_widths();
+    void apply_part_style();
+    void place_tool();
+    void update_frame(); ///< before every frame
+    OverlayContent overlay_content() const;
+    std::vector<LegendEntry> legend() const;
+    bool shows_content() const;
+    Box3 tool_bounds() const;
+
+    /// Device pixels of the window; {0, 0} when there is none.
+    Eigen::Vector2i window_size() const;
+    /// Axes of the camera: right, up, towards the eye; unit.
+    Mat3 camera_frame() const;
+    /// mm per device pixel.
+    double pixel_size() const;
+    /// World point in the camera's plane through the focal point under a pixel.
+    Vec3 point_at(double x, double y) const;
+
+    vtkNew<vtkRenderer> renderer, axes_renderer;
+    vtkNew<vtkCallbackCommand> frame_callback;
+    vtkWeakPointer<vtkRenderWindow> window;
+    std::unique_ptr<Overlay> overlay;
+
+    Palette palette = Palette::light;
+    LengthUnit unit = LengthUnit::mm;
+    double ratio = 1;
+    PartStyle part_style = PartStyle::smooth;
+    std::string title, subtitle, empty_text = "Nothing to show";
+    std::vector<bool> layer_on;
+    std::array<bool, motion_kinds> motion_on{};
+
+    PartDisplayPtr part;
+    Box3 stock;
+    PathDisplayPtr path;
+    std::optional<ToolShape> tool;
+    std::optional<CutterLocation> pose;
+    std::optional<Marker> marker;
+
+    SceneActor part_surface, part_lines, part_edges;
+    SceneActor stock_faces, stock_lines;
+    SceneActor contact_lines, contact_dots;
+    std::array<SceneActor, motion_kinds> motion_lines;
+    std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder
+    SceneActor marker_dot, marker_ring, marker_normal;
+    std::array<SceneActor, 3> axes;
+    std::vector<float> stock_points, marker_points; ///< behind the actors' data
+    std::vector<std::int32_t> stock_triangles, stock_segments, marker_segment;
+    std::array<RevolvedShape, 3> axis_shapes;
+};
+
+} // namespace facetmill

@@ -1,0 +1,126 @@
+#include "viz/tool_shape.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr int around = 96;        // facets on a turn
+constexpr double arc_step = 0.06; // radians of an arc of the profile
+
+/// A stretch of the outline with its outward normals: smooth inside, a corner at either end.
+struct Stretch {
+    std::vector<Vec2> points, normals; // (rho, z)
+};
+
+Stretch line(const Vec2& a, const Vec2& b) {
+    const Vec2 along = (b - a).normalized();
+    const Vec2 out(along.y(), -along.x()); // to the right of a profile that runs outward and upward
+    return {{a, b}, {out, out}};
+}
+
+Stretch arc(const ProfilePiece& piece) {
+    const auto angle_of = [&](const Vec2& p) {
+        return std::atan2(p.y() - piece.centre.y(), p.x() - piece.centre.x());
+    };
+    const double from = angle_of(piece.from), to = angle_of(piece.to);
+    const int steps = std::max(1, int(std::ceil(std::abs(to - from) / arc_step)));
+    Stretch s;
+    for (int i = 0; i <= steps; ++i) {
+        const double t = from + (to - from) * i / steps;
+        const Vec2 out(std::cos(t), std::sin(t));
+        s.points.push_back(i == 0       ? piece.from
+                           : i == steps ? piece.to
+                                        : Vec2(piece.centre + piece.radius * out));
+        s.normals.push_back(out);
+    }
+    return s;
+}
+
+void turn(const Stretch& s, RevolvedShape& shape) {
+    const auto base = std::int32_t(shape.points.size() / 3);
+    for (std::size_t i = 0; i < s.points.size(); ++i)
+        for (int k = 0; k < around; ++k) {
+            const double t = 2.0 * pi * k / around, c = std::cos(t), sn = std::sin(t);
+            const Vec2 &p = s.points[i], &n = s.normals[i];
+            shape.points.insert(shape.points.end(), {float(p.x() * c), float(p.x() * sn), float(p.y())});
+            shape.normals.insert(shape.normals.end(), {float(n.x() * c), float(n.x() * sn), float(n.y())});
+        }
+    for (std::int32_t i = 0; i + 1 < std::int32_t(s.points.size()); ++i)
+        for (std::int32_t k = 0; k < around; ++k) {
+            const std::int32_t a = base + i * around + k, b = base + i * around + (k + 1) % around;
+            const std::int32_t c = a + around, d = b + around;
+            if (s.points[std::size_t(i)].x() > 0.0) shape.triangles.insert(shape.triangles.end(), {a, b, d});
+            if (s.points[std::size_t(i) + 1].x() > 0.0)
+                shape.triangles.insert(shape.triangles.end(), {a, d, c});
+        }
+}
+
+/// A circle of the outline's corner at the vertices of row 0 or the last row of the stretch added last.
+void ring(const Stretch& s, bool at_end, RevolvedShape& shape) {
+    const auto rows = std::int32_t(s.points.size());
+    const auto base = std::int32_t(shape.points.size() / 3) - (at_end ? 1 : rows) * around;
+    for (std::int32_t k = 0; k < around; ++k)
+        shape.rings.insert(shape.rings.end(), {base + k, base + (k + 1) % around});
+}
+
+/// Turns the whole outline; rings stand where it bends by more than 20 degrees.
+RevolvedShape revolve(const std::vector<Stretch>& outline) {
+    RevolvedShape shape;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        turn(outline[i], shape);
+        const bool last = i + 1 == outline.size();
+        const double bend = last ? -1.0 : outline[i].normals.back().dot(outline[i + 1].normals.front());
+        if (bend < std::cos(radians(20)) && outline[i].points.back().x() > 0.0) ring(outline[i], true, shape);
+    }
+    return shape;
+}
+
+void add_cylinder(std::vector<Stretch>& outline, double radius, double bottom, double top) {
+    outline.push_back(line({0.0, bottom}, {radius, bottom}));
+    outline.push_back(line({radius, bottom}, {radius, top}));
+    outline.push_back(line({radius, top}, {0.0, top}));
+}
+
+} // namespace
+
+ToolShape make_tool_shape(const Tool& tool) {
+    const CutterProfile profile(tool.cutter());
+    ToolShape shape;
+    std::vector<Stretch> outline;
+    for (const ProfilePiece& piece : profile.pieces())
+        if ((piece.to - piece.from).norm() > 0.0)
+            outline.push_back(piece.kind == ProfilePiece::Kind::arc ? arc(piece)
+                                                                    : line(piece.from, piece.to));
+    const double top_radius = profile.radius_at(profile.height());
+    if (top_radius > 0.0) outline.push_back(line({top_radius, profile.height()}, {0.0, profile.height()}));
+    shape.cutter = revolve(outline);
+    shape.length = profile.height();
+    shape.radius = profile.max_radius();
+
+    if (tool.shank_diameter > 0.0 && tool.shank_length > 0.0) {
+        outline.clear();
+        add_cylinder(outline, tool.shank_diameter / 2, shape.length, shape.length + tool.shank_length);
+        shape.shank = revolve(outline);
+        shape.length += tool.shank_length;
+        shape.radius = std::max(shape.radius, tool.shank_diameter / 2);
+    }
+    outline.clear();
+    for (const HolderSection& section : tool.holder) {
+        if (!(section.diameter > 0.0) || !(section.length > 0.0)) continue;
+        add_cylinder(outline, section.diameter / 2, shape.length, shape.length + section.length);
+        shape.length += section.length;
+        shape.radius = std::max(shape.radius, section.diameter / 2);
+    }
+    shape.holder = revolve(outline);
+    return shape;
+}
+
+RevolvedShape make_arrow(double shaft_radius, double head_radius, double head, double length) {
+    const double neck = length - head;
+    return revolve({line({0, 0}, {shaft_radius, 0}), line({shaft_radius, 0}, {shaft_radius, neck}),
+                    line({shaft_radius, neck}, {head_radius, neck}), line({head_radius, neck}, {0, length})});
+}
+
+} // namespace facetmill

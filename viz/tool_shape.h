@@ -1,0 +1,30 @@
+// A tool as triangles: the cutter's profile, the shank and the holder turned about the axis. Tip at the
+// origin, axis +Z.
+#pragma once
+
+#include "core/setup/tool.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace facetmill {
+
+/// One body of revolution, closed at both ends; every facet faces outward.
+struct RevolvedShape {
+    std::vector<float> points, normals;  ///< 3 per vertex
+    std::vector<std::int32_t> triangles; ///< 3 per facet
+    std::vector<std::int32_t> rings;     ///< 2 per segment: the circles where the outline has a corner
+};
+
+struct ToolShape {
+    RevolvedShape cutter, shank, holder; ///< shank and holder may be empty
+    double length = 0, radius = 0;       ///< of the whole tool
+};
+
+/// Throws Error(out_of_range) where the tool's values make no cutter.
+ToolShape make_tool_shape(const Tool& tool);
+
+/// An arrow from the origin along +Z: a shaft and a cone of the given radii, the cone `head` long.
+RevolvedShape make_arrow(double shaft_radius, double head_radius, double head, double length);
+
+} // namespace facetmill
