@@ -1,0 +1,22 @@
+// The commands of the headless program; each stands in a file of its own.
+#pragma once
+
+#include "app/cli_arguments.h"
+
+namespace facetmill::cli {
+
+Command info_command();
+Command sample_command();
+Command plan_command();
+Command drop_command();
+Command render_command();
+Command reference_command();
+
+/// All, in the order of the help.
+const std::vector<Command>& commands();
+
+/// The option --threads, and its use.
+OptionInfo threads_option();
+void use_threads(const Arguments& arguments);
+
+} // namespace facetmill::cli

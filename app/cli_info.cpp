@@ -1,0 +1,77 @@
+// facetmill-cli info: the honest account of a mesh file.
+#include "app/cli_commands.h"
+#include "app/cli_session.h"
+#include "core/job/strict_json.h"
+#include "core/mesh/mesh_io.h"
+
+namespace facetmill::cli {
+
+namespace {
+
+/// Measured, not read: printed as it is. Whole numbers without a point.
+Json plain(double v) {
+    return json_number(v, "info");
+}
+
+void run(const Arguments& arguments, Session& session) {
+    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
+    const std::string path = arguments.operand(0);
+    const LoadedMesh loaded = load_mesh(path, unit, session.progress());
+    const MeshReport& r = loaded.report;
+
+    Json box = Json::array(), size = Json::array();
+    for (double v : {r.file_box.lo.x(), r.file_box.lo.y(), r.file_box.lo.z(), r.file_box.hi.x(),
+                     r.file_box.hi.y(), r.file_box.hi.z()})
+        box.push_back(v);
+    for (int k = 0; k < 3; ++k)
+        size.push_back(plain(r.file_box.size()[k] * mm_per(unit)));
+    Json explanations = Json::object();
+    for (const auto& word : r.warnings)
+        explanations[word] = explain_warning(word);
+
+    Json out;
+    out["file"] = printable(path, 400);
+    out["format"] = r.format;
+    out["name"] = r.name;
+    out["units"] = std::string(unit_name(unit));
+    out["units_stated"] = arguments.has("--units");
+    out["units_guess"] = std::string(unit_name(r.unit_guess));
+    out["facets"] = r.facets;
+    out["facets_used"] = loaded.mesh->facet_count();
+    out["vertices"] = loaded.mesh->vertices.size();
+    out["welded_vertices"] = r.welded_vertices;
+    out["shells"] = r.shells;
+    out["bbox"] = box;
+    out["size_mm"] = size;
+    out["area"] = plain(r.file_area);
+    out["volume"] = plain(r.file_volume);
+    out["watertight"] = r.watertight;
+    out["degenerate"] = r.degenerate;
+    out["duplicate"] = r.duplicate;
+    out["open_edges"] = r.open_edges;
+    out["non_manifold_edges"] = r.non_manifold_edges;
+    out["non_manifold_vertices"] = r.non_manifold_vertices;
+    out["inconsistent_edges"] = r.inconsistent_edges;
+    out["warnings"] = r.warnings;
+    out["explanations"] = explanations;
+    session.print(pretty_json(out));
+}
+
+} // namespace
+
+Command info_command() {
+    return {.name = "info",
+            .operands = {"PART"},
+            .summary = "Prints what a mesh file holds and what is wrong with it, as JSON.",
+            .help = "bbox, area and volume are in the file's own numbers; size_mm takes them as --units "
+                    "says. Degenerate\n"
+                    "facets are left out of planning (facets_used), everything else is machined as it is; "
+                    "each word in\n"
+                    "warnings is explained in explanations.",
+            .options = {{.name = "--units",
+                         .value = "mm|in",
+                         .help = "unit of the file's numbers (default: mm)"}},
+            .run = run};
+}
+
+} // namespace facetmill::cli

@@ -1,0 +1,51 @@
+// facetmill-cli plan: a project to APT programs and a report.
+#include "app/cli_commands.h"
+#include "app/cli_session.h"
+#include "core/job/planner.h"
+
+namespace facetmill::cli {
+
+namespace {
+
+void run(const Arguments& arguments, Session& session) {
+    use_threads(arguments);
+    const std::string file = arguments.operand(0);
+    Project project = load_project(file);
+    for (const std::string& setting : arguments.values("--set"))
+        apply_setting(project, setting);
+    const Progress progress = session.progress();
+    Planner planner;
+    std::shared_ptr<const PlanResult> result;
+    try {
+        result = planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.95));
+    } catch (const Error& e) {
+        // The part's own messages name their file.
+        const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
+        throw named ? e : e.within(printable(file, 400));
+    }
+    write_plan(project, *result, arguments.value("-o"), progress.part(0.95, 1.0, "Writing"));
+    session.print(report_json(project, *result));
+}
+
+} // namespace
+
+Command plan_command() {
+    return {.name = "plan",
+            .operands = {"PROJECT"},
+            .summary =
+                "Plans a project: writes NN-NAME.apt per operation and report.json, and prints the report.",
+            .help = "Either all files appear or none. Keys and ranges of --set: facetmill-cli reference.",
+            .options = {{.name = "--op", .value = "NAME", .help = "plans only this operation"},
+                        {.name = "--set",
+                         .value = "NAME.key=value",
+                         .help = "sets a parameter of an operation for this run, in the project's units",
+                         .repeated = true},
+                        threads_option(),
+                        {.name = "-o",
+                         .value = "DIR",
+                         .help = "the folder to write to; made if missing",
+                         .required = true}},
+            .run = run};
+}
+
+} // namespace facetmill::cli

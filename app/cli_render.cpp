@@ -1,0 +1,120 @@
+// facetmill-cli render: a picture of a part or a planned project, without a display.
+#include "app/cli_commands.h"
+#include "app/cli_session.h"
+#include "core/base/error.h"
+
+#ifdef FACETMILL_HAS_PICTURES
+#include "core/job/planner.h"
+#include "core/job/strict_json.h"
+#include "viz/render_picture.h"
+
+#include <filesystem>
+#endif
+
+namespace facetmill::cli {
+
+namespace {
+
+#ifdef FACETMILL_HAS_PICTURES
+
+/// What the command line cannot mean is wrong usage, whatever the parser calls it.
+template <class Parse>
+auto as_usage(Parse&& parse) {
+    try {
+        return parse();
+    } catch (const Error& e) {
+        if (e.code() != ErrorCode::out_of_range) throw;
+        throw Error(ErrorCode::usage, e.where(), e.message(), e.remedy());
+    }
+}
+
+bool is_project(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".facetmill" || extension == ".json";
+}
+
+void run(const Arguments& arguments, Session& session) {
+    const std::string input = arguments.operand(0);
+    RenderRequest request;
+    request.view = as_usage([&] { return parse_view(arguments.value("--view", "iso"), "--view"); });
+    const PictureSize size =
+        as_usage([&] { return parse_picture_size(arguments.value("--size", "1200x900"), "--size"); });
+    request.width = size.width;
+    request.height = size.height;
+    const bool project_given = is_project(input);
+    const std::string fallback = project_given ? "part,stock,cl" : "part";
+    request.layers =
+        as_usage([&] { return parse_picture_layers(arguments.value("--show", fallback), "--show"); });
+    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
+    use_threads(arguments);
+
+    const Progress progress = session.progress();
+    if (project_given) {
+        if (arguments.has("--units"))
+            throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
+        const Project project = load_project(input);
+        Planner planner;
+        PlanResult result;
+        bool needs_plan = false;
+        for (Layer layer : request.layers)
+            needs_plan = needs_plan || layer == Layer::cc || layer == Layer::cl || layer == Layer::tool;
+        if (needs_plan) {
+            result = *planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.6));
+        } else {
+            result.part = planner.prepare(project, progress.part(0.0, 0.6));
+            result.stock = stock_box(project.stock, result.part->box);
+        }
+        take_plan(request, project, result);
+    } else {
+        if (arguments.has("--op"))
+            throw Error(ErrorCode::usage, "--op", "a mesh has no operations", "give a project");
+        request.part = load_mesh(input, unit, progress.part(0.0, 0.5, "Reading the part")).mesh;
+        request.unit = unit;
+        request.title = std::filesystem::path(input).filename().string();
+    }
+    const Picture picture = render_picture(request, progress.part(0.6, 0.95, "Drawing"));
+    progress.check();
+    write_png(picture, arguments.value("-o"));
+
+    Json out;
+    out["file"] = printable(arguments.value("-o"), 400);
+    out["width"] = picture.width;
+    out["height"] = picture.height;
+    session.print(pretty_json(out));
+}
+
+#else
+
+void run(const Arguments&, Session&) {
+    throw Error(ErrorCode::unsupported_format, "render", "this facetmill-cli was built without pictures",
+                "build with -DFACETMILL_VIZ=ON");
+}
+
+#endif
+
+} // namespace
+
+Command render_command() {
+    return {.name = "render",
+            .operands = {"PROJECT|PART"},
+            .summary = "Draws a picture (PNG) without a display.",
+            .help = "Layers of --show: part, stock, cc, cl, tool, edges. Paths are planned first. Views: "
+                    "iso, front, top,\n"
+                    "right, rear, bottom, left.",
+            .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
+                        {.name = "--show",
+                         .value = "LAYERS",
+                         .help = "what to draw (default: part, of a project part,stock,cl)"},
+                        {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
+                        {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
+                        {.name = "--units",
+                         .value = "mm|in",
+                         .help = "unit of a mesh file's numbers (default: mm)"},
+                        threads_option(),
+                        {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
+            .run = run};
+}
+
+} // namespace facetmill::cli

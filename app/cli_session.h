@@ -1,0 +1,45 @@
+// One run of a command: its job, its progress on stderr, its signals, its output on stdout.
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace facetmill::cli {
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the job. A job that has not ended 60 ms after that is
+/// ended with the process: temporary files are removed first, so nothing is left either way. Progress goes to
+/// stderr: one line that is rewritten on a terminal, a line every ten seconds elsewhere, so that a short job
+/// that fails writes one line.
+class Session {
+public:
+    Session();
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    Progress progress() { return Progress(job_); }
+    /// The job is over, its files are in place: clears the progress line and gives the signals back.
+    void finish();
+    /// Ends the session and writes a result. Throws Error(unwritable) when stdout takes no more.
+    void print(std::string_view text);
+
+private:
+    void watch();
+    void show(bool last);
+
+    Job job_;
+    bool terminal_ = false, line_shown_ = false;
+    double seconds_ = 0, next_line_ = 0;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool over_ = false;
+    std::thread watcher_;
+};
+
+} // namespace facetmill::cli

@@ -1,0 +1,184 @@
+// The workbench: `facetmill [FILE]`.
+#include "core/base/error.h"
+#include "facetmill_version.h"
+#include "ui/main_window.h"
+#include "ui/settings.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTimer>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <vtkObject.h>
+
+namespace {
+
+using namespace facetmill;
+
+bool starting = true;
+
+/// While the program starts, Qt ends it by a fatal message when there is no display; that becomes one line that helps.
+void message_handler(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtFatalMsg) {
+        if (starting) {
+            const char* display = std::getenv("DISPLAY");
+            std::fprintf(stderr,
+                         "facetmill: no window can be opened on display '%s' (start it in a desktop session, or use "
+                         "facetmill-cli)\n",
+                         display ? display : "");
+            std::_Exit(1);
+        }
+        std::fprintf(stderr, "facetmill: %s\n", qPrintable(message));
+        return;
+    }
+    if (!starting && type != QtDebugMsg) std::fprintf(stderr, "facetmill: %s\n", qPrintable(message));
+}
+
+/// Options are read before there is an application, so that --help needs no display.
+struct Options {
+    QString file, screenshot, theme;
+    std::optional<LengthUnit> unit;
+    QSize size;
+    bool plan = false;
+    int exit_status = -1; ///< of --help, --version and mistakes
+};
+
+Options read_options(int argc, char** argv) {
+    Options options;
+    QStringList arguments;
+    for (int i = 0; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Facetmill plans tool paths on triangle meshes. FILE is a project (.facetmill) or a mesh (STL, OBJ, PLY)."));
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this and exit."));
+    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
+                                     QStringLiteral("Show the version and exit."));
+    const QCommandLineOption plan(QStringLiteral("plan"), QStringLiteral("Plan all operations after opening FILE."));
+    const QCommandLineOption units(QStringLiteral("units"), QStringLiteral("Unit of a mesh FILE, without asking: mm or in."),
+                                   QStringLiteral("UNIT"));
+    const QCommandLineOption screenshot(
+        QStringLiteral("screenshot"), QStringLiteral("Save a picture of the window when everything is done, and exit."),
+        QStringLiteral("FILE.png"));
+    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window, as in 1280x800."),
+                                  QStringLiteral("WxH"));
+    const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours for this start: system, light or dark."),
+                                   QStringLiteral("NAME"));
+    parser.addOptions({help, version, plan, units, screenshot, size, theme});
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Project or mesh to open."), QStringLiteral("[FILE]"));
+    const auto usage = [&](const QString& what) {
+        std::fprintf(stderr, "facetmill: %s (facetmill --help lists the options)\n", qPrintable(what));
+        options.exit_status = 2;
+        return options;
+    };
+    if (!parser.parse(arguments)) return usage(parser.errorText());
+    if (parser.isSet(help)) {
+        std::fputs(qPrintable(parser.helpText()), stdout);
+        options.exit_status = 0;
+        return options;
+    }
+    if (parser.isSet(version)) {
+        std::printf("facetmill %s\n", FACETMILL_VERSION);
+        options.exit_status = 0;
+        return options;
+    }
+    if (parser.positionalArguments().size() > 1) return usage(QStringLiteral("more than one file was named"));
+    if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().front();
+    options.plan = parser.isSet(plan);
+    options.screenshot = parser.value(screenshot);
+    try {
+        if (parser.isSet(units)) options.unit = parse_length_unit(parser.value(units).toStdString(), "--units");
+    } catch (const Error& e) {
+        return usage(ui::text(e.what()));
+    }
+    if (parser.isSet(size)) {
+        const QStringList parts = parser.value(size).split(QChar('x'));
+        const int w = parts.size() == 2 ? parts[0].toInt() : 0, h = parts.size() == 2 ? parts[1].toInt() : 0;
+        if (w < 200 || h < 200 || w > 10000 || h > 10000)
+            return usage(QStringLiteral("--size: write it as 1280x800, from 200x200 to 10000x10000"));
+        options.size = QSize(w, h);
+    }
+    options.theme = parser.value(theme);
+    if (parser.isSet(theme) && options.theme != QLatin1String("system")
+        && ui::theme_from_name(options.theme) == ui::Theme::system)
+        return usage(QStringLiteral("--theme: use system, light or dark"));
+    return options;
+}
+
+/// What the options ask for after the window is there, one thing after the other.
+class Script : public QObject {
+public:
+    Script(ui::MainWindow& window, const Options& options) : window_(window), options_(options) {
+        connect(&window_, &ui::MainWindow::settled, this, &Script::next);
+        QTimer::singleShot(0, this, &Script::next);
+    }
+
+private:
+    void next() {
+        if (window_.busy()) return;
+        switch (step_) {
+        case 0:
+            step_ = 1;
+            if (!options_.file.isEmpty()) {
+                window_.open_file(options_.file, options_.unit);
+                return;
+            }
+            [[fallthrough]];
+        case 1:
+            step_ = 2;
+            if (options_.plan && window_.document().has_part() && window_.last_failure().isEmpty()) {
+                window_.plan();
+                return;
+            }
+            [[fallthrough]];
+        case 2:
+            step_ = 3;
+            // Layout and drawing take a few turns of the event loop.
+            if (!options_.screenshot.isEmpty()) QTimer::singleShot(400, this, &Script::take_picture);
+            return;
+        default: return;
+        }
+    }
+    void take_picture() {
+        bool good = window_.grab().save(options_.screenshot, "PNG");
+        if (!good)
+            std::fprintf(stderr, "facetmill: %s: the picture cannot be written (choose another place)\n",
+                         qPrintable(options_.screenshot));
+        if (!window_.last_failure().isEmpty()) {
+            std::fprintf(stderr, "facetmill: %s\n", qPrintable(window_.last_failure()));
+            good = false;
+        }
+        QApplication::exit(good ? 0 : 1);
+    }
+
+    ui::MainWindow& window_;
+    const Options& options_;
+    int step_ = 0;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    if (options.exit_status >= 0) return options.exit_status;
+    qInstallMessageHandler(message_handler);
+    vtkObject::GlobalWarningDisplayOff();
+    ui::Viewport::set_default_format();
+    QApplication::setOrganizationName(QStringLiteral("Facetmill"));
+    QApplication::setApplicationName(QStringLiteral("facetmill"));
+    QApplication::setApplicationDisplayName(QString()); // titles carry the name themselves
+    QApplication::setApplicationVersion(QStringLiteral(FACETMILL_VERSION));
+    QApplication app(argc, argv);
+    starting = false;
+    ui::MainWindow window;
+    if (!options.theme.isEmpty()) window.set_theme(ui::theme_from_name(options.theme));
+    if (options.size.isValid()) window.resize(options.size);
+    window.show();
+    Script script(window, options);
+    return QApplication::exec();
+}
