@@ -118,8 +118,7 @@ private:
     std::vector<std::string_view> fields_;
     std::unordered_map<std::string, bool> ignored_;
     Vec3 axis_ = Vec3::UnitZ();
-    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false,
-         cut_ = false;
+    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false, cut_ = false;
     std::optional<double> feed_per_turn_;
     bool feed_seen_ = false, spindle_seen_ = false, tool_seen_ = false;
 };
@@ -219,7 +218,7 @@ void Reader::statement(std::string_view text) {
     if (rest.find('=') != std::string_view::npos)
         fail(ErrorCode::unsupported_format, "'" + printable(text, 30) + "' defines geometry or a variable",
              "process the program to plain GOTO statements first");
-    if (word.empty()) {
+    if (word.empty() || (word[0] >= '0' && word[0] <= '9')) {
         if (std::any_of(text.begin(), text.end(),
                         [](char c) { return std::isalnum(static_cast<unsigned char>(c)); }))
             syntax("'" + printable(text, 30) + "' is not a statement", "check the file");
