@@ -120,8 +120,8 @@ AptCutter read_cutter(const std::string& text, double per) {
         return parse_cutter(text, per);
     } catch (const Error& e) {
         // What cannot be read is wrong usage; a cutter that cannot be is a failure of the job.
-        throw Error(e.code() == ErrorCode::syntax ? ErrorCode::usage : e.code(),
-                    "--cutter " + printable(text) + (e.where().empty() ? "" : ": " + e.where()), e.message(),
+        const Error named = e.within("--cutter");
+        throw Error(e.code() == ErrorCode::syntax ? ErrorCode::usage : e.code(), named.where(), e.message(),
                     e.remedy());
     }
 }
@@ -137,6 +137,7 @@ void run(const Arguments& arguments, Session& session) {
     const CutterProfile cutter(read_cutter(arguments.value("--cutter"), per));
     use_threads(arguments);
 
+    OutputFile file(arguments.value("-o")); // first, so that a place that cannot be written is told at once
     const Progress progress = session.progress();
     std::vector<Vec2> given;
     if (arguments.has("--points"))
@@ -155,7 +156,6 @@ void run(const Arguments& arguments, Session& session) {
         return {grid_coordinate(box.lo.x() / per, box.hi.x() / per, i % grid.nx, grid.nx),
                 grid_coordinate(box.lo.y() / per, box.hi.y() / per, i / grid.nx, grid.ny)};
     };
-    OutputFile file(arguments.value("-o"));
     std::vector<Vec2> shown, points;
     std::vector<double> heights;
     std::string text;

@@ -3,6 +3,9 @@
 #include "app/cli_session.h"
 #include "core/job/planner.h"
 
+#include <filesystem>
+#include <system_error>
+
 namespace facetmill::cli {
 
 namespace {
@@ -13,6 +16,11 @@ void run(const Arguments& arguments, Session& session) {
     Project project = load_project(file);
     for (const std::string& setting : arguments.values("--set"))
         apply_setting(project, setting);
+    // Told before the planning, not after it.
+    const std::string folder = arguments.value("-o");
+    if (std::error_code ec; std::filesystem::exists(folder, ec) && !std::filesystem::is_directory(folder, ec))
+        throw Error(ErrorCode::unwritable, printable(folder, 400), "is not a folder",
+                    "name a folder to write to");
     const Progress progress = session.progress();
     Planner planner;
     std::shared_ptr<const PlanResult> result;
@@ -23,7 +31,7 @@ void run(const Arguments& arguments, Session& session) {
         const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
         throw named ? e : e.within(printable(file, 400));
     }
-    write_plan(project, *result, arguments.value("-o"), progress.part(0.95, 1.0, "Writing"));
+    write_plan(project, *result, folder, progress.part(0.95, 1.0, "Writing"));
     session.print(report_json(project, *result));
 }
 

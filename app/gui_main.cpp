@@ -22,15 +22,17 @@ using namespace facetmill;
 
 bool starting = true;
 
-/// While the program starts, Qt ends it by a fatal message when there is no display; that becomes one line that helps.
+/// While the program starts, Qt ends it by a fatal message when there is no display; that becomes one line
+/// that helps.
 void message_handler(QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) {
         if (starting) {
             const char* display = std::getenv("DISPLAY");
-            std::fprintf(stderr,
-                         "facetmill: no window can be opened on display '%s' (start it in a desktop session, or use "
-                         "facetmill-cli)\n",
-                         display ? display : "");
+            std::fprintf(
+                stderr,
+                "facetmill: no window can be opened on display '%s' (start it in a desktop session, or use "
+                "facetmill-cli)\n",
+                display ? display : "");
             std::_Exit(1);
         }
         std::fprintf(stderr, "facetmill: %s\n", qPrintable(message));
@@ -54,23 +56,29 @@ Options read_options(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QStringLiteral("Facetmill plans tool paths on triangle meshes. FILE is a project (.facetmill) or a mesh (STL, OBJ, PLY)."));
-    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this and exit."));
+    parser.setApplicationDescription(QStringLiteral("Facetmill plans tool paths on triangle meshes. FILE is "
+                                                    "a project (.facetmill) or a mesh (STL, OBJ, PLY)."));
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
+                                  QStringLiteral("Show this and exit."));
     const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
                                      QStringLiteral("Show the version and exit."));
-    const QCommandLineOption plan(QStringLiteral("plan"), QStringLiteral("Plan all operations after opening FILE."));
-    const QCommandLineOption units(QStringLiteral("units"), QStringLiteral("Unit of a mesh FILE, without asking: mm or in."),
+    const QCommandLineOption plan(QStringLiteral("plan"),
+                                  QStringLiteral("Plan all operations after opening FILE."));
+    const QCommandLineOption units(QStringLiteral("units"),
+                                   QStringLiteral("Unit of a mesh FILE, without asking: mm or in."),
                                    QStringLiteral("UNIT"));
     const QCommandLineOption screenshot(
-        QStringLiteral("screenshot"), QStringLiteral("Save a picture of the window when everything is done, and exit."),
+        QStringLiteral("screenshot"),
+        QStringLiteral("Save a picture of the window when everything is done, and exit."),
         QStringLiteral("FILE.png"));
-    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window, as in 1280x800."),
-                                  QStringLiteral("WxH"));
-    const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours for this start: system, light or dark."),
+    const QCommandLineOption size(
+        QStringLiteral("size"), QStringLiteral("Size of the window, as in 1280x800."), QStringLiteral("WxH"));
+    const QCommandLineOption theme(QStringLiteral("theme"),
+                                   QStringLiteral("Colours for this start: system, light or dark."),
                                    QStringLiteral("NAME"));
     parser.addOptions({help, version, plan, units, screenshot, size, theme});
-    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Project or mesh to open."), QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Project or mesh to open."),
+                                 QStringLiteral("[FILE]"));
     const auto usage = [&](const QString& what) {
         std::fprintf(stderr, "facetmill: %s (facetmill --help lists the options)\n", qPrintable(what));
         options.exit_status = 2;
@@ -92,7 +100,8 @@ Options read_options(int argc, char** argv) {
     options.plan = parser.isSet(plan);
     options.screenshot = parser.value(screenshot);
     try {
-        if (parser.isSet(units)) options.unit = parse_length_unit(parser.value(units).toStdString(), "--units");
+        if (parser.isSet(units))
+            options.unit = parse_length_unit(parser.value(units).toStdString(), "--units");
     } catch (const Error& e) {
         return usage(ui::text(e.what()));
     }
@@ -141,7 +150,8 @@ private:
             // Layout and drawing take a few turns of the event loop.
             if (!options_.screenshot.isEmpty()) QTimer::singleShot(400, this, &Script::take_picture);
             return;
-        default: return;
+        default:
+            return;
         }
     }
     void take_picture() {

@@ -24,21 +24,38 @@ void check_number(double v, const ParameterInfo& info, LengthUnit unit) {
         throw Error(ErrorCode::out_of_range, info.key, "the value is not a finite number", "enter a number");
     const bool low = info.open_minimum ? v <= info.minimum : v < info.minimum;
     if (low || v > info.maximum)
-        throw Error(ErrorCode::out_of_range, info.key, "the value " + with_unit(v, info, unit) + " is out of range",
+        throw Error(ErrorCode::out_of_range, info.key,
+                    "the value " + with_unit(v, info, unit) + " is out of range",
                     "allowed: " + info.range_text(unit));
 }
 
 [[noreturn]] void wrong_type(const ParameterInfo& info) {
     std::string expected;
     switch (info.kind) {
-    case ParameterKind::number: expected = "a number"; break;
-    case ParameterKind::number_or_word: expected = "a number or one of: " + joined(info.words); break;
-    case ParameterKind::integer: expected = "a whole number"; break;
-    case ParameterKind::boolean: expected = "true or false"; break;
-    case ParameterKind::choice: expected = "one of: " + joined(info.words); break;
-    case ParameterKind::text: expected = "text"; break;
-    case ParameterKind::pair: expected = "two numbers"; break;
-    case ParameterKind::triple: expected = "three numbers"; break;
+    case ParameterKind::number:
+        expected = "a number";
+        break;
+    case ParameterKind::number_or_word:
+        expected = "a number or one of: " + joined(info.words);
+        break;
+    case ParameterKind::integer:
+        expected = "a whole number";
+        break;
+    case ParameterKind::boolean:
+        expected = "true or false";
+        break;
+    case ParameterKind::choice:
+        expected = "one of: " + joined(info.words);
+        break;
+    case ParameterKind::text:
+        expected = "text";
+        break;
+    case ParameterKind::pair:
+        expected = "two numbers";
+        break;
+    case ParameterKind::triple:
+        expected = "three numbers";
+        break;
     }
     throw Error(ErrorCode::wrong_type, info.key, "the value has the wrong type", "expected " + expected);
 }
@@ -142,7 +159,8 @@ std::string ParameterInfo::value_text(const ParameterValue& value, LengthUnit un
     if (const auto* i = std::get_if<long>(&value)) return std::to_string(*i);
     if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
     if (const auto* s = std::get_if<std::string>(&value)) return *s;
-    if (const auto* p = std::get_if<std::array<double, 2>>(&value)) return number((*p)[0]) + ", " + number((*p)[1]);
+    if (const auto* p = std::get_if<std::array<double, 2>>(&value))
+        return number((*p)[0]) + ", " + number((*p)[1]);
     const auto& t = std::get<std::array<double, 3>>(value);
     return number(t[0]) + ", " + number(t[1]) + ", " + number(t[2]);
 }
@@ -170,10 +188,18 @@ ParameterValue ParameterInfo::parse(std::string_view text, LengthUnit unit) cons
         if (t != "true" && t != "false") wrong_type(*this);
         value = t == "true";
         break;
-    case ParameterKind::choice: value = std::string(t); break;
-    case ParameterKind::text: value = std::string(text); break;
-    case ParameterKind::pair: value = parse_numbers<2>(t, *this, scale(unit)); break;
-    case ParameterKind::triple: value = parse_numbers<3>(t, *this, scale(unit)); break;
+    case ParameterKind::choice:
+        value = std::string(t);
+        break;
+    case ParameterKind::text:
+        value = std::string(text);
+        break;
+    case ParameterKind::pair:
+        value = parse_numbers<2>(t, *this, scale(unit));
+        break;
+    case ParameterKind::triple:
+        value = parse_numbers<3>(t, *this, scale(unit));
+        break;
     }
     check(value, unit);
     return value;
@@ -199,6 +225,12 @@ std::string nearest_name(std::string_view mistyped, const std::vector<std::strin
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(2, mistyped.size() / 3) + 1;
     if (mistyped.size() > 100) return best;
+    // Cut short: "tol" means tolerance, not tool.
+    const auto begins = [&](const std::string& name) {
+        return mistyped.size() >= 3 && name.starts_with(mistyped);
+    };
+    if (std::count_if(known.begin(), known.end(), begins) == 1)
+        return *std::find_if(known.begin(), known.end(), begins);
     for (const auto& name : known) {
         // Levenshtein distance, one row at a time.
         std::vector<std::size_t> row(name.size() + 1);

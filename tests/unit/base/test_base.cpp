@@ -300,6 +300,14 @@ private slots:
         QCOMPARE(std::string(InputFile(folder / "real").bytes()), std::string("2"));
     }
 
+    void near_names_are_found() {
+        const std::vector<std::string> known = {"tool", "tolerance", "stepover", "feed"};
+        QCOMPARE(nearest_name("tol", known), std::string("tolerance"));
+        QCOMPARE(nearest_name("toool", known), std::string("tool"));
+        QCOMPARE(nearest_name("step_over", known), std::string("stepover"));
+        QCOMPARE(nearest_name("spindle", known), std::string());
+    }
+
     void messages_stay_on_one_line() {
         QCOMPARE(printable("a\nb\x01\xff" "c"), std::string("a?b??c"));
         QCOMPARE(printable("d\xc3\xa9j\xc3\xa0"), std::string("d\xc3\xa9j\xc3\xa0"));
