@@ -79,7 +79,18 @@ public:
     explicit PlyReader(const MeshSource& source) : source_(source), cursor_{source.bytes} {}
 
     TriangleSoup run(const Progress& progress) {
-        header();
+        cursor_.position = byte_order_mark(source_.bytes);
+        if (cursor_.token_in_line() != "ply")
+            throw Error(ErrorCode::syntax, source_.name, "is not a PLY file: it does not start with 'ply'",
+                        "open the mesh itself, under a name that ends as its format does");
+        try {
+            header();
+        } catch (const Error& e) {
+            // Half a word at the end of the file is no mistake of the writer.
+            if (e.code() == ErrorCode::syntax && cursor_.at_end())
+                fail_truncated("the header", "the file ends inside the header");
+            throw;
+        }
         const PlyElement* vertex = find("vertex");
         const PlyElement* face = find("face");
         if (!vertex || !face) {
@@ -158,10 +169,6 @@ private:
 
     void header() {
         bool has_format = false;
-        cursor_.position = byte_order_mark(source_.bytes);
-        if (cursor_.token_in_line() != "ply")
-            throw Error(ErrorCode::syntax, source_.name, "is not a PLY file: it does not start with 'ply'",
-                        "open the mesh itself, under a name that ends as its format does");
         for (;;) {
             const std::size_t line_end = cursor_.position;
             cursor_.to_line_end();

@@ -33,8 +33,8 @@ inline Mesh torus_mesh(Index around, Index across) {
     for (Index i = 0; i < around; ++i)
         for (Index j = 0; j < across; ++j) {
             const double u = 2 * pi * i / around, v = 2 * pi * j / across;
-            mesh.vertices.emplace_back((30 + 10 * std::cos(v)) * std::cos(u), (30 + 10 * std::cos(v)) * std::sin(u),
-                                       10 * std::sin(v));
+            mesh.vertices.emplace_back((30 + 10 * std::cos(v)) * std::cos(u),
+                                       (30 + 10 * std::cos(v)) * std::sin(u), 10 * std::sin(v));
         }
     for (Index i = 0; i < around; ++i)
         for (Index j = 0; j < across; ++j) {
@@ -93,7 +93,8 @@ inline std::string obj_text(const Mesh& mesh) {
     for (const Vec3& v : mesh.vertices)
         text += "v " + vector_text(v) + "\n";
     for (const Facet& f : mesh.facets)
-        text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+        text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " "
+                + std::to_string(f[2] + 1) + "\n";
     return text;
 }
 
@@ -101,7 +102,8 @@ inline std::string ply_header(const std::string& format, std::size_t vertices, s
                               const std::string& coordinate = "double") {
     return "ply\nformat " + format + " 1.0\ncomment a part\nelement vertex " + std::to_string(vertices)
            + "\nproperty " + coordinate + " x\nproperty " + coordinate + " y\nproperty " + coordinate
-           + " z\nelement face " + std::to_string(faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
+           + " z\nelement face " + std::to_string(faces)
+           + "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
 inline std::string ascii_ply(const Mesh& mesh) {
@@ -114,8 +116,8 @@ inline std::string ascii_ply(const Mesh& mesh) {
 }
 
 inline std::string binary_ply(const Mesh& mesh, bool big_endian) {
-    std::string bytes =
-        ply_header(big_endian ? "binary_big_endian" : "binary_little_endian", mesh.vertices.size(), mesh.facets.size());
+    std::string bytes = ply_header(big_endian ? "binary_big_endian" : "binary_little_endian",
+                                   mesh.vertices.size(), mesh.facets.size());
     for (const Vec3& v : mesh.vertices)
         for (int i = 0; i < 3; ++i)
             append_raw(bytes, &v[i], 8, big_endian);
@@ -132,7 +134,8 @@ inline LoadedMesh read(const std::string& bytes, const std::string& name, Length
 }
 
 /// Error word of the reading, or the warnings joined by commas: one text to compare.
-inline std::string outcome(const std::string& bytes, const std::string& name, LengthUnit unit = LengthUnit::mm) {
+inline std::string outcome(const std::string& bytes, const std::string& name,
+                           LengthUnit unit = LengthUnit::mm) {
     try {
         std::string words = "ok";
         for (const std::string& w : read(bytes, name, unit).report.warnings)

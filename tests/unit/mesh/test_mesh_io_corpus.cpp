@@ -20,7 +20,9 @@ const nlohmann::json& manifest() {
     return all;
 }
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); }
+bool near(double a, double b) {
+    return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
+}
 
 /// What differs from the manifest's entry, or empty.
 std::string difference(const LoadedMesh& loaded, const nlohmann::json& entry) {
@@ -38,17 +40,20 @@ std::string difference(const LoadedMesh& loaded, const nlohmann::json& entry) {
     count("shells", r.shells);
     count("welded_vertices", r.welded_vertices);
     if (entry.at("warnings") != nlohmann::json(r.warnings))
-        text += "warnings " + nlohmann::json(r.warnings).dump() + " not " + entry.at("warnings").dump() + "; ";
+        text +=
+            "warnings " + nlohmann::json(r.warnings).dump() + " not " + entry.at("warnings").dump() + "; ";
     const double box[] = {r.file_box.lo.x(), r.file_box.lo.y(), r.file_box.lo.z(),
                           r.file_box.hi.x(), r.file_box.hi.y(), r.file_box.hi.z()};
     for (std::size_t i = 0; i < 6; ++i)
         if (!near(box[i], entry.at("bbox")[i])) text += "bbox " + std::to_string(i) + "; ";
     // A flat part's volume is a sum that cancels: compare against its size.
     const double volume = entry.at("volume");
-    if (!near(r.file_volume, volume) && std::abs(r.file_volume - volume) > 1e-9 * r.file_area * r.file_box.diagonal())
+    if (!near(r.file_volume, volume)
+        && std::abs(r.file_volume - volume) > 1e-9 * r.file_area * r.file_box.diagonal())
         text += "volume " + std::to_string(r.file_volume) + "; ";
     if (loaded.mesh->facets.size() != r.facets - r.degenerate) text += "facets of the mesh; ";
-    if (entry.value("non_manifold_vertex", false) && r.non_manifold_vertices == 0) text += "non-manifold vertex; ";
+    if (entry.value("non_manifold_vertex", false) && r.non_manifold_vertices == 0)
+        text += "non-manifold vertex; ";
     return text;
 }
 
@@ -80,10 +85,12 @@ private slots:
         } catch (const Error& e) {
             QVERIFY2(!load, e.what());
             const auto& allowed = entry.at("error");
-            QVERIFY2(std::find(allowed.begin(), allowed.end(), std::string(code_name(e.code()))) != allowed.end(),
+            QVERIFY2(std::find(allowed.begin(), allowed.end(), std::string(code_name(e.code())))
+                         != allowed.end(),
                      e.what());
             const std::string line = e.what();
-            QVERIFY2(line.find(entry.at("name").get<std::string>()) != std::string::npos, "the message names the file");
+            QVERIFY2(line.find(entry.at("name").get<std::string>()) != std::string::npos,
+                     "the message names the file");
             QVERIFY2(line.find('\n') == std::string::npos && !e.remedy().empty(), e.what());
             QVERIFY2(printable(line, line.size()) == line, "the message is printable");
         }
