@@ -2,10 +2,13 @@
 
 #include <GL/osmesa.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWeakPointer.h>
 
 #include <array>
 #include <cstdlib>
@@ -24,6 +27,8 @@ struct OffscreenWindow::Impl {
     std::array<std::uint8_t, 4 * 16 * 16> canvas{};
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
     Scene* scene = nullptr;
+    vtkWeakPointer<vtkRenderer> renderer; // the scene's; gone when the scene is
+    vtkNew<vtkCallbackCommand> make_current_callback;
     int width = 0, height = 0, samples = 1;
 
     bool make_current() {
@@ -61,11 +66,16 @@ OffscreenWindow::OffscreenWindow() : impl_(std::make_unique<Impl>()) {
     impl_->window->SetOwnContext(0);
     impl_->window->SetFrameBlitModeToNoBlit();
     impl_->window->SwapBuffersOff();
+    // Whoever frees what VTK keeps on the graphics card asks for the context first.
+    impl_->make_current_callback->SetClientData(impl_.get());
+    impl_->make_current_callback->SetCallback(
+        [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->make_current(); });
+    impl_->window->AddObserver(vtkCommand::WindowMakeCurrentEvent, impl_->make_current_callback);
 }
 
 OffscreenWindow::~OffscreenWindow() {
+    if (impl_->renderer) impl_->scene->detach();
     impl_->make_current();
-    if (impl_->scene) impl_->scene->detach();
     impl_->window->Finalize();
     impl_->window = nullptr;
     OSMesaDestroyContext(impl_->context);
@@ -73,12 +83,13 @@ OffscreenWindow::~OffscreenWindow() {
 
 void OffscreenWindow::show(Scene& scene, int width, int height) {
     check_picture_size(width, height, "picture size");
-    impl_->make_current();
-    if (impl_->scene != &scene) {
-        if (impl_->scene) impl_->scene->detach();
+    if (impl_->renderer != scene.renderer()) {
+        if (impl_->renderer) impl_->scene->detach();
         scene.attach(impl_->window);
         impl_->scene = &scene;
+        impl_->renderer = scene.renderer();
     }
+    impl_->make_current();
     impl_->width = width;
     impl_->height = height;
     const std::size_t pixels = std::size_t(width) * std::size_t(height);

@@ -213,7 +213,7 @@ Scene::Impl::Impl() {
     stock_faces.actor->GetProperty()->SetOpacity(0.10);
     // The stock lies behind the part where both have the same plane.
     stock_faces.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 4);
-    part_edges.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, 1); // under the feature edges
+    part_lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -2); // over the facet edges
     contact_dots.actor->GetProperty()->SetRenderPointsAsSpheres(true);
     marker_dot.actor->GetProperty()->SetRenderPointsAsSpheres(true);
     marker_ring.actor->GetProperty()->SetRenderPointsAsSpheres(true);
@@ -464,6 +464,7 @@ void Scene::attach(vtkRenderWindow* window) {
 
 void Scene::detach() {
     if (!impl_->window) return;
+    impl_->window->MakeCurrent(); // what lies on the graphics card is freed in its own context
     impl_->window->RemoveRenderer(impl_->renderer);
     impl_->window->RemoveRenderer(impl_->axes_renderer);
     impl_->window = nullptr;

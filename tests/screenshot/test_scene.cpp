@@ -1,0 +1,309 @@
+// Scenes drawn off-screen, held against baseline pictures.
+#include "core/mesh/sample.h"
+#include "tests/screenshot/scene_parts.h"
+#include "tests/support/picture_compare.h"
+#include "tests/support/test_runner.h"
+#include "viz/offscreen.h"
+
+#include <QDir>
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+MeshPtr hill_part() {
+    return sheet_part({0, 0}, {hill_length, hill_width}, 40, hill);
+}
+
+Tool ball_tool() {
+    Tool tool;
+    tool.diameter = 12;
+    tool.corner_radius = 6;
+    tool.flute_length = 22;
+    tool.shank_diameter = 10;
+    tool.shank_length = 14;
+    tool.holder = {{22, 10}, {30, 8}};
+    return tool;
+}
+
+/// Part, stock, path, tool and marker.
+void fill(Scene& scene) {
+    const PathSource path = hill_path(17, 60, 6);
+    scene.set_part(hill_part());
+    scene.set_stock({{-5, -5, 0}, {105, 85, 22}});
+    scene.set_path(prepare_path_display({path}, {}));
+    const Pass& pass = path.contacts->passes[12];
+    scene.set_tool(ball_tool());
+    scene.set_tool_pose(pass.cl[20]);
+    scene.set_marker(Marker{pass.cc[20].point, pass.cc[20].normal});
+    scene.set_title("Hill", "100 \u00d7 80 \u00d7 18 mm");
+}
+
+void show_only(Scene& scene, const std::vector<Layer>& layers) {
+    for (const Layer l :
+         {Layer::part, Layer::edges, Layer::stock, Layer::cc, Layer::cl, Layer::tool, Layer::marker})
+        scene.set_visible(l, std::find(layers.begin(), layers.end(), l) != layers.end());
+}
+
+std::size_t different_pixels(const Picture& a, const Picture& b) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3)
+        n += a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
+    return n;
+}
+
+} // namespace
+
+class TestScene : public QObject {
+    Q_OBJECT
+
+    OffscreenWindow window_;
+
+    Picture drawn(Scene& scene, int width = 480, int height = 360, StandardView view = StandardView::iso) {
+        window_.show(scene, width, height);
+        scene.set_view(view);
+        return window_.render();
+    }
+    void check(Scene& scene, const char* name, int width = 480, int height = 360,
+               StandardView view = StandardView::iso) {
+        const Picture picture = drawn(scene, width, height, view);
+        QCOMPARE(picture.width, width);
+        QCOMPARE(picture.height, height);
+        const std::string wrong = check_picture(picture, name, FACETMILL_PICTURE_OUT);
+        QVERIFY2(wrong.empty(), wrong.c_str());
+    }
+
+private slots:
+    void sample_part() {
+        Scene scene;
+        scene.set_unit(LengthUnit::inch);
+        scene.set_part(make_sample("concave", default_sample_tolerance, {}));
+        scene.set_title("concave.stl", "10 \u00d7 10 in");
+        check(scene, "part-smooth");
+    }
+    void flat_with_edges() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
+        scene.set_part_style(PartStyle::flat);
+        scene.set_visible(Layer::edges, true);
+        check(scene, "part-flat-edges");
+    }
+    void wire() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
+        scene.set_part_style(PartStyle::wire);
+        check(scene, "part-wire");
+    }
+    void back_side_has_its_own_colour() {
+        Scene scene;
+        scene.set_part(hill_part());
+        check(scene, "part-back", 480, 360, StandardView::bottom);
+    }
+    void stock_around_a_block() {
+        Scene scene;
+        scene.set_part(box_part({0, 0, 0}, {60, 40, 25}));
+        scene.set_stock({{-8, -8, 0}, {68, 48, 30}}); // shares the part's bottom plane
+        check(scene, "stock");
+        check(scene, "stock-front", 480, 360, StandardView::front);
+    }
+    void path_layers() {
+        Scene scene;
+        fill(scene);
+        show_only(scene, {Layer::part, Layer::cl});
+        check(scene, "path-cl");
+        show_only(scene, {Layer::part, Layer::cc});
+        check(scene, "path-cc", 480, 360, StandardView::top);
+        show_only(scene, {Layer::cl});
+        scene.set_motion_visible(MotionKind::cut, false);
+        check(scene, "path-without-cuts");
+    }
+    void tool_at_a_point() {
+        Scene scene;
+        fill(scene);
+        show_only(scene, {Layer::part, Layer::tool, Layer::marker});
+        window_.show(scene, 480, 360);
+        scene.set_view(StandardView::iso);
+        scene.fit(true);
+        const std::string wrong = check_picture(window_.render(), "tool", FACETMILL_PICTURE_OUT);
+        QVERIFY2(wrong.empty(), wrong.c_str());
+    }
+    void tilted_bull_nose() {
+        Scene scene;
+        scene.set_part(box_part({-30, -30, -10}, {30, 30, 0}));
+        Tool tool = ball_tool();
+        tool.corner_radius = 2;
+        scene.set_tool(tool);
+        scene.set_tool_pose(CutterLocation{Vec3(0, 0, 0), Vec3(0.5, -0.2, 1).normalized()});
+        window_.show(scene, 360, 360);
+        scene.set_view(StandardView::front);
+        scene.fit(true);
+        const std::string wrong = check_picture(window_.render(), "tool-tilted", FACETMILL_PICTURE_OUT);
+        QVERIFY2(wrong.empty(), wrong.c_str());
+    }
+    void everything_light_and_dark() {
+        Scene scene;
+        fill(scene);
+        check(scene, "all-light", 640, 480);
+        scene.set_palette(Palette::dark);
+        check(scene, "all-dark", 640, 480);
+    }
+    void empty_scene() {
+        Scene scene;
+        scene.set_empty_text("Open a mesh, or drop one here");
+        check(scene, "empty");
+        scene.set_palette(Palette::dark);
+        check(scene, "empty-dark", 240, 160);
+    }
+    void long_names_are_shortened() {
+        Scene scene;
+        fill(scene);
+        scene.set_title(
+            "a-very-long-name-of-a-fixture-that-nobody-would-type-twice-but-somebody-did-revision-b.stl",
+            "\u00c4\u00d6\u00dc \u00e9\u00e8 123.456 \u00d7 234.567 \u00d7 345.678 mm, tool number 12, and "
+            "what else there is to say about it");
+        check(scene, "long-names");
+        check(scene, "long-names-narrow", 200, 360);
+    }
+    void small_windows() {
+        Scene scene;
+        fill(scene);
+        check(scene, "small", 160, 120);
+        check(scene, "tiny", 48, 32);
+        check(scene, "flat-window", 480, 60);
+        QCOMPARE(drawn(scene, 1, 1).rgb.size(), std::size_t(3)); // and nothing breaks
+        drawn(scene, 3, 700);
+    }
+
+    void the_same_every_time() {
+        Scene scene;
+        fill(scene);
+        const Picture first = drawn(scene);
+        Scene again;
+        fill(again);
+        QCOMPARE(different_pixels(first, drawn(again)), std::size_t(0));
+        OffscreenWindow other;
+        other.show(scene, 480, 360);
+        scene.set_view(StandardView::iso);
+        QCOMPARE(different_pixels(first, other.render()), std::size_t(0));
+    }
+
+    // A float far from the origin is coarse; the scene draws relative to the part's middle.
+    void a_part_far_from_the_origin_looks_the_same() {
+        Scene near, far;
+        near.set_part(hill_part());
+        far.set_part(moved(hill_part(), {2e6, -3e6, 1e6}));
+        const PictureDifference d = compare_pictures(drawn(near), drawn(far));
+        QVERIFY2(d.worst > least_similarity, qPrintable(QString::number(d.worst)));
+    }
+
+    void layers_show_and_hide() {
+        Scene scene;
+        fill(scene);
+        const Picture all = drawn(scene);
+        for (const Layer layer : all_layers()) {
+            if (layer == Layer::edges) continue; // hidden at first
+            scene.set_visible(layer, false);
+            const Picture without = window_.render();
+            QVERIFY2(different_pixels(all, without) > 20, layer_name(layer).data());
+            scene.set_visible(layer, true);
+            QCOMPARE(different_pixels(all, window_.render()), std::size_t(0));
+        }
+        scene.set_visible(Layer::edges, true);
+        QVERIFY(different_pixels(all, window_.render()) > 500);
+        scene.set_visible(Layer::edges, false);
+        // Removed for good: an empty scene again.
+        scene.set_part(PartDisplayPtr());
+        scene.set_stock({});
+        scene.set_path(nullptr);
+        scene.set_tool(std::nullopt);
+        scene.set_marker(std::nullopt);
+        scene.set_title("");
+        Scene empty;
+        QCOMPARE(different_pixels(drawn(scene), drawn(empty)), std::size_t(0));
+    }
+
+    void the_background_is_opaque_and_graded() {
+        Scene scene;
+        const Picture p = drawn(scene, 200, 200);
+        QVERIFY(p.pixel(150, 2)[0] + 30 < p.pixel(150, 100)[0] + 60); // not black
+        QVERIFY(p.pixel(150, 2)[0] > 150);
+        QVERIFY(p.pixel(150, 197)[0] > p.pixel(150, 2)[0] + 30);
+    }
+
+    void sizes_are_checked() {
+        Scene scene;
+        QVERIFY_EXCEPTION_THROWN(window_.show(scene, 0, 10), Error);
+        QVERIFY_EXCEPTION_THROWN(window_.show(scene, 10, -3), Error);
+        QVERIFY_EXCEPTION_THROWN(window_.show(scene, 16385, 10), Error);
+        QVERIFY_EXCEPTION_THROWN(window_.show(scene, 16384, 16384), Error);
+        const Picture wide = drawn(scene, 16384, 2);
+        QCOMPARE(wide.width, 16384);
+    }
+};
+
+FACETMILL_TEST(TestScene)
+
+class TestPictureCompare : public QObject {
+    Q_OBJECT
+private slots:
+    void finds_a_small_wrong_spot() {
+        Scene scene;
+        fill(scene);
+        OffscreenWindow window;
+        window.show(scene, 480, 360);
+        scene.set_view(StandardView::iso);
+        const Picture good = window.render();
+        QCOMPARE(compare_pictures(good, good).worst, 1.0);
+        for (const auto& [x0, y0] : {std::pair(0, 0), {230, 170}, {457, 339}, {30, 300}}) {
+            Picture painted = good;
+            for (int y = y0; y < y0 + 20; ++y)
+                for (int x = x0; x < x0 + 20; ++x)
+                    for (int c = 0; c < 3; ++c)
+                        painted.pixel(x, y)[c] = std::uint8_t(std::max(0, painted.pixel(x, y)[c] - 60));
+            const PictureDifference d = compare_pictures(good, painted);
+            QVERIFY2(d.worst < least_similarity, qPrintable(QString::number(d.worst)));
+            QVERIFY(d.x > x0 - 8 && d.x < x0 + 20 && d.y > y0 - 8 && d.y < y0 + 20);
+        }
+    }
+    void finds_a_wrong_hue_of_the_same_brightness() {
+        Picture a{32, 32, std::vector<std::uint8_t>(3 * 32 * 32, 128)}, b = a;
+        for (int y = 10; y < 20; ++y)
+            for (int x = 10; x < 20; ++x) {
+                b.pixel(x, y)[0] = 188;
+                b.pixel(x, y)[2] = 68;
+            }
+        QVERIFY(compare_pictures(a, b).worst < least_similarity);
+    }
+    void forgives_one_level_everywhere() {
+        Picture a{32, 32, std::vector<std::uint8_t>(3 * 32 * 32, 128)}, b = a;
+        for (std::size_t i = 0; i < b.rgb.size(); i += 5)
+            ++b.rgb[i];
+        QVERIFY(compare_pictures(a, b).worst > least_similarity);
+    }
+    void sizes_must_agree() {
+        const Picture a{4, 4, std::vector<std::uint8_t>(48, 9)}, b{4, 3, std::vector<std::uint8_t>(36, 9)};
+        QCOMPARE(compare_pictures(a, a).worst, 1.0);
+        QCOMPARE(compare_pictures(a, b).worst, 0.0);
+    }
+    void a_wrong_picture_is_kept_and_named() {
+        if (qEnvironmentVariableIsSet("FACETMILL_UPDATE_PICTURES"))
+            QSKIP("the baseline would be overwritten");
+        Picture p = read_png(data_path("screenshot/baseline/tiny.png"));
+        QCOMPARE(check_picture(p, "tiny", FACETMILL_PICTURE_OUT), std::string());
+        for (std::size_t i = 0; i < 300; ++i)
+            p.rgb[i] = 0;
+        const QString folder = FACETMILL_PICTURE_OUT "/companion";
+        const std::string wrong = check_picture(p, "tiny", folder.toStdString());
+        QVERIFY2(wrong.find("similarity") != std::string::npos, wrong.c_str());
+        QCOMPARE(read_png((folder + "/tiny-out.png").toStdString()).rgb, p.rgb);
+        QVERIFY(read_png((folder + "/tiny-diff.png").toStdString()).rgb[0] > 100);
+        QVERIFY(check_picture(p, "no-such-baseline", folder.toStdString()).find("no baseline")
+                != std::string::npos);
+        QDir(folder).removeRecursively();
+    }
+};
+
+FACETMILL_TEST(TestPictureCompare)
+#include "test_scene.moc"
