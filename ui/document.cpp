@@ -1,0 +1,289 @@
+#include "ui/document.h"
+
+#include "ui/text.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+/// One step of the history: the project before and after. Projects hold no meshes, so whole copies are cheap
+/// and no step can be undone wrongly.
+class ProjectStep : public QUndoCommand {
+public:
+    ProjectStep(Document& document, const QString& what, Document::SnapshotPtr before,
+                Document::SnapshotPtr after)
+        : QUndoCommand(what), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+
+    void undo() override { document_.restore(*before_); }
+    void redo() override { document_.restore(*after_); }
+
+private:
+    Document& document_;
+    Document::SnapshotPtr before_, after_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+    undo_.setUndoLimit(200);
+    connect(&undo_, &QUndoStack::cleanChanged, this, &Document::modified_changed);
+}
+
+QString Document::name() const {
+    if (!project_.path.empty()) return path_text(project_.path.filename());
+    return name_;
+}
+
+void Document::open(Project project, const QString& name, bool unsaved) {
+    project_ = std::move(project);
+    ids_.clear();
+    for (std::size_t i = 0; i < project_.operations.size(); ++i)
+        ids_.push_back(next_id_++);
+    name_ = name;
+    never_saved_ = unsaved;
+    records_.clear();
+    part_ = nullptr;
+    part_key_.clear();
+    undo_.clear();
+    undo_.setClean();
+    emit opened();
+    emit part_changed();
+    emit states_changed();
+    emit modified_changed();
+}
+
+void Document::clear() {
+    open(Project(), QString(), false);
+}
+
+void Document::saved(const std::filesystem::path& path, const std::string& part_file) {
+    // The part is the same file under another name: what was read from it stays current.
+    const bool current = part_is_current();
+    std::vector<bool> good(operation_count());
+    for (std::size_t i = 0; i < good.size(); ++i)
+        if (const auto it = records_.find(ids_[i]); it != records_.end())
+            good[i] = it->second.fingerprint == fingerprint(project_, i);
+    project_.path = path;
+    project_.part.file = part_file;
+    if (current) part_key_ = part_key(project_);
+    for (std::size_t i = 0; i < good.size(); ++i)
+        if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
+    never_saved_ = false;
+    undo_.setClean();
+    emit modified_changed();
+    emit changed();
+}
+
+void Document::change(const QString& what, const std::function<void(Project&)>& edit) {
+    Snapshot after = snapshot();
+    edit(after.project);
+    push(what, std::move(after));
+}
+
+void Document::push(const QString& what, Snapshot after) {
+    undo_.push(new ProjectStep(*this, what, std::make_shared<Snapshot>(snapshot()),
+                               std::make_shared<Snapshot>(std::move(after))));
+}
+
+void Document::restore(const Snapshot& snapshot) {
+    // Where the project lies on disk is no matter of its history.
+    const std::filesystem::path path = project_.path;
+    const std::string part_file = project_.part.file;
+    project_ = snapshot.project;
+    project_.path = path;
+    project_.part.file = part_file;
+    ids_ = snapshot.ids;
+    emit changed();
+    emit states_changed();
+    if (has_part() && part_ && !part_is_current()) emit part_changed();
+}
+
+std::optional<std::size_t> Document::index_of(int id) const {
+    const auto it = std::find(ids_.begin(), ids_.end(), id);
+    if (it == ids_.end()) return std::nullopt;
+    return std::size_t(it - ids_.begin());
+}
+
+std::string Document::free_operation_name(const std::string& wish) const {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(project_.operations.begin(), project_.operations.end(),
+                           [&](const auto& o) { return o->common().name == name; });
+    };
+    if (!taken(wish)) return wish;
+    for (int n = 2;; ++n)
+        if (const std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
+}
+
+void Document::add_operation(const std::string& kind) {
+    Snapshot after = snapshot();
+    auto operation = make_operation(kind);
+    // A new operation starts from the values of the last one of its kind, or at least from its tool.
+    if (!project_.operations.empty()) {
+        const auto& all = project_.operations;
+        const auto like =
+            std::find_if(all.rbegin(), all.rend(), [&](const auto& o) { return o->kind() == kind; });
+        if (like != all.rend())
+            operation = (*like)->clone();
+        else
+            static_cast<OperationCommon&>(operation->common()) = all.back()->common();
+    } else if (!project_.tools.empty()) {
+        operation->common().tool = project_.tools.front().number;
+    }
+    std::string label = kind;
+    for (const auto& k : operation_kinds())
+        if (k.kind == kind) label = k.label;
+    operation->common().name = free_operation_name(label.substr(0, label.find_first_of(",(")));
+    after.project.operations.push_back(std::move(operation));
+    after.ids.push_back(next_id_++);
+    push(tr("Add operation"), std::move(after));
+}
+
+void Document::duplicate_operation(std::size_t i) {
+    Snapshot after = snapshot();
+    auto copy = project_.operations.at(i)->clone();
+    copy->common().name = free_operation_name(copy->common().name);
+    after.project.operations.insert(after.project.operations.begin() + std::ptrdiff_t(i) + 1,
+                                    std::move(copy));
+    after.ids.insert(after.ids.begin() + std::ptrdiff_t(i) + 1, next_id_++);
+    push(tr("Duplicate operation"), std::move(after));
+}
+
+void Document::remove_operation(std::size_t i) {
+    Snapshot after = snapshot();
+    after.project.operations.erase(after.project.operations.begin() + std::ptrdiff_t(i));
+    after.ids.erase(after.ids.begin() + std::ptrdiff_t(i));
+    push(tr("Remove operation"), std::move(after));
+}
+
+void Document::move_operation(std::size_t i, int by) {
+    const auto j = std::ptrdiff_t(i) + by;
+    if (j < 0 || j >= std::ptrdiff_t(operation_count())) return;
+    Snapshot after = snapshot();
+    std::swap(after.project.operations[i], after.project.operations[std::size_t(j)]);
+    std::swap(after.ids[i], after.ids[std::size_t(j)]);
+    push(tr("Move operation"), std::move(after));
+}
+
+long Document::free_tool_number() const {
+    long n = 1;
+    while (std::any_of(project_.tools.begin(), project_.tools.end(),
+                       [&](const Tool& t) { return t.number == n; }))
+        ++n;
+    return n;
+}
+
+void Document::add_tool(const Tool& tool) {
+    change(tr("Add tool"), [&](Project& p) { p.tools.push_back(tool); });
+}
+
+void Document::set_tool(std::size_t i, const Tool& tool) {
+    change(tr("Edit tool"), [&](Project& p) {
+        const long old_number = p.tools.at(i).number;
+        p.tools[i] = tool;
+        for (auto& o : p.operations) // the operations stay with their tool when its number changes
+            if (o->common().tool == old_number) o->common().tool = tool.number;
+    });
+}
+
+void Document::duplicate_tool(std::size_t i) {
+    Tool copy = project_.tools.at(i);
+    copy.number = free_tool_number();
+    change(tr("Duplicate tool"),
+           [&](Project& p) { p.tools.insert(p.tools.begin() + std::ptrdiff_t(i) + 1, copy); });
+}
+
+void Document::remove_tool(std::size_t i) {
+    const Tool& tool = project_.tools.at(i);
+    for (const auto& o : project_.operations)
+        if (o->common().tool == tool.number)
+            throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
+                        "operation '" + o->common().name + "' uses this tool",
+                        "give the operation another tool first");
+    change(tr("Remove tool"), [&](Project& p) { p.tools.erase(p.tools.begin() + std::ptrdiff_t(i)); });
+}
+
+void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::string& key) {
+    part_ = std::move(part);
+    part_key_ = key;
+    emit part_changed();
+    emit states_changed();
+}
+
+std::string Document::part_key(const Project& project) {
+    std::string key = project.part_path().string() + "|" + std::string(unit_name(project.part.unit));
+    for (const auto& three : {project.part.rotate, project.part.translate})
+        for (const double v : three)
+            key += "|" + format_number(v, 17);
+    return key;
+}
+
+std::string Document::fingerprint(const Project& project, std::size_t i) {
+    Project alone;
+    alone.path = project.path;
+    alone.part = project.part;
+    alone.part.file = project.part_path().string();
+    alone.stock = project.stock;
+    alone.machine = project.machine;
+    const Operation& operation = *project.operations.at(i);
+    for (const Tool& t : project.tools)
+        if (t.number == operation.common().tool) alone.tools = {t};
+    alone.operations.push_back(operation.clone());
+    // The unit is left out: it is one of the display and of the files, not of the path.
+    return project_to_json(alone);
+}
+
+OperationState Document::state(std::size_t i) const {
+    const auto it = records_.find(ids_[i]);
+    if (it == records_.end()) return OperationState::not_planned;
+    const Record& record = it->second;
+    if (record.planning) return OperationState::planning;
+    if (!record.result && record.failure.isEmpty()) return OperationState::not_planned;
+    const bool current = record.fingerprint == fingerprint(project_, i);
+    if (!record.failure.isEmpty()) return current ? OperationState::failed : OperationState::not_planned;
+    return current ? OperationState::planned : OperationState::stale;
+}
+
+std::shared_ptr<const OperationResult> Document::result(std::size_t i) const {
+    const auto it = records_.find(ids_[i]);
+    return it == records_.end() ? nullptr : it->second.result;
+}
+
+QString Document::failure(std::size_t i) const {
+    const auto it = records_.find(ids_[i]);
+    return it == records_.end() ? QString() : it->second.failure;
+}
+
+void Document::set_planning(const std::vector<int>& ids) {
+    for (auto& [id, record] : records_)
+        record.planning = false;
+    for (const int id : ids)
+        records_[id].planning = true;
+    emit states_changed();
+}
+
+void Document::take(const std::vector<OperationOutcome>& outcomes) {
+    for (const auto& o : outcomes) {
+        Record& record = records_[o.id];
+        record.result = o.result; // a failed operation has none: an old path beside a failure would mislead
+        record.failure = o.failure;
+        record.fingerprint = o.fingerprint;
+        record.planning = false;
+    }
+    emit states_changed();
+}
+
+std::shared_ptr<const PlanResult> Document::complete_plan() const {
+    if (!part_is_current() || project_.operations.empty()) return nullptr;
+    auto plan = std::make_shared<PlanResult>();
+    plan->part = part_;
+    plan->stock = stock_box(project_.stock, part_->box);
+    for (std::size_t i = 0; i < operation_count(); ++i) {
+        if (state(i) != OperationState::planned) return nullptr;
+        auto copy = std::make_shared<OperationResult>(*result(i));
+        copy->program.unit = project_.unit;
+        plan->operations.push_back(std::move(copy));
+    }
+    return plan;
+}
+
+} // namespace facetmill::ui

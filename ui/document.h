@@ -1,0 +1,135 @@
+// What the workbench works on: the project with its undo history, the part as it was read, and what was
+// planned, with the state of every operation. No widgets; the window listens.
+#pragma once
+
+#include "core/job/planner.h"
+#include "core/job/project.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facetmill::ui {
+
+enum class OperationState { not_planned, planning, planned, stale, failed };
+
+/// What planning one operation came to: a result, or why there is none.
+struct OperationOutcome {
+    int id = 0;
+    std::shared_ptr<const OperationResult> result;
+    QString failure;
+    std::string fingerprint; ///< of everything the result depends on
+};
+
+class Document : public QObject {
+    Q_OBJECT
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    /// False before the first part: an empty window.
+    bool has_part() const { return !project_.part.file.empty(); }
+    const Project& project() const { return project_; }
+    LengthUnit unit() const { return project_.unit; }
+    /// "concave.facetmill", or what an unsaved project is called.
+    QString name() const;
+    bool modified() const { return never_saved_ || !undo_.isClean(); }
+    QUndoStack& undo_stack() { return undo_; }
+
+    /// Takes another project; the history and all results are gone. `name` is shown while the project has no
+    /// path; `unsaved` makes it modified from the start (a project that exists nowhere on disk yet).
+    void open(Project project, const QString& name, bool unsaved);
+    void clear();
+    /// After the project was written to `path` as it is now, with this part entry.
+    void saved(const std::filesystem::path& path, const std::string& part_file);
+
+    /// Changes a copy of the project by `edit` and takes it as one step of the history. Where `edit` throws
+    /// nothing changes.
+    void change(const QString& what, const std::function<void(Project&)>& edit);
+
+    // operations; they keep their id through edits, moves and undo
+    std::size_t operation_count() const { return project_.operations.size(); }
+    const Operation& operation(std::size_t i) const { return *project_.operations[i]; }
+    int operation_id(std::size_t i) const { return ids_[i]; }
+    std::optional<std::size_t> index_of(int id) const;
+    void add_operation(const std::string& kind);
+    void duplicate_operation(std::size_t i);
+    void remove_operation(std::size_t i);
+    /// Moves it up (-1) or down (+1) if it can go there.
+    void move_operation(std::size_t i, int by);
+
+    // tools
+    void add_tool(const Tool& tool);
+    void set_tool(std::size_t i, const Tool& tool);
+    void duplicate_tool(std::size_t i);
+    /// Throws Error(missing_reference) when an operation uses it.
+    void remove_tool(std::size_t i);
+    long free_tool_number() const;
+
+    // the part as read
+    void set_part(std::shared_ptr<const PreparedPart> part, const std::string& key);
+    const std::shared_ptr<const PreparedPart>& part() const { return part_; }
+    /// File, unit and placement: what the mesh depends on.
+    static std::string part_key(const Project& project);
+    /// False when the project says something else than what was read.
+    bool part_is_current() const { return part_ && part_key_ == part_key(project_); }
+
+    // results
+    OperationState state(std::size_t i) const;
+    std::shared_ptr<const OperationResult> result(std::size_t i) const;
+    QString failure(std::size_t i) const;
+    void set_planning(const std::vector<int>& ids);
+    void take(const std::vector<OperationOutcome>& outcomes);
+    /// Everything the result of operation `i` depends on, as text.
+    static std::string fingerprint(const Project& project, std::size_t i);
+    /// The results of all operations in order, in the project's present unit; null when one is missing or
+    /// stale.
+    std::shared_ptr<const PlanResult> complete_plan() const;
+    /// "Finish", or "Finish 2" when that is taken by another operation.
+    std::string free_operation_name(const std::string& wish) const;
+
+signals:
+    /// Another project: everything changed.
+    void opened();
+    /// Values, tools or operations changed; also on undo and redo.
+    void changed();
+    void part_changed();
+    void states_changed();
+    void modified_changed();
+
+private:
+    friend class ProjectStep;
+    struct Snapshot {
+        Project project;
+        std::vector<int> ids;
+    };
+    struct Record {
+        std::shared_ptr<const OperationResult> result;
+        QString failure;
+        std::string fingerprint;
+        bool planning = false;
+    };
+    using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+    void restore(const Snapshot& snapshot);
+    void push(const QString& what, Snapshot after);
+    Snapshot snapshot() const { return {project_, ids_}; }
+
+    Project project_;
+    std::vector<int> ids_;
+    int next_id_ = 1;
+    QString name_;
+    bool never_saved_ = false;
+    QUndoStack undo_;
+    std::shared_ptr<const PreparedPart> part_;
+    std::string part_key_;
+    std::map<int, Record> records_;
+};
+
+} // namespace facetmill::ui

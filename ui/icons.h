@@ -1,0 +1,61 @@
+// The workbench's icons, drawn in code in the colours of the palette they are painted with: sharp at every
+// size, right in the light and in the dark theme, and nothing to find on disk.
+#pragma once
+
+#include <QIcon>
+
+namespace facetmill::ui {
+
+enum class Icon {
+    // files and edits
+    new_project,
+    open,
+    save,
+    export_program,
+    picture,
+    undo,
+    redo,
+    add,
+    remove,
+    duplicate,
+    up,
+    down,
+    reset,
+    edit,
+    close,
+    // jobs
+    plan,
+    cancel,
+    // views
+    fit,
+    view_iso,
+    view_front,
+    view_top,
+    view_right,
+    view_rear,
+    view_bottom,
+    view_left,
+    // the tree
+    part,
+    stock,
+    machine,
+    tools,
+    tool,
+    operations,
+    operation,
+    // states
+    not_planned,
+    planning,
+    planned,
+    stale,
+    failed,
+    information,
+    warning,
+    error,
+};
+
+QIcon icon(Icon which);
+/// A facet with a cutter over it.
+QIcon application_icon();
+
+} // namespace facetmill::ui

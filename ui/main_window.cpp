@@ -1,0 +1,366 @@
+#include "ui/main_window.h"
+
+#include "ui/icons.h"
+#include "ui/layer_bar.h"
+#include "ui/log_view.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/report_view.h"
+#include "ui/settings.h"
+#include "ui/start_hint.h"
+#include "ui/text.h"
+#include "ui/view_cube.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QScreen>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace facetmill::ui {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setObjectName(QStringLiteral("main_window"));
+    setWindowIcon(application_icon());
+    setAcceptDrops(true);
+    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks
+                   | QMainWindow::AllowNestedDocks);
+    sample_folder_ =
+        QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/samples");
+
+    auto* centre = new QWidget(this);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    message_ = new MessageBar(centre);
+    viewport_ = new Viewport(centre);
+    viewport_->setObjectName(QStringLiteral("viewport"));
+    layers_ = new LayerBar(centre);
+    column->addWidget(message_);
+    column->addWidget(viewport_, 1);
+    column->addWidget(layers_);
+    setCentralWidget(centre);
+
+    build_docks();
+    build_actions();
+    build_menus();
+    build_status_bar();
+    hint_ = new StartHint(sample_menu_, viewport_);
+    connect(hint_, &StartHint::open_requested, this, &MainWindow::open_with_dialog);
+    connect_parts();
+
+    Scene& scene = viewport_->scene();
+    scene.set_visible(Layer::title, false); // the window has one
+    layers_->apply(scene);
+    set_theme(settings::theme());
+    restore_window();
+    update_title();
+    update_actions();
+}
+
+MainWindow::~MainWindow() {
+    // The view holds the graphics context's resources; it goes while the window still is one.
+    delete takeCentralWidget();
+}
+
+void MainWindow::build_docks() {
+    const auto dock = [this](const QString& title, const char* name, QWidget* content,
+                             Qt::DockWidgetArea area) {
+        auto* d = new QDockWidget(title, this);
+        d->setObjectName(QLatin1String(name));
+        d->setWidget(content);
+        addDockWidget(area, d);
+        return d;
+    };
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    tree_ = new ProjectTree(document_, this);
+    properties_ = new PropertiesPanel(document_, this);
+    report_ = new ReportView(document_, this);
+    log_ = new LogView(this);
+    project_dock_ = dock(tr("Project"), "project_dock", tree_, Qt::LeftDockWidgetArea);
+    properties_dock_ = dock(tr("Parameters"), "properties_dock", properties_, Qt::LeftDockWidgetArea);
+    report_dock_ = dock(tr("Report"), "report_dock", report_, Qt::RightDockWidgetArea);
+    log_dock_ = dock(tr("Log"), "log_dock", log_, Qt::BottomDockWidgetArea);
+}
+
+void MainWindow::build_status_bar() {
+    auto* bar = statusBar();
+    activity_ = new QLabel(tr("Ready"), this);
+    activity_->setObjectName(QStringLiteral("activity"));
+    activity_->setMinimumWidth(90);
+    progress_ = new QProgressBar(this);
+    progress_->setObjectName(QStringLiteral("progress"));
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(true);
+    progress_->setFixedWidth(150);
+    progress_->setMaximumHeight(16);
+    cancel_button_ = new QToolButton(this);
+    cancel_button_->setObjectName(QStringLiteral("cancel_button"));
+    cancel_button_->setDefaultAction(cancel_);
+    cancel_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    cancel_button_->setIconSize(QSize(14, 14));
+    readout_ = new QLabel(this);
+    readout_->setObjectName(QStringLiteral("readout"));
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    unit_box_ = new QComboBox(this);
+    unit_box_->setObjectName(QStringLiteral("unit"));
+    unit_box_->addItems({QStringLiteral("mm"), QStringLiteral("in")});
+    unit_box_->setToolTip(tr("Unit of the project: of all fields, reports and written programs"));
+    unit_box_->setFocusPolicy(Qt::TabFocus);
+    connect(unit_box_, &QComboBox::activated, this,
+            [this](int i) { set_unit(i == 1 ? LengthUnit::inch : LengthUnit::mm); });
+    bar->addWidget(activity_);
+    bar->addWidget(progress_);
+    bar->addWidget(cancel_button_);
+    bar->addWidget(readout_, 1);
+    bar->addPermanentWidget(unit_box_);
+    progress_->hide();
+    cancel_button_->hide();
+}
+
+void MainWindow::connect_parts() {
+    connect(tree_, &ProjectTree::selection_changed, this, [this] {
+        properties_->show_node(tree_->selected());
+        report_->show_node(tree_->selected());
+        update_actions();
+    });
+    connect(tree_, &ProjectTree::refused, this,
+            [this](const QString& why) { tell(MessageBar::Kind::warning, why); });
+    connect(tree_, &ProjectTree::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
+    connect(tree_, &ProjectTree::new_tool, this, [this] { edit_tool(std::nullopt); });
+    connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
+    connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
+    connect(layers_, &LayerBar::toggled, this, [this] {
+        layers_->apply(viewport_->scene());
+        viewport_->refresh();
+    });
+
+    connect(&document_, &Document::opened, this, [this] {
+        hide_tool();
+        viewport_->scene().set_part(PartDisplayPtr());
+        viewport_->scene().set_stock(Box3());
+        viewport_->scene().set_unit(document_.unit());
+        hint_->setVisible(!document_.has_part());
+        message_->dismiss();
+        refresh_paths();
+        viewport_->refresh();
+        update_title();
+    });
+    connect(&document_, &Document::changed, this, [this] {
+        viewport_->scene().set_unit(document_.unit());
+        show_stock();
+        refresh_paths();
+        viewport_->refresh();
+        update_actions();
+        update_title();
+    });
+    connect(&document_, &Document::part_changed, this, [this] {
+        if (document_.has_part() && document_.part() && !document_.part_is_current()) reload_part();
+        update_actions();
+    });
+    connect(&document_, &Document::states_changed, this, [this] {
+        refresh_paths();
+        update_actions();
+    });
+    connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
+
+    connect(&job_, &BackgroundJob::started, this, [this](const QString& title) {
+        activity_->setText(title);
+        progress_->setValue(0);
+        progress_->show();
+        cancel_button_->show();
+        update_actions();
+    });
+    connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, const QString& label) {
+        progress_->setValue(int(fraction * 1000));
+        if (job_.cancelling())
+            activity_->setText(tr("Cancelling…"));
+        else if (!label.isEmpty())
+            activity_->setText(elided(label, 40));
+    });
+    connect(&job_, &BackgroundJob::ended, this, &MainWindow::ended);
+    connect(&display_job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
+        if (end.how == JobEnd::How::failed) fail(end.message);
+        check_settled();
+    });
+
+    connect(viewport_, &Viewport::path_picked, this, &MainWindow::show_tool_at);
+    connect(viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
+        viewport_->scene().set_marker(Marker{pick.point, pick.normal});
+        viewport_->refresh();
+    });
+    connect(viewport_, &Viewport::nothing_picked, this, [this] {
+        viewport_->scene().set_marker(std::nullopt);
+        viewport_->refresh();
+    });
+    connect(viewport_, &Viewport::hovered, this, [this](const std::optional<PartPick>& pick) {
+        if (!pick) {
+            readout_->setText(readout_text_);
+            return;
+        }
+        const double mm = mm_per(document_.unit());
+        const auto number = [&](double v) {
+            return QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3);
+        };
+        readout_->setText(QStringLiteral("x %1   y %2   z %3 %4")
+                              .arg(number(pick->point.x()), number(pick->point.y()), number(pick->point.z()),
+                                   text(unit_name(document_.unit()))));
+    });
+    connect(viewport_, &Viewport::menu_requested, this, [this](const QPoint& at) { view_menu_->popup(at); });
+    connect(viewport_, &Viewport::unavailable, this, &MainWindow::fail, Qt::QueuedConnection);
+}
+
+void MainWindow::restore_window() {
+    const QSize screen = QApplication::primaryScreen()->availableSize();
+    resize(std::min(1280, screen.width()), std::min(800, screen.height()));
+    resizeDocks({project_dock_, properties_dock_}, {230, 420}, Qt::Vertical);
+    resizeDocks({project_dock_, report_dock_}, {280, 250}, Qt::Horizontal);
+    resizeDocks({log_dock_}, {96}, Qt::Vertical);
+    if (screen.width() < 1000) {
+        // A small screen: the report shares a place with the parameters.
+        tabifyDockWidget(properties_dock_, report_dock_);
+        properties_dock_->raise();
+    }
+    restoreGeometry(settings::window_geometry());
+    restoreState(settings::window_state());
+}
+
+void MainWindow::update_title() {
+    const QString name = document_.name();
+    setWindowTitle(name.isEmpty()
+                       ? QStringLiteral("Facetmill")
+                       : QStringLiteral("%1%2 – Facetmill")
+                             .arg(elided(name, 60), document_.modified() ? QStringLiteral("*") : QString()));
+    setWindowModified(document_.modified());
+}
+
+void MainWindow::update_actions() {
+    const bool idle = !job_.running(), has_part = document_.has_part();
+    new_->setEnabled(has_part);
+    save_->setEnabled(has_part);
+    save_as_->setEnabled(has_part);
+    plan_->setEnabled(idle && has_part && document_.operation_count() > 0);
+    export_->setEnabled(idle && has_part);
+    picture_->setEnabled(has_part);
+    cancel_->setEnabled(!idle && !job_.cancelling());
+    for (QAction* a : view_actions_)
+        a->setEnabled(has_part);
+    unit_box_->setCurrentIndex(document_.unit() == LengthUnit::inch ? 1 : 0);
+    unit_box_->setEnabled(has_part);
+    for (std::size_t i = 0; i < unit_actions_.size(); ++i) {
+        unit_actions_[i]->setChecked((i == 1) == (document_.unit() == LengthUnit::inch));
+        unit_actions_[i]->setEnabled(has_part);
+    }
+}
+
+void MainWindow::set_theme(Theme theme) {
+    apply_theme(*qApp, theme);
+    const bool dark = is_dark(QApplication::palette());
+    viewport_->scene().set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
+    viewport_->view_cube()->update();
+    viewport_->refresh();
+    for (std::size_t i = 0; i < theme_actions_.size(); ++i)
+        theme_actions_[i]->setChecked(i == std::size_t(theme));
+}
+
+void MainWindow::set_unit(LengthUnit unit) {
+    if (!document_.has_part() || unit == document_.unit()) return;
+    if (!properties_->commit()) {
+        update_actions(); // the box goes back
+        tell(MessageBar::Kind::warning,
+             tr("A parameter is not valid: correct it before the unit is changed."));
+        return;
+    }
+    document_.change(tr("Change unit"), [unit](Project& p) { p.unit = unit; });
+}
+
+void MainWindow::tell(MessageBar::Kind kind, const QString& message, bool in_bar) {
+    log_->add(kind, message);
+    if (in_bar) message_->show_message(kind, message);
+}
+
+void MainWindow::fail(const QString& message) {
+    last_failure_ = message;
+    tell(MessageBar::Kind::error, sentence(message));
+}
+
+void MainWindow::cancel() {
+    job_.cancel();
+    activity_->setText(tr("Cancelling…"));
+    update_actions();
+}
+
+void MainWindow::ended(const JobEnd& end) {
+    progress_->hide();
+    cancel_button_->hide();
+    activity_->setText(tr("Ready"));
+    if (end.how == JobEnd::How::failed)
+        fail(end.message);
+    else if (end.how == JobEnd::How::cancelled)
+        tell(MessageBar::Kind::information, tr("Cancelled."), false);
+    update_actions();
+    check_settled();
+}
+
+bool MainWindow::busy() const {
+    return job_.running() || display_job_.running();
+}
+
+void MainWindow::check_settled() {
+    if (settling_) return;
+    settling_ = true;
+    // What follows a job may start another one: looked at after all of it.
+    QTimer::singleShot(0, this, [this] {
+        settling_ = false;
+        if (!busy()) emit settled();
+    });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!may_discard()) {
+        event->ignore();
+        return;
+    }
+    job_.cancel();
+    settings::set_window(saveGeometry(), saveState());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.isEmpty() || !urls.front().isLocalFile()) return;
+    event->acceptProposedAction();
+    // The source of the drag waits for this event: questions come after it.
+    const QString path = urls.front().toLocalFile();
+    QTimer::singleShot(0, this, [this, path] { open_file(path); });
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (tool_at_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
+        const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+        step_tool(event->key() == Qt::Key_Left ? -by : by);
+        return;
+    }
+    QMainWindow::keyPressEvent(event);
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,172 @@
+// The workbench's window: the view in the middle, project and parameters on the left, the report on the
+// right, the log below. Long work runs in two background jobs: one that reads, plans and writes (with the
+// Planner, so one at a time), and one that makes planned paths ready to be drawn.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/document.h"
+#include "ui/icons.h"
+#include "ui/message_bar.h"
+#include "ui/theme.h"
+#include "viz/scene.h"
+
+#include <QMainWindow>
+
+#include <filesystem>
+#include <optional>
+
+class QAction;
+class QComboBox;
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QToolButton;
+
+namespace facetmill::ui {
+
+class LayerBar;
+class LogView;
+class ProjectTree;
+class PropertiesPanel;
+class ReportView;
+class StartHint;
+class ToolDialog;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a project or a mesh, after asking what to do with unsaved changes. `unit` answers the question
+    /// in which unit a mesh is; without it the user is asked.
+    void open_file(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
+    void new_from_sample(const std::string& name);
+    /// Plans all operations, or one.
+    void plan(std::optional<std::size_t> only = std::nullopt);
+    void cancel();
+    /// Writes to `path`; false when that failed, with the reason in the window.
+    bool save_to(const QString& path);
+    /// Writes APT programs and report.json into `folder`, in the background.
+    void export_to(const QString& folder);
+    bool save_picture(const QString& path);
+    void set_theme(Theme theme);
+    void set_unit(LengthUnit unit);
+
+    /// True while a job runs or a picture is due.
+    bool busy() const;
+    /// The last thing that failed, until something succeeds.
+    const QString& last_failure() const { return last_failure_; }
+
+    Document& document() { return document_; }
+    Viewport& viewport() { return *viewport_; }
+    ProjectTree& tree() { return *tree_; }
+    PropertiesPanel& properties() { return *properties_; }
+    LayerBar& layers() { return *layers_; }
+    MessageBar& message_bar() { return *message_; }
+    ReportView& report() { return *report_; }
+    BackgroundJob& job() { return job_; }
+
+signals:
+    /// The window is through with what it was asked to do.
+    void settled();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct LoadedPart {
+        std::shared_ptr<const PreparedPart> part;
+        PartDisplayPtr display;
+        std::string key;
+    };
+    struct PlanWork;
+
+    // main_window.cpp
+    void build_docks();
+    void build_status_bar();
+    void connect_parts();
+    void update_title();
+    void update_actions();
+    void restore_window();
+    void tell(MessageBar::Kind kind, const QString& message, bool in_bar = true);
+    void fail(const QString& message);
+    void ended(const JobEnd& end);
+    void check_settled();
+
+    // main_window_actions.cpp
+    void build_actions();
+    void build_menus();
+    QAction* add_action(std::optional<Icon> icon, const QString& text, const QKeySequence& key,
+                        const char* name, const std::function<void()>& run);
+    void show_shortcuts();
+    void show_about();
+    void fill_recent_menu();
+
+    // main_window_files.cpp
+    bool may_discard();
+    void open_with_dialog();
+    void open_project(const std::filesystem::path& path);
+    void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
+    void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
+    void ask_unit(const std::filesystem::path& path, LoadedPart loaded);
+    void take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
+                   const QString& name);
+    void close_project();
+    bool save();
+    bool save_as();
+    void export_with_dialog();
+    void picture_with_dialog();
+
+    // main_window_plan.cpp
+    static LoadedPart load_part(Planner& planner, const Project& project, const Progress& progress);
+    void reload_part();
+    void show_part(const LoadedPart& loaded, bool new_view);
+    void show_stock();
+    void planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end);
+    void refresh_paths();
+    void show_tool_at(const PathPick& pick);
+    void show_start_of_path();
+    void hide_tool();
+    void step_tool(int by);
+    void edit_tool(std::optional<std::size_t> index);
+
+    Document document_;
+    std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
+
+    Viewport* viewport_ = nullptr;
+    StartHint* hint_ = nullptr;
+    ProjectTree* tree_ = nullptr;
+    PropertiesPanel* properties_ = nullptr;
+    ReportView* report_ = nullptr;
+    LogView* log_ = nullptr;
+    LayerBar* layers_ = nullptr;
+    MessageBar* message_ = nullptr;
+    QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
+                *log_dock_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QLabel *activity_ = nullptr, *readout_ = nullptr;
+    QToolButton* cancel_button_ = nullptr;
+    QComboBox* unit_box_ = nullptr;
+    QMenu *recent_menu_ = nullptr, *sample_menu_ = nullptr, *view_menu_ = nullptr;
+    QAction *new_ = nullptr, *open_ = nullptr, *save_ = nullptr, *save_as_ = nullptr, *export_ = nullptr,
+            *picture_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *cancel_ = nullptr,
+            *fit_ = nullptr;
+    std::vector<QAction*> theme_actions_, unit_actions_, view_actions_;
+
+    QString last_failure_, sample_folder_, readout_text_;
+    std::vector<std::shared_ptr<const OperationResult>>
+        shown_results_; ///< in the order of the scene's path sources
+    std::vector<int> shown_ids_;
+    std::optional<PathPick> tool_at_;
+    bool settling_ = false;
+    // Last, so that they end first: their work uses the planner.
+    BackgroundJob job_, display_job_;
+};
+
+} // namespace facetmill::ui

@@ -1,0 +1,310 @@
+// Planning and showing what was planned.
+#include "ui/main_window.h"
+
+#include "ui/layer_bar.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/text.h"
+#include "ui/tool_dialog.h"
+#include "ui/viewport.h"
+
+#include <QLabel>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+/// One planning job: what it plans from, and what it came to.
+struct MainWindow::PlanWork {
+    Project project;
+    std::vector<std::size_t> wanted; ///< places of the operations
+    std::vector<int> ids;            ///< their ids in the document
+    std::vector<OperationOutcome> outcomes;
+    LoadedPart part; ///< only when the part had to be read again
+    bool read_part = false;
+};
+
+MainWindow::LoadedPart MainWindow::load_part(Planner& planner, const Project& project,
+                                             const Progress& progress) {
+    LoadedPart loaded;
+    loaded.part = planner.prepare(project, progress.part(0, 0.7, "Reading the part"));
+    loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 1, "Preparing the view"));
+    loaded.key = Document::part_key(project);
+    return loaded;
+}
+
+void MainWindow::reload_part() {
+    if (!document_.has_part()) return;
+    const bool first = !document_.part();
+    auto loaded = std::make_shared<LoadedPart>();
+    job_.start(
+        tr("Reading %1").arg(elided(path_text(document_.project().part_path().filename()), 30)),
+        [loaded, project = document_.project(), planner = planner_](const Progress& p) {
+            *loaded = load_part(*planner, project, p);
+        },
+        [this, loaded, first](const JobEnd& end) {
+            if (end.done()) show_part(*loaded, first);
+        });
+}
+
+void MainWindow::show_part(const LoadedPart& loaded, bool new_view) {
+    viewport_->scene().set_part(loaded.display);
+    document_.set_part(loaded.part, loaded.key);
+    show_stock();
+    if (new_view)
+        viewport_->set_view(StandardView::iso);
+    else
+        viewport_->refresh();
+}
+
+void MainWindow::show_stock() {
+    const auto& part = document_.part();
+    viewport_->scene().set_stock(part ? stock_box(document_.project().stock, part->box) : Box3());
+}
+
+void MainWindow::plan(std::optional<std::size_t> only) {
+    if (job_.running() || !document_.has_part()) return;
+    if (!properties_->commit()) {
+        tell(MessageBar::Kind::warning, tr("A parameter is not valid: correct it, then plan."));
+        return;
+    }
+    if (document_.operation_count() == 0) {
+        tell(MessageBar::Kind::warning, tr("There is no operation to plan: add one below the project tree."));
+        return;
+    }
+    auto work = std::make_shared<PlanWork>();
+    work->project = document_.project();
+    for (std::size_t i = 0; i < document_.operation_count(); ++i)
+        if (!only || *only == i) {
+            work->wanted.push_back(i);
+            work->ids.push_back(document_.operation_id(i));
+        }
+    work->read_part = !document_.part_is_current();
+    message_->dismiss();
+    document_.set_planning(work->ids);
+    job_.start(
+        tr("Planning"),
+        [work, planner = planner_](const Progress& progress) {
+            double from = 0;
+            if (work->read_part) {
+                work->part = load_part(*planner, work->project, progress.part(0, 0.2));
+                from = 0.2;
+            }
+            check_project(work->project);
+            const double share = (1 - from) / double(work->wanted.size());
+            for (std::size_t k = 0; k < work->wanted.size(); ++k) {
+                const std::size_t i = work->wanted[k];
+                const std::string name = work->project.operations[i]->common().name;
+                OperationOutcome outcome;
+                outcome.id = work->ids[k];
+                outcome.fingerprint = Document::fingerprint(work->project, i);
+                try {
+                    const auto result = planner->plan(
+                        work->project, name,
+                        progress.part(from + share * double(k), from + share * double(k + 1), name));
+                    outcome.result = result->operations.at(0);
+                } catch (const Error& e) {
+                    outcome.failure = text(e.what()); // the other operations may still be planned
+                }
+                work->outcomes.push_back(std::move(outcome));
+            }
+        },
+        [this, work](const JobEnd& end) { planned(work, end); });
+}
+
+void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end) {
+    document_.set_planning({});
+    if (!end.done()) return; // nothing was taken over: the states are what they were
+    if (work->read_part && Document::part_key(document_.project()) == work->part.key)
+        show_part(work->part, false);
+    // Operations that were removed in the meantime are forgotten.
+    std::erase_if(work->outcomes, [this](const OperationOutcome& o) { return !document_.index_of(o.id); });
+    document_.take(work->outcomes);
+    QStringList failures;
+    for (const OperationOutcome& o : work->outcomes) {
+        const QString name = text(document_.operation(*document_.index_of(o.id)).common().name);
+        if (!o.result) {
+            failures << (o.failure.contains(name) ? o.failure : name + QStringLiteral(": ") + o.failure);
+            continue;
+        }
+        tell(MessageBar::Kind::information,
+             tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.")
+                 .arg(name, duration_text(o.result->seconds_planning),
+                      count_text(std::size_t(o.result->path.drive_planes)),
+                      length_text(o.result->totals.cut_length, document_.unit(), 5),
+                      duration_text(o.result->totals.time_seconds)),
+             false);
+        for (const std::string& warning : o.result->path.warnings)
+            tell(MessageBar::Kind::warning, name + QStringLiteral(": ") + text(warning), false);
+    }
+    if (failures.isEmpty())
+        last_failure_.clear();
+    else
+        fail(failures.join(QChar('\n')));
+    // The report of what was planned is what one wants to see now.
+    const auto node = tree_->selected();
+    const bool on_operation = node && node->kind == TreeNode::Kind::operation;
+    if (!on_operation && !work->wanted.empty())
+        tree_->select({TreeNode::Kind::operation, work->wanted.front()});
+}
+
+void MainWindow::refresh_paths() {
+    std::vector<std::shared_ptr<const OperationResult>> results;
+    std::vector<int> ids;
+    for (std::size_t i = 0; i < document_.operation_count(); ++i)
+        if (const auto result = document_.result(i)) {
+            results.push_back(result);
+            ids.push_back(document_.operation_id(i));
+        }
+    if (results == shown_results_) {
+        shown_ids_ = ids;
+        return;
+    }
+    shown_results_ = results;
+    shown_ids_ = ids;
+    hide_tool();
+    if (results.empty()) {
+        display_job_.cancel();
+        viewport_->scene().set_path(nullptr);
+        viewport_->refresh();
+        return;
+    }
+    auto display = std::make_shared<PathDisplayPtr>();
+    display_job_.start(
+        tr("Drawing the path"),
+        [display, results](const Progress& p) {
+            std::vector<PathSource> sources;
+            for (const auto& r : results)
+                sources.push_back(path_source(r));
+            *display = prepare_path_display(std::move(sources), p);
+        },
+        [this, display, results](const JobEnd& end) {
+            if (!end.done() || results != shown_results_) return;
+            viewport_->scene().set_path(*display);
+            show_start_of_path();
+            viewport_->refresh();
+        });
+}
+
+void MainWindow::show_start_of_path() {
+    for (std::size_t source = 0; source < shown_results_.size(); ++source) {
+        const auto& motions = shown_results_[source]->program.motions.motions;
+        const auto first = std::find_if(motions.begin(), motions.end(),
+                                        [](const Motion& m) { return m.kind == MotionKind::cut; });
+        if (first == motions.end()) continue;
+        PathPick pick;
+        pick.source = source;
+        pick.motion = std::size_t(first - motions.begin());
+        pick.pass = first->pass;
+        pick.point = first->point;
+        pick.position = first->to.tip;
+        pick.location = first->to;
+        show_tool_at(pick);
+        return;
+    }
+}
+
+void MainWindow::show_tool_at(const PathPick& pick) {
+    if (pick.source >= shown_ids_.size()) return;
+    const auto index = document_.index_of(shown_ids_[pick.source]);
+    if (!index) return;
+    const Operation& operation = document_.operation(*index);
+    Scene& scene = viewport_->scene();
+    try {
+        scene.set_tool(document_.project().tool_of(operation));
+        scene.set_tool_pose(pick.location);
+    } catch (const Error&) {
+        hide_tool(); // the operation's tool was changed into none since it was planned
+        return;
+    }
+    tool_at_ = pick;
+    const StrategyResult& path = shown_results_[pick.source]->path;
+    const bool has_contact = pick.pass < path.passes.size() && pick.point < path.passes[pick.pass].cc.size();
+    const double mm = mm_per(document_.unit());
+    const auto place = [&](const Vec3& v) {
+        const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
+        return QStringLiteral("%1, %2, %3")
+            .arg(QString::number(v.x() / mm, 'f', digits), QString::number(v.y() / mm, 'f', digits),
+                 QString::number(v.z() / mm, 'f', digits));
+    };
+    QString readout = text(operation.common().name);
+    if (has_contact) {
+        const CutterContact& cc = path.passes[pick.pass].cc[pick.point];
+        scene.set_marker(Marker{cc.point, cc.normal});
+        readout += tr("   pass %1, point %2   CC %3   CL %4 %5")
+                       .arg(pick.pass + 1)
+                       .arg(pick.point + 1)
+                       .arg(place(cc.point), place(pick.location.tip), text(unit_name(document_.unit())));
+    } else {
+        scene.set_marker(std::nullopt);
+        readout += tr("   CL %1 %2").arg(place(pick.location.tip), text(unit_name(document_.unit())));
+    }
+    readout_text_ = readout;
+    readout_->setText(readout);
+    readout_->setToolTip(readout);
+    viewport_->refresh();
+}
+
+void MainWindow::hide_tool() {
+    tool_at_.reset();
+    readout_text_.clear();
+    readout_->clear();
+    readout_->setToolTip({});
+    viewport_->scene().set_tool(std::nullopt);
+    viewport_->scene().set_tool_pose(std::nullopt);
+    viewport_->scene().set_marker(std::nullopt);
+}
+
+void MainWindow::step_tool(int by) {
+    if (!tool_at_ || tool_at_->source >= shown_results_.size()) return;
+    const auto& motions = shown_results_[tool_at_->source]->program.motions.motions;
+    if (motions.empty()) return;
+    std::size_t at = tool_at_->motion;
+    if (at >= motions.size()) {
+        // A contact was picked: its motion is the one that cuts it.
+        const auto it = std::find_if(motions.begin(), motions.end(), [this](const Motion& m) {
+            return m.pass == tool_at_->pass && m.point == tool_at_->point;
+        });
+        at = it == motions.end() ? 0 : std::size_t(it - motions.begin());
+    }
+    const auto last = std::ptrdiff_t(motions.size()) - 1;
+    const auto next = std::size_t(std::clamp<std::ptrdiff_t>(std::ptrdiff_t(at) + by, 0, last));
+    PathPick pick;
+    pick.source = tool_at_->source;
+    pick.motion = next;
+    pick.pass = motions[next].pass;
+    pick.point = motions[next].point;
+    pick.position = motions[next].to.tip;
+    pick.location = motions[next].to;
+    show_tool_at(pick);
+}
+
+void MainWindow::edit_tool(std::optional<std::size_t> index) {
+    if (!document_.has_part()) return;
+    const auto& tools = document_.project().tools;
+    Tool tool;
+    std::vector<long> taken;
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        if (!index || i != *index) taken.push_back(tools[i].number);
+    if (index) {
+        if (*index >= tools.size()) return;
+        tool = tools[*index];
+    } else {
+        if (!tools.empty()) tool = tools.back();
+        tool.number = document_.free_tool_number();
+        tool.name = tr("Tool %1").arg(tool.number).toStdString();
+    }
+    auto* dialog = new ToolDialog(tool, document_.unit(), taken, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, index] {
+        if (index && *index < document_.project().tools.size())
+            document_.set_tool(*index, dialog->tool());
+        else
+            document_.add_tool(dialog->tool());
+        const std::size_t at = index ? *index : document_.project().tools.size() - 1;
+        tree_->select({TreeNode::Kind::tool, at});
+    });
+    dialog->open();
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,290 @@
+#include "ui/parameter_editor.h"
+
+#include "ui/text.h"
+#include "ui/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+namespace facetmill::ui {
+
+namespace {
+
+void mark_line(QWidget* widget, bool invalid) {
+    QPalette palette;
+    if (invalid) {
+        const QPalette base = widget->parentWidget() ? widget->parentWidget()->palette() : QPalette();
+        const QColor bad = signal_colours(base).bad;
+        const QColor ground = base.color(QPalette::Base);
+        palette = base;
+        palette.setColor(QPalette::Text, bad);
+        palette.setColor(QPalette::Base,
+                         QColor((ground.red() * 5 + bad.red()) / 6, (ground.green() * 5 + bad.green()) / 6,
+                                (ground.blue() * 5 + bad.blue()) / 6));
+    }
+    widget->setPalette(palette);
+}
+
+/// A wheel turned to scroll the form must not change the combo box under the pointer.
+class WheelGuard : public QObject {
+public:
+    explicit WheelGuard(QWidget* widget) : QObject(widget) {
+        widget->setFocusPolicy(Qt::StrongFocus);
+        widget->installEventFilter(this);
+    }
+    bool eventFilter(QObject* object, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(object)->hasFocus()) return false;
+        event->ignore();
+        return true;
+    }
+};
+
+/// number, integer, text; with `parts` 2 or 3 also pair and triple.
+class LineEditor : public ParameterEditor {
+public:
+    LineEditor(const ParameterInfo& info, int parts, QWidget* parent) : info_(info) {
+        setParent(parent);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(4);
+        for (int i = 0; i < parts; ++i) {
+            auto* line = new QLineEdit(this);
+            line->setObjectName(text(info.key) + (parts > 1 ? QString::number(i) : QString()));
+            line->setMinimumWidth(parts > 1 ? 36 : 60);
+            line->setMaxLength(200);
+            connect(line, &QLineEdit::textEdited, this, [this] {
+                touched_ = true;
+                emit changed();
+            });
+            connect(line, &QLineEdit::editingFinished, this, &ParameterEditor::finished);
+            row->addWidget(line);
+            lines_.push_back(line);
+        }
+        setFocusProxy(lines_.front());
+    }
+
+    void show_value(const ParameterValue& value, LengthUnit unit) override {
+        touched_ = false;
+        std::vector<QString> shown;
+        if (const auto* d = std::get_if<double>(&value))
+            shown = {shown_number(*d, info_, unit)};
+        else if (const auto* p = std::get_if<std::array<double, 2>>(&value))
+            for (const double v : *p)
+                shown.push_back(shown_number(v, info_, unit));
+        else if (const auto* t = std::get_if<std::array<double, 3>>(&value))
+            for (const double v : *t)
+                shown.push_back(shown_number(v, info_, unit));
+        else
+            shown = {text(info_.value_text(value, unit))};
+        for (std::size_t i = 0; i < lines_.size() && i < shown.size(); ++i)
+            if (lines_[i]->text() != shown[i]) {
+                lines_[i]->setText(shown[i]);
+                lines_[i]->setCursorPosition(0);
+            }
+    }
+    QString entered() const override {
+        QStringList parts;
+        for (const auto* line : lines_)
+            parts << line->text();
+        return parts.join(QStringLiteral(", "));
+    }
+    bool touched() const override { return touched_; }
+    void mark(bool invalid) override {
+        for (auto* line : lines_)
+            mark_line(line, invalid);
+    }
+
+private:
+    const ParameterInfo& info_;
+    std::vector<QLineEdit*> lines_;
+    bool touched_ = false;
+};
+
+/// number_or_word: a combo box to type into, with the words as its items.
+class NumberOrWordEditor : public ParameterEditor {
+public:
+    NumberOrWordEditor(const ParameterInfo& info, QWidget* parent) : info_(info) {
+        setParent(parent);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(0, 0, 0, 0);
+        combo_ = new QComboBox(this);
+        combo_->setObjectName(text(info.key));
+        combo_->setEditable(true);
+        combo_->setInsertPolicy(QComboBox::NoInsert);
+        combo_->setMinimumContentsLength(6);
+        combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        combo_->lineEdit()->setMaxLength(200);
+        for (const auto& word : info.words)
+            combo_->addItem(text(word));
+        new WheelGuard(combo_);
+        connect(combo_->lineEdit(), &QLineEdit::textEdited, this, [this] {
+            touched_ = true;
+            emit changed();
+        });
+        connect(combo_, &QComboBox::activated, this, [this] {
+            touched_ = true;
+            emit changed();
+            emit finished();
+        });
+        connect(combo_->lineEdit(), &QLineEdit::editingFinished, this, &ParameterEditor::finished);
+        row->addWidget(combo_);
+        setFocusProxy(combo_);
+    }
+    void show_value(const ParameterValue& value, LengthUnit unit) override {
+        touched_ = false;
+        if (const auto* d = std::get_if<double>(&value))
+            combo_->setEditText(shown_number(*d, info_, unit));
+        else
+            combo_->setEditText(text(std::get<std::string>(value)));
+        combo_->lineEdit()->setCursorPosition(0);
+    }
+    QString entered() const override { return combo_->currentText(); }
+    bool touched() const override { return touched_; }
+    void mark(bool invalid) override { mark_line(combo_->lineEdit(), invalid); }
+
+private:
+    const ParameterInfo& info_;
+    QComboBox* combo_ = nullptr;
+    bool touched_ = false;
+};
+
+/// choice, and anything that was given a fixed set.
+class ChoiceEditor : public ParameterEditor {
+public:
+    ChoiceEditor(const ParameterInfo& info, const std::vector<FormChoice>& choices, QWidget* parent)
+        : info_(info) {
+        setParent(parent);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(0, 0, 0, 0);
+        combo_ = new QComboBox(this);
+        combo_->setObjectName(text(info.key));
+        combo_->setMinimumContentsLength(6);
+        combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        for (const auto& choice : choices)
+            combo_->addItem(choice.label, text(info.value_text(choice.value, LengthUnit::mm)));
+        new WheelGuard(combo_);
+        connect(combo_, &QComboBox::activated, this, [this] {
+            touched_ = true;
+            emit changed();
+            emit finished();
+        });
+        row->addWidget(combo_);
+        setFocusProxy(combo_);
+    }
+    void show_value(const ParameterValue& value, LengthUnit) override {
+        touched_ = false;
+        const QString entry = text(info_.value_text(value, LengthUnit::mm));
+        int index = combo_->findData(entry);
+        if (index < 0) {
+            // A value that refers to nothing (a tool that is not there) is shown, not replaced in silence.
+            combo_->insertItem(0, entry + QStringLiteral(" (missing)"), entry);
+            index = 0;
+        }
+        combo_->setCurrentIndex(index);
+    }
+    QString entered() const override { return combo_->currentData().toString(); }
+    bool touched() const override { return touched_; }
+    void mark(bool invalid) override { mark_line(combo_, invalid); }
+
+private:
+    const ParameterInfo& info_;
+    QComboBox* combo_ = nullptr;
+    bool touched_ = false;
+};
+
+class BooleanEditor : public ParameterEditor {
+public:
+    BooleanEditor(const ParameterInfo& info, QWidget* parent) {
+        setParent(parent);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(0, 0, 0, 0);
+        box_ = new QCheckBox(this);
+        box_->setObjectName(text(info.key));
+        connect(box_, &QCheckBox::clicked, this, [this] {
+            touched_ = true;
+            emit changed();
+            emit finished();
+        });
+        row->addWidget(box_);
+        setFocusProxy(box_);
+    }
+    void show_value(const ParameterValue& value, LengthUnit) override {
+        touched_ = false;
+        box_->setChecked(std::get<bool>(value));
+    }
+    QString entered() const override {
+        return box_->isChecked() ? QStringLiteral("true") : QStringLiteral("false");
+    }
+    bool touched() const override { return touched_; }
+    void mark(bool) override {}
+
+private:
+    QCheckBox* box_ = nullptr;
+    bool touched_ = false;
+};
+
+/// Takes a unit off the end of a length or feed; `unit` becomes the one that was found.
+QString without_unit(const ParameterInfo& info, const QString& entered, LengthUnit& unit) {
+    const bool one_number = info.kind == ParameterKind::number || info.kind == ParameterKind::number_or_word;
+    if (!one_number || info.quantity == Quantity::none) return entered;
+    QString t = entered.trimmed();
+    for (const LengthUnit u : {LengthUnit::mm, LengthUnit::inch}) {
+        const QString suffix = text(edge_unit_name(info.quantity, u));
+        if (suffix.isEmpty() || !t.endsWith(suffix, Qt::CaseInsensitive)) continue;
+        const QString rest = t.chopped(suffix.size()).trimmed();
+        double ignored = 0;
+        if (!parse_number(utf8(rest), ignored)) continue;
+        unit = u;
+        return rest;
+    }
+    return entered;
+}
+
+} // namespace
+
+QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit) {
+    return text(format_number(core_value / info.scale(unit), 7));
+}
+
+ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vector<FormChoice>& choices,
+                                       QWidget* parent) {
+    if (!choices.empty()) return new ChoiceEditor(info, choices, parent);
+    switch (info.kind) {
+    case ParameterKind::number_or_word:
+        return new NumberOrWordEditor(info, parent);
+    case ParameterKind::boolean:
+        return new BooleanEditor(info, parent);
+    case ParameterKind::choice: {
+        std::vector<FormChoice> words;
+        for (const auto& word : info.words)
+            words.push_back({text(word).replace(QChar('_'), QChar(' ')), word});
+        return new ChoiceEditor(info, words, parent);
+    }
+    case ParameterKind::pair:
+        return new LineEditor(info, 2, parent);
+    case ParameterKind::triple:
+        return new LineEditor(info, 3, parent);
+    case ParameterKind::number:
+    case ParameterKind::integer:
+    case ParameterKind::text:
+        break;
+    }
+    return new LineEditor(info, 1, parent);
+}
+
+ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit) {
+    const bool numbers = info.kind == ParameterKind::number || info.kind == ParameterKind::integer
+                         || info.kind == ParameterKind::pair || info.kind == ParameterKind::triple;
+    if (numbers && entered.trimmed().isEmpty())
+        throw Error(ErrorCode::wrong_type, info.key, "nothing is entered", "enter a number");
+    if (info.kind == ParameterKind::number && entered.contains(QChar(',')))
+        throw Error(ErrorCode::wrong_type, info.key, "a comma is not a decimal mark", "use a point: 0.5");
+    LengthUnit entered_unit = unit;
+    const QString bare = without_unit(info, entered, entered_unit);
+    return info.parse(utf8(bare), entered_unit);
+}
+
+} // namespace facetmill::ui

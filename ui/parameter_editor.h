@@ -1,0 +1,51 @@
+// The editor of one parameter, made from its description: a line, a combo box, a check box, two or three
+// lines. Every editor hands over text that ParameterInfo::parse reads, so that forms, files and the command
+// line share one grammar.
+#pragma once
+
+#include "core/base/parameter.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace facetmill::ui {
+
+/// A fixed set in place of free entry, for values that refer to something else (the tool of an operation).
+struct FormChoice {
+    QString label;
+    ParameterValue value;
+};
+
+class ParameterEditor : public QWidget {
+    Q_OBJECT
+public:
+    ~ParameterEditor() override = default;
+
+    /// Shows a value; what the user typed is gone.
+    virtual void show_value(const ParameterValue& value, LengthUnit unit) = 0;
+    /// What stands in the editor, as ParameterInfo::parse reads it.
+    virtual QString entered() const = 0;
+    /// True from the user's first change until the next show_value.
+    virtual bool touched() const = 0;
+    virtual void mark(bool invalid) = 0;
+
+signals:
+    /// The user changed something; `entered` may be half a number.
+    void changed();
+    /// The user is through: Enter, the focus left, an item was picked.
+    void finished();
+};
+
+/// Never null. The words of a choice are shown with blanks for underscores.
+ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vector<FormChoice>& choices,
+                                       QWidget* parent);
+
+/// Reads what the user entered. A length or feed may carry the other unit ("12 mm" where the project is in
+/// inches). Throws Error as ParameterInfo::parse, with a remedy that speaks to somebody at a form.
+ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit);
+
+/// The value with at most seven digits, for a form: what the user does not touch keeps all its digits.
+QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit);
+
+} // namespace facetmill::ui

@@ -1,0 +1,291 @@
+#include "ui/parameter_form.h"
+
+#include "ui/icons.h"
+#include "ui/text.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+QString form_message(const Error& e) {
+    QString message = sentence(text(e.message()));
+    if (!e.remedy().empty()) message += QStringLiteral(": ") + text(e.remedy());
+    return message;
+}
+
+QGridLayout* make_grid(QWidget* holder) {
+    auto* grid = new QGridLayout(holder);
+    grid->setContentsMargins(8, 4, 4, 4);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(1, 3);
+    return grid;
+}
+
+} // namespace
+
+QString help_html(const ParameterInfo& info, LengthUnit unit) {
+    QString html = QStringLiteral("<b>%1</b><br>%2")
+                       .arg(text(info.label).toHtmlEscaped(), text(info.help).toHtmlEscaped());
+    const QString range = text(info.range_text(unit));
+    QStringList facts;
+    if (!range.isEmpty()) facts << QStringLiteral("Range: %1").arg(range.toHtmlEscaped());
+    if (info.kind != ParameterKind::text) {
+        const QString unit_text = text(edge_unit_name(info.quantity, unit));
+        QString value = text(info.value_text(info.default_value, unit));
+        if (const auto* d = std::get_if<double>(&info.default_value)) value = shown_number(*d, info, unit);
+        if (!std::holds_alternative<std::string>(info.default_value) && !unit_text.isEmpty())
+            value += QStringLiteral(" ") + unit_text;
+        facts << QStringLiteral("Default: %1").arg(value.toHtmlEscaped());
+    }
+    if (!facts.isEmpty()) html += QStringLiteral("<br><i>%1</i>").arg(facts.join(QStringLiteral(" · ")));
+    return html;
+}
+
+ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent) {
+    layout_ = new QVBoxLayout(this);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(0);
+    body_ = new QWidget(this);
+    layout_->addWidget(body_);
+    help_ = new QLabel(this);
+    help_->setObjectName(QStringLiteral("parameter_help"));
+    help_->setWordWrap(true);
+    help_->setTextFormat(Qt::RichText);
+    help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    help_->setMargin(8);
+    help_->setForegroundRole(QPalette::PlaceholderText);
+    layout_->addWidget(help_);
+    layout_->addStretch(1);
+}
+
+void ParameterForm::set_parameters(const std::vector<const ParameterInfo*>& parameters, LengthUnit unit,
+                                   const std::map<std::string, std::vector<FormChoice>>& choices,
+                                   const std::vector<std::string>& hidden) {
+    unit_ = unit;
+    rows_.clear();
+    rows_.reserve(parameters.size()); // slots keep indices, help keeps pointers
+    auto* old = body_;
+    body_ = new QWidget(this);
+    layout_->replaceWidget(old, body_);
+    old->hide();
+    old->deleteLater(); // the edit that led here may come from one of its fields
+    auto* column = new QVBoxLayout(body_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* plain = new QWidget(body_);
+    auto* plain_grid = make_grid(plain);
+    column->addWidget(plain);
+    auto* fold = new QToolButton(body_);
+    auto* advanced = new QWidget(body_);
+    auto* advanced_grid = make_grid(advanced);
+    bool any_advanced = false;
+    for (const ParameterInfo* info : parameters) {
+        if (std::find(hidden.begin(), hidden.end(), info->key) != hidden.end()) continue;
+        const auto found = choices.find(info->key);
+        add_row(info->advanced ? advanced_grid : plain_grid, *info,
+                found == choices.end() ? std::vector<FormChoice>{} : found->second);
+        any_advanced |= info->advanced;
+    }
+    fold->setObjectName(QStringLiteral("advanced"));
+    fold->setText(tr("Advanced"));
+    fold->setCheckable(true);
+    fold->setAutoRaise(true);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const auto unfold = [this, fold, advanced](bool open) {
+        advanced_open_ = open;
+        fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        advanced->setVisible(open);
+    };
+    connect(fold, &QToolButton::toggled, this, unfold);
+    fold->setChecked(advanced_open_);
+    unfold(advanced_open_);
+    fold->setVisible(any_advanced);
+    if (!any_advanced) advanced->hide();
+    column->addWidget(fold);
+    column->addWidget(advanced);
+    show_help(nullptr);
+    emit validity_changed(true);
+}
+
+void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
+                            const std::vector<FormChoice>& choices) {
+    const std::size_t index = rows_.size();
+    Row row;
+    row.info = &info;
+    auto* holder = grid->parentWidget();
+    const int line = grid->rowCount();
+
+    row.label = new QLabel(text(info.label), holder);
+    row.label->setWordWrap(true);
+    row.editor = make_parameter_editor(info, choices, holder);
+    row.label->setBuddy(row.editor);
+    row.unit = new QLabel(holder);
+    row.unit->setForegroundRole(QPalette::PlaceholderText);
+    row.reset = new QToolButton(holder);
+    row.reset->setIcon(icon(Icon::reset));
+    row.reset->setIconSize(QSize(14, 14));
+    row.reset->setAutoRaise(true);
+    row.reset->setFocusPolicy(Qt::NoFocus);
+    row.reset->setObjectName(QStringLiteral("reset_") + text(info.key));
+    row.reset->setToolTip(tr("Back to the default"));
+    QSizePolicy keep = row.reset->sizePolicy();
+    keep.setRetainSizeWhenHidden(true);
+    row.reset->setSizePolicy(keep);
+    row.reset->hide();
+    row.error = new QLabel(holder);
+    row.error->setObjectName(QStringLiteral("error_") + text(info.key));
+    row.error->setWordWrap(true);
+    row.error->hide();
+
+    grid->addWidget(row.label, line, 0);
+    grid->addWidget(row.editor, line, 1);
+    grid->addWidget(row.unit, line, 2);
+    grid->addWidget(row.reset, line, 3);
+    grid->addWidget(row.error, line + 1, 0, 1, 4);
+
+    connect(row.editor, &ParameterEditor::changed, this, [this, index] {
+        Row& r = rows_[index];
+        ParameterValue value;
+        if (!check(r, value) || !live_ || (r.has_value && value == r.value)) return;
+        r.value = value; // the text stays as it is typed
+        r.has_value = true;
+        const std::string key = r.info->key;
+        emit edited(key, value);
+    });
+    connect(row.editor, &ParameterEditor::finished, this, [this, index] { finish(index); });
+    connect(row.reset, &QToolButton::clicked, this, [this, index] {
+        Row& r = rows_[index];
+        r.editor->show_value(r.info->default_value, unit_);
+        show_error(r, {}, false);
+        const ParameterValue value = r.info->default_value;
+        const std::string key = r.info->key;
+        emit edited(key, value);
+    });
+    for (QWidget* w : row.editor->findChildren<QWidget*>())
+        w->installEventFilter(this);
+    row.label->installEventFilter(this);
+    rows_.push_back(row);
+}
+
+void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
+    const bool unit_changed = unit != unit_;
+    unit_ = unit;
+    for (Row& row : rows_) {
+        const ParameterValue value = values.get(row.info->key);
+        const bool same = row.has_value && value == row.value && !unit_changed;
+        row.value = value;
+        row.has_value = true;
+        row.unit->setText(text(edge_unit_name(row.info->quantity, unit)));
+        row.label->setToolTip(help_html(*row.info, unit));
+        row.editor->setToolTip(row.label->toolTip());
+        row.reset->setVisible(row.info->kind != ParameterKind::text && value != row.info->default_value);
+        if (same && (row.invalid || row.editor->touched())) continue;
+        row.editor->show_value(value, unit);
+        if (row.invalid || !same) show_error(row, {}, false);
+    }
+}
+
+bool ParameterForm::check(Row& row, ParameterValue& value) {
+    try {
+        value = read_entered(*row.info, row.editor->entered(), unit_);
+        show_error(row, {}, false);
+        return true;
+    } catch (const Error& e) {
+        show_error(row, form_message(e), true);
+        return false;
+    }
+}
+
+void ParameterForm::finish(std::size_t index) {
+    if (index >= rows_.size()) return;
+    Row& row = rows_[index];
+    if (!row.editor->touched()) return;
+    ParameterValue value;
+    if (!check(row, value)) return;
+    if (row.has_value && value == row.value) {
+        row.editor->show_value(row.value, unit_);
+        return;
+    }
+    // The receiver may build the form anew: nothing of the row is used afterwards.
+    const std::string key = row.info->key;
+    row.editor->show_value(value, unit_);
+    emit edited(key, value);
+}
+
+bool ParameterForm::commit() {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        finish(i);
+    for (Row& row : rows_)
+        if (row.invalid) {
+            row.editor->setFocus(Qt::OtherFocusReason);
+            return false;
+        }
+    return true;
+}
+
+bool ParameterForm::valid() const {
+    return std::none_of(rows_.begin(), rows_.end(), [](const Row& r) { return r.invalid; });
+}
+
+void ParameterForm::set_error(const std::string& key, const QString& message) {
+    for (Row& row : rows_)
+        if (row.info->key == key) show_error(row, message, !message.isEmpty());
+}
+
+QString ParameterForm::error(const std::string& key) const {
+    for (const Row& row : rows_)
+        if (row.info->key == key && row.invalid) return row.error->text();
+    return {};
+}
+
+void ParameterForm::show_error(Row& row, const QString& message, bool invalid) {
+    const bool was_valid = valid();
+    row.invalid = invalid;
+    row.error->setText(message);
+    row.error->setVisible(!message.isEmpty());
+    QPalette palette = row.error->palette();
+    palette.setColor(QPalette::WindowText, signal_colours(this->palette()).bad);
+    row.error->setPalette(palette);
+    row.editor->mark(invalid);
+    if (was_valid != valid()) emit validity_changed(!was_valid);
+}
+
+void ParameterForm::show_help(const Row* row) {
+    help_->setText(row ? help_html(*row->info, unit_) : QString());
+}
+
+ParameterForm::Row* ParameterForm::row_of(const QObject* widget) {
+    for (Row& row : rows_)
+        if (row.label == widget
+            || (widget && widget->parent()
+                && (widget->parent() == row.editor || widget->parent()->parent() == row.editor)))
+            return &row;
+    return nullptr;
+}
+
+bool ParameterForm::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::Enter)
+        if (const Row* row = row_of(object)) show_help(row);
+    return QWidget::eventFilter(object, event);
+}
+
+void ParameterForm::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        for (Row& row : rows_)
+            if (row.invalid) show_error(row, row.error->text(), true);
+    QWidget::changeEvent(event);
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,88 @@
+// A form made from parameter descriptions: label, editor, unit, the range and the help of the parameter at
+// hand, and under a field what is wrong with it. The form never writes into the struct it shows: it hands
+// over values that passed their check, and whoever owns the struct sets them (and can take them back).
+#pragma once
+
+#include "ui/parameter_editor.h"
+
+#include <QWidget>
+
+#include <map>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace facetmill::ui {
+
+class ParameterForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit ParameterForm(QWidget* parent = nullptr);
+
+    /// Builds the rows anew, for other parameters. `choices` puts a fixed set in place of free entry;
+    /// `hidden` keys have no row. The descriptions are kept by reference: they stand in tables that live as
+    /// long as the program.
+    void set_parameters(const std::vector<const ParameterInfo*>& parameters, LengthUnit unit,
+                        const std::map<std::string, std::vector<FormChoice>>& choices = {},
+                        const std::vector<std::string>& hidden = {});
+    /// Shows the present values. A field that is being edited, or whose entry is invalid, keeps it while the
+    /// value beneath it is unchanged.
+    void set_values(const Parameterized& values, LengthUnit unit);
+
+    /// Also hand over values while the user still types, as soon as they are good. Off at first.
+    void set_live(bool live) { live_ = live; }
+
+    /// Takes over an entry that is not finished yet (the focus is still in it). False when a field is
+    /// invalid; that field then has the focus.
+    bool commit();
+    bool valid() const;
+    /// Shows `message` under the field until its next change; an empty one takes it away. For checks that
+    /// need more than the one value.
+    void set_error(const std::string& key, const QString& message);
+    QString error(const std::string& key) const;
+
+signals:
+    /// A value that passed its check and differs from the shown one.
+    void edited(const std::string& key, const facetmill::ParameterValue& value);
+    /// The form became valid or invalid.
+    void validity_changed(bool valid);
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        const ParameterInfo* info = nullptr;
+        ParameterValue value = 0.0;
+        bool has_value = false;
+        QLabel* label = nullptr;
+        ParameterEditor* editor = nullptr;
+        QLabel* unit = nullptr;
+        QToolButton* reset = nullptr;
+        QLabel* error = nullptr;
+        bool invalid = false;
+    };
+    void add_row(QGridLayout* grid, const ParameterInfo& info, const std::vector<FormChoice>& choices);
+    /// Checks the entry of a row and shows the message; true when `value` is good.
+    bool check(Row& row, ParameterValue& value);
+    void finish(std::size_t index);
+    void show_error(Row& row, const QString& message, bool invalid);
+    void show_help(const Row* row);
+    Row* row_of(const QObject* widget);
+
+    std::vector<Row> rows_;
+    QVBoxLayout* layout_ = nullptr;
+    QWidget* body_ = nullptr;
+    QLabel* help_ = nullptr;
+    LengthUnit unit_ = LengthUnit::mm;
+    bool advanced_open_ = false, live_ = false;
+};
+
+/// A description's help as rich text: what it does, range, default, key.
+QString help_html(const ParameterInfo& info, LengthUnit unit);
+
+} // namespace facetmill::ui

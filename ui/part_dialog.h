@@ -1,0 +1,31 @@
+// STL, OBJ and PLY files carry no unit: shows how large the part would be in millimetres and in inches, and
+// asks.
+#pragma once
+
+#include "core/mesh/mesh_report.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QRadioButton;
+
+namespace facetmill::ui {
+
+class PartDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `suggestion` is chosen at first.
+    PartDialog(const QString& file, const MeshReport& report, LengthUnit suggestion,
+               QWidget* parent = nullptr);
+
+    LengthUnit unit() const;
+    /// "Do not ask again for this file."
+    bool remember() const;
+
+private:
+    QRadioButton* mm_ = nullptr;
+    QRadioButton* inch_ = nullptr;
+    QCheckBox* remember_ = nullptr;
+};
+
+} // namespace facetmill::ui

@@ -1,0 +1,306 @@
+#include "ui/project_tree.h"
+
+#include "core/setup/machine.h"
+#include "ui/icons.h"
+#include "ui/text.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1;
+
+Icon state_icon(OperationState state) {
+    switch (state) {
+    case OperationState::not_planned:
+        return Icon::not_planned;
+    case OperationState::planning:
+        return Icon::planning;
+    case OperationState::planned:
+        return Icon::planned;
+    case OperationState::stale:
+        return Icon::stale;
+    case OperationState::failed:
+        return Icon::failed;
+    }
+    return Icon::not_planned;
+}
+
+QString operation_label(const std::string& kind) {
+    for (const auto& k : operation_kinds())
+        if (k.kind == kind) return text(k.label);
+    return text(kind);
+}
+
+} // namespace
+
+QString state_text(OperationState state) {
+    switch (state) {
+    case OperationState::not_planned:
+        return ProjectTree::tr("Not planned");
+    case OperationState::planning:
+        return ProjectTree::tr("Being planned");
+    case OperationState::planned:
+        return ProjectTree::tr("Planned");
+    case OperationState::stale:
+        return ProjectTree::tr("Out of date: plan again");
+    case OperationState::failed:
+        return ProjectTree::tr("Failed");
+    }
+    return {};
+}
+
+ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+    tree_ = new QTreeWidget(this);
+    tree_->setObjectName(QStringLiteral("project_tree"));
+    tree_->setColumnCount(1);
+    tree_->setHeaderHidden(true);
+    tree_->setFrameShape(QFrame::NoFrame);
+    tree_->setUniformRowHeights(true);
+    tree_->setIndentation(16);
+    tree_->setTextElideMode(Qt::ElideMiddle);
+    tree_->header()->setStretchLastSection(true);
+    tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+    tree_->setExpandsOnDoubleClick(false);
+
+    add_tool_ = new QAction(icon(Icon::tool), tr("Add tool…"), this);
+    add_operation_ = new QMenu(tr("Add operation"), this);
+    add_operation_->setIcon(icon(Icon::operation));
+    for (const auto& kind : operation_kinds())
+        add_operation_->addAction(icon(Icon::operation), text(kind.label), this, [this, k = kind.kind] {
+            document_.add_operation(k);
+            select({TreeNode::Kind::operation, document_.operation_count() - 1});
+        });
+    edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
+    duplicate_ = new QAction(icon(Icon::duplicate), tr("Duplicate"), this);
+    remove_ = new QAction(icon(Icon::remove), tr("Remove"), this);
+    remove_->setShortcut(QKeySequence::Delete);
+    remove_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    up_ = new QAction(icon(Icon::up), tr("Move up"), this);
+    down_ = new QAction(icon(Icon::down), tr("Move down"), this);
+    addAction(remove_);
+
+    auto* bar = new QToolBar(this);
+    bar->setIconSize(QSize(16, 16));
+    auto* add = new QToolButton(bar);
+    add->setObjectName(QStringLiteral("add"));
+    add->setIcon(icon(Icon::add));
+    add->setToolTip(tr("Add an operation or a tool"));
+    add->setPopupMode(QToolButton::InstantPopup);
+    auto* add_menu = new QMenu(add);
+    add_menu->addActions(add_operation_->actions());
+    add_menu->addSeparator();
+    add_menu->addAction(add_tool_);
+    add->setMenu(add_menu);
+    bar->addWidget(add);
+    bar->addAction(duplicate_);
+    bar->addAction(remove_);
+    bar->addSeparator();
+    bar->addAction(up_);
+    bar->addAction(down_);
+    bar->addSeparator();
+    bar->addAction(edit_);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(tree_, 1);
+    column->addWidget(bar);
+
+    connect(add_tool_, &QAction::triggered, this, &ProjectTree::new_tool);
+    connect(edit_, &QAction::triggered, this, [this] {
+        if (const auto node = selected(); node && node->kind == TreeNode::Kind::tool)
+            emit edit_tool(node->index);
+    });
+    connect(duplicate_, &QAction::triggered, this, &ProjectTree::duplicate);
+    connect(remove_, &QAction::triggered, this, &ProjectTree::remove);
+    connect(up_, &QAction::triggered, this, [this] { move(-1); });
+    connect(down_, &QAction::triggered, this, [this] { move(+1); });
+    connect(tree_, &QTreeWidget::customContextMenuRequested, this, &ProjectTree::menu);
+    connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
+        if (rebuilding_) return;
+        update_actions();
+        emit selection_changed();
+    });
+    connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
+        const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
+        if (kind == TreeNode::Kind::tool)
+            emit edit_tool(item->data(0, index_role).toULongLong());
+        else
+            item->setExpanded(!item->isExpanded());
+    });
+    connect(&document_, &Document::opened, this, &ProjectTree::rebuild);
+    connect(&document_, &Document::changed, this, &ProjectTree::rebuild);
+    connect(&document_, &Document::part_changed, this, &ProjectTree::show_states);
+    connect(&document_, &Document::states_changed, this, &ProjectTree::show_states);
+    rebuild();
+}
+
+std::optional<TreeNode> ProjectTree::selected() const {
+    const QTreeWidgetItem* item = tree_->currentItem();
+    if (!item) return std::nullopt;
+    return TreeNode{TreeNode::Kind(item->data(0, kind_role).toInt()),
+                    item->data(0, index_role).toULongLong()};
+}
+
+QTreeWidgetItem* ProjectTree::item(const TreeNode& node) const {
+    const std::function<QTreeWidgetItem*(QTreeWidgetItem*)> find =
+        [&](QTreeWidgetItem* from) -> QTreeWidgetItem* {
+        for (int i = 0; i < from->childCount(); ++i) {
+            QTreeWidgetItem* child = from->child(i);
+            if (TreeNode{TreeNode::Kind(child->data(0, kind_role).toInt()),
+                         child->data(0, index_role).toULongLong()}
+                == node)
+                return child;
+            if (QTreeWidgetItem* below = find(child)) return below;
+        }
+        return nullptr;
+    };
+    return find(tree_->invisibleRootItem());
+}
+
+void ProjectTree::select(const TreeNode& node) {
+    if (QTreeWidgetItem* found = item(node)) tree_->setCurrentItem(found);
+}
+
+void ProjectTree::rebuild() {
+    const auto before = selected();
+    rebuilding_ = true;
+    tree_->clear();
+    if (document_.has_part()) {
+        const Project& project = document_.project();
+        const auto add = [&](QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
+                             const QString& help = {}) {
+            auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
+            item->setText(0, label);
+            item->setIcon(0, icon(which));
+            item->setToolTip(0, (help.isEmpty() ? label : help));
+            item->setData(0, kind_role, int(node.kind));
+            item->setData(0, index_role, qulonglong(node.index));
+            return item;
+        };
+        const LengthUnit unit = document_.unit();
+        const auto file = project.part_path();
+        add(nullptr, {TreeNode::Kind::part, 0}, Icon::part, path_text(file.filename()), path_text(file));
+        add(nullptr, {TreeNode::Kind::stock, 0}, Icon::stock, tr("Stock: box"));
+        QString machine = text(project.machine);
+        for (const Machine& m : machines())
+            if (m.name == project.machine) machine = text(m.label);
+        add(nullptr, {TreeNode::Kind::machine, 0}, Icon::machine, machine);
+        auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tools, tr("Tools"));
+        for (std::size_t i = 0; i < project.tools.size(); ++i) {
+            const Tool& t = project.tools[i];
+            const QString size = QStringLiteral("⌀ %1").arg(length_text(t.diameter, unit, 5));
+            add(tools, {TreeNode::Kind::tool, i}, Icon::tool, tr("T%1  %2").arg(t.number).arg(text(t.name)),
+                tr("T%1  %2\n%3, %4").arg(t.number).arg(text(t.name), text(t.shape_name()), size));
+        }
+        auto* operations = add(nullptr, {TreeNode::Kind::operations, 0}, Icon::operations, tr("Operations"));
+        for (std::size_t i = 0; i < project.operations.size(); ++i)
+            add(operations, {TreeNode::Kind::operation, i}, Icon::not_planned,
+                text(project.operations[i]->common().name));
+        tree_->expandAll();
+        show_states();
+    }
+    if (before)
+        if (QTreeWidgetItem* same = item(*before)) tree_->setCurrentItem(same);
+    rebuilding_ = false;
+    update_actions();
+    if (selected() != before || document_.has_part()) emit selection_changed();
+}
+
+void ProjectTree::show_states() {
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        QTreeWidgetItem* it = item({TreeNode::Kind::operation, i});
+        if (!it) continue;
+        const OperationState state = document_.state(i);
+        it->setIcon(0, icon(state_icon(state)));
+        QString help =
+            QStringLiteral("%1 (%2)\n%3")
+                .arg(text(document_.operation(i).common().name),
+                     operation_label(std::string(document_.operation(i).kind())), state_text(state));
+        if (state == OperationState::failed) help += QStringLiteral(": ") + document_.failure(i);
+        it->setToolTip(0, help);
+    }
+}
+
+void ProjectTree::update_actions() {
+    const auto node = selected();
+    const bool tool = node && node->kind == TreeNode::Kind::tool;
+    const bool operation = node && node->kind == TreeNode::Kind::operation;
+    add_tool_->setEnabled(document_.has_part());
+    for (QAction* a : add_operation_->actions())
+        a->setEnabled(document_.has_part());
+    edit_->setEnabled(tool);
+    duplicate_->setEnabled(tool || operation);
+    remove_->setEnabled(tool || operation);
+    up_->setEnabled(operation && node->index > 0);
+    down_->setEnabled(operation && node->index + 1 < document_.operation_count());
+}
+
+void ProjectTree::duplicate() {
+    const auto node = selected();
+    if (!node) return;
+    if (node->kind == TreeNode::Kind::tool)
+        document_.duplicate_tool(node->index);
+    else if (node->kind == TreeNode::Kind::operation)
+        document_.duplicate_operation(node->index);
+    else
+        return;
+    select({node->kind, node->index + 1});
+}
+
+void ProjectTree::remove() {
+    const auto node = selected();
+    if (!node) return;
+    try {
+        if (node->kind == TreeNode::Kind::tool)
+            document_.remove_tool(node->index);
+        else if (node->kind == TreeNode::Kind::operation)
+            document_.remove_operation(node->index);
+    } catch (const Error& e) {
+        emit refused(sentence(text(e.what())));
+    }
+}
+
+void ProjectTree::move(int by) {
+    const auto node = selected();
+    if (!node || node->kind != TreeNode::Kind::operation) return;
+    document_.move_operation(node->index, by);
+    select({node->kind, std::size_t(std::ptrdiff_t(node->index) + by)});
+}
+
+void ProjectTree::menu(const QPoint& at) {
+    if (!document_.has_part()) return;
+    if (QTreeWidgetItem* under = tree_->itemAt(at)) tree_->setCurrentItem(under);
+    const auto node = selected();
+    QMenu menu(this);
+    if (node && node->kind == TreeNode::Kind::operation) {
+        menu.addAction(icon(Icon::plan), tr("Plan this operation"), this,
+                       [this, i = node->index] { emit plan_operation(i); });
+        menu.addSeparator();
+    }
+    if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);
+    if (node && (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::tool)) {
+        menu.addAction(duplicate_);
+        menu.addAction(remove_);
+        if (node->kind == TreeNode::Kind::operation) {
+            menu.addAction(up_);
+            menu.addAction(down_);
+        }
+        menu.addSeparator();
+    }
+    menu.addMenu(add_operation_);
+    menu.addAction(add_tool_);
+    menu.exec(tree_->viewport()->mapToGlobal(at));
+}
+
+} // namespace facetmill::ui

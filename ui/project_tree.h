@@ -1,0 +1,71 @@
+// The project as a tree: part, stock, machine, tools, operations with their state, and the buttons that
+// change the lists.
+#pragma once
+
+#include "ui/document.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QAction;
+class QMenu;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace facetmill::ui {
+
+struct TreeNode {
+    enum class Kind { part, stock, machine, tools, tool, operations, operation };
+    Kind kind = Kind::part;
+    std::size_t index = 0; ///< of the tool or operation
+    bool operator==(const TreeNode&) const = default;
+};
+
+class ProjectTree : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProjectTree(Document& document, QWidget* parent = nullptr);
+
+    std::optional<TreeNode> selected() const;
+    void select(const TreeNode& node);
+    QTreeWidget* tree() { return tree_; }
+    QTreeWidgetItem* item(const TreeNode& node) const;
+
+    QAction* add_tool_action() { return add_tool_; }
+    QMenu* add_operation_menu() { return add_operation_; }
+    QAction* edit_action() { return edit_; }
+    QAction* duplicate_action() { return duplicate_; }
+    QAction* remove_action() { return remove_; }
+    QAction* up_action() { return up_; }
+    QAction* down_action() { return down_; }
+
+signals:
+    void selection_changed();
+    void edit_tool(std::size_t index);
+    void new_tool();
+    void plan_operation(std::size_t index);
+    /// A change that the project refuses.
+    void refused(const QString& why);
+
+private:
+    void rebuild();
+    void show_states();
+    void update_actions();
+    void duplicate();
+    void remove();
+    void move(int by);
+    void menu(const QPoint& at);
+
+    Document& document_;
+    QTreeWidget* tree_ = nullptr;
+    QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
+            *down_ = nullptr;
+    QMenu* add_operation_ = nullptr;
+    bool rebuilding_ = false;
+};
+
+/// "Planned", "Out of date", ...
+QString state_text(OperationState state);
+
+} // namespace facetmill::ui

@@ -1,0 +1,206 @@
+#include "ui/properties_panel.h"
+
+#include "core/setup/machine.h"
+#include "ui/icons.h"
+#include "ui/parameter_form.h"
+#include "ui/text.h"
+#include "ui/tool_sketch.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// The choice of machine, described like any other parameter.
+struct MachineChoice {
+    std::string machine = "generic-3-axis";
+};
+
+const ParameterTable<MachineChoice>& machine_choice() {
+    static const auto table = [] {
+        ParameterTable<MachineChoice> t;
+        std::vector<std::string> names;
+        for (const Machine& m : machines())
+            names.push_back(m.name);
+        t.add(&MachineChoice::machine, {.key = "machine",
+                                        .label = "Machine",
+                                        .help = "Its rapid speeds decide the machining time.",
+                                        .kind = ParameterKind::choice,
+                                        .words = names});
+        return t;
+    }();
+    return table;
+}
+
+} // namespace
+
+PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->setSpacing(2);
+    title_ = new QLabel(content);
+    title_->setObjectName(QStringLiteral("properties_title"));
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+    title_->setIndent(8);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    hint_ = new QLabel(content);
+    hint_->setWordWrap(true);
+    hint_->setMargin(8);
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    form_ = new ParameterForm(content);
+    sketch_ = new ToolSketch(content);
+    sketch_->set_compact(true);
+    sketch_->setMinimumHeight(220);
+    edit_tool_ = new QPushButton(icon(Icon::edit), tr("Edit tool…"), content);
+    edit_tool_->setObjectName(QStringLiteral("edit_tool"));
+    column->addWidget(title_);
+    column->addWidget(hint_);
+    column->addWidget(form_);
+    auto* tool_box = new QVBoxLayout;
+    tool_box->setContentsMargins(8, 4, 8, 4);
+    tool_box->addWidget(sketch_, 1);
+    tool_box->addWidget(edit_tool_);
+    column->addLayout(tool_box, 1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scroll);
+
+    connect(form_, &ParameterForm::edited, this, &PropertiesPanel::take);
+    connect(edit_tool_, &QPushButton::clicked, this, [this] {
+        if (node_ && node_->kind == TreeNode::Kind::tool) emit edit_tool(node_->index);
+    });
+    connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
+    connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
+    refresh();
+}
+
+void PropertiesPanel::show_node(const std::optional<TreeNode>& node) {
+    if (node == node_) return;
+    // What was typed for the old node still belongs to it.
+    form_->commit();
+    node_ = node;
+    refresh();
+}
+
+bool PropertiesPanel::commit() {
+    return form_->commit();
+}
+
+QString PropertiesPanel::shape() const {
+    if (!document_.has_part() || !node_) return {};
+    QString shape = QString::number(int(node_->kind)) + QChar('/') + QString::number(node_->index);
+    if (node_->kind == TreeNode::Kind::operation && node_->index < document_.operation_count()) {
+        shape += QChar('/') + QString::number(document_.operation_id(node_->index));
+        for (const Tool& t : document_.project().tools)
+            shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
+    }
+    return shape;
+}
+
+void PropertiesPanel::refresh() {
+    using Kind = TreeNode::Kind;
+    const Project& project = document_.project();
+    const LengthUnit unit = document_.unit();
+    const QString now = shape();
+    const bool build = now != shape_;
+    shape_ = now;
+    QString title, hint;
+    bool form = false, tool = false;
+    const auto show = [&](const Parameterized& values,
+                          const std::map<std::string, std::vector<FormChoice>>& choices = {},
+                          const std::vector<std::string>& hidden = {}) {
+        form = true;
+        if (build) form_->set_parameters(values.parameters(), unit, choices, hidden);
+        form_->set_values(values, unit);
+    };
+    if (!document_.has_part()) {
+        hint = tr("Nothing is open.");
+    } else if (!node_) {
+        hint = tr("Select something in the project to see its parameters.");
+    } else if (node_->kind == Kind::part) {
+        title = path_text(project.part_path().filename());
+        PartSpec copy = project.part;
+        show(ParameterView<PartSpec>(copy, part_parameters()), {}, {"file"});
+    } else if (node_->kind == Kind::stock) {
+        title = tr("Stock");
+        StockSpec copy = project.stock;
+        show(ParameterView<StockSpec>(copy, stock_parameters()));
+    } else if (node_->kind == Kind::machine) {
+        title = tr("Machine");
+        std::vector<FormChoice> choices;
+        for (const Machine& m : machines())
+            choices.push_back({text(m.label), m.name});
+        MachineChoice machine{project.machine};
+        show(ParameterView<MachineChoice>(machine, machine_choice()), {{"machine", choices}});
+    } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
+        const Tool& t = project.tools[node_->index];
+        title = tr("T%1  %2").arg(t.number).arg(text(t.name));
+        hint = text(t.shape_name());
+        sketch_->set_tool(t, unit);
+        tool = true;
+    } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
+        const Operation& operation = *project.operations[node_->index];
+        title = text(operation.common().name);
+        std::vector<FormChoice> tools;
+        for (const Tool& t : project.tools)
+            tools.push_back({tr("T%1  %2").arg(t.number).arg(text(t.name)), t.number});
+        show(operation, {{"tool", tools}});
+    } else {
+        hint = node_->kind == Kind::tools
+                   ? tr("Add a tool below the tree; a double click edits one.")
+                   : tr("Add an operation below the tree. They run from top to bottom.");
+    }
+    title_->setText(title_->fontMetrics().elidedText(title, Qt::ElideMiddle, 400));
+    title_->setToolTip(title);
+    title_->setVisible(!title.isEmpty());
+    hint_->setText(hint);
+    hint_->setVisible(!hint.isEmpty());
+    form_->setVisible(form);
+    sketch_->setVisible(tool);
+    edit_tool_->setVisible(tool);
+    if (build && !form) form_->set_parameters({}, unit);
+}
+
+void PropertiesPanel::take(const std::string& key, const ParameterValue& value) {
+    if (!node_) return;
+    using Kind = TreeNode::Kind;
+    const TreeNode node = *node_;
+    const auto wrong = [&](const QString& why) { form_->set_error(key, why); };
+    if (node.kind == Kind::operation && key == "name") {
+        const QString name = text(std::get<std::string>(value)).trimmed();
+        if (name.isEmpty()) return wrong(tr("Give the operation a name"));
+        for (std::size_t i = 0; i < document_.operation_count(); ++i)
+            if (i != node.index && text(document_.operation(i).common().name) == name)
+                return wrong(tr("Another operation has this name"));
+    }
+    const QString what = tr("Edit %1").arg(text(key).replace(QChar('_'), QChar(' ')));
+    try {
+        document_.change(what, [&](Project& p) {
+            if (node.kind == Kind::part)
+                ParameterView<PartSpec>(p.part, part_parameters()).set(key, value);
+            else if (node.kind == Kind::stock)
+                ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
+            else if (node.kind == Kind::machine)
+                p.machine = std::get<std::string>(value);
+            else if (node.kind == Kind::operation)
+                p.operations.at(node.index)->set(key, value);
+        });
+    } catch (const Error& e) {
+        wrong(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+    }
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,46 @@
+// The form of what is selected in the tree. Edits go to the document as steps of its history.
+#pragma once
+
+#include "ui/document.h"
+#include "ui/project_tree.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace facetmill::ui {
+
+class ParameterForm;
+class ToolSketch;
+
+class PropertiesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PropertiesPanel(Document& document, QWidget* parent = nullptr);
+
+    void show_node(const std::optional<TreeNode>& node);
+    /// Takes over what stands in the fields; false, with the focus on the field, when one is invalid.
+    bool commit();
+    ParameterForm* form() { return form_; }
+
+signals:
+    void edit_tool(std::size_t index);
+
+private:
+    void refresh();
+    void take(const std::string& key, const ParameterValue& value);
+    QString shape() const;
+
+    Document& document_;
+    std::optional<TreeNode> node_;
+    QString shape_; ///< what the form was built for; another one builds it anew
+    QLabel* title_ = nullptr;
+    QLabel* hint_ = nullptr;
+    ParameterForm* form_ = nullptr;
+    ToolSketch* sketch_ = nullptr;
+    QPushButton* edit_tool_ = nullptr;
+};
+
+} // namespace facetmill::ui

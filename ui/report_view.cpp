@@ -1,0 +1,206 @@
+#include "ui/report_view.h"
+
+#include "core/setup/machine.h"
+#include "ui/text.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QScrollBar>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// A table of facts, names on the left.
+class Facts {
+public:
+    explicit Facts(const QPalette& palette)
+        : quiet_(palette.color(QPalette::PlaceholderText).name()),
+          line_(palette.color(QPalette::Mid).name()) {}
+    Facts& add(const QString& name, const QString& value, const QString& colour = {}) {
+        rows_ += QStringLiteral("<tr><td style=\"color:%1; padding:1px 10px 1px 0\">%2</td>"
+                                "<td style=\"padding:1px 0%4\">%3</td></tr>")
+                     .arg(quiet_, name.toHtmlEscaped(), value.toHtmlEscaped(),
+                          colour.isEmpty() ? QString() : QStringLiteral("; color:") + colour);
+        return *this;
+    }
+    QString html() const {
+        return QStringLiteral("<table width=\"100%\" cellspacing=\"0\">%1</table>").arg(rows_);
+    }
+
+private:
+    QString quiet_, line_, rows_;
+};
+
+QString heading(const QString& title) {
+    return QStringLiteral("<p style=\"margin:0 0 4px 0; font-size:large\"><b>%1</b></p>")
+        .arg(title.toHtmlEscaped());
+}
+
+QString note(const QString& text, const QColor& colour) {
+    return QStringLiteral("<p style=\"margin:6px 0 2px 0; color:%1\">%2</p>")
+        .arg(colour.name(), text.toHtmlEscaped());
+}
+
+} // namespace
+
+ReportView::ReportView(Document& document, QWidget* parent) : QTextBrowser(parent), document_(document) {
+    setObjectName(QStringLiteral("report"));
+    setFrameShape(QFrame::NoFrame);
+    setOpenLinks(false);
+    this->document()->setDocumentMargin(8);
+    connect(&document_, &Document::opened, this, &ReportView::refresh);
+    connect(&document_, &Document::changed, this, &ReportView::refresh);
+    connect(&document_, &Document::part_changed, this, &ReportView::refresh);
+    connect(&document_, &Document::states_changed, this, &ReportView::refresh);
+    refresh();
+}
+
+void ReportView::show_node(const std::optional<TreeNode>& node) {
+    if (node == node_) return;
+    node_ = node;
+    refresh();
+}
+
+void ReportView::changeEvent(QEvent* event) {
+    QTextBrowser::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) refresh();
+}
+
+void ReportView::refresh() {
+    QString html;
+    if (!document_.has_part()) {
+        html = note(tr("Open a mesh or a project, and this panel tells what it holds."),
+                    palette().color(QPalette::PlaceholderText));
+    } else if (node_ && node_->kind == TreeNode::Kind::operation
+               && node_->index < document_.operation_count()) {
+        html = operation_html(node_->index);
+    } else if (node_
+               && (node_->kind == TreeNode::Kind::operations || node_->kind == TreeNode::Kind::machine
+                   || node_->kind == TreeNode::Kind::tools || node_->kind == TreeNode::Kind::tool)) {
+        html = operations_html();
+    } else {
+        html = part_html();
+    }
+    const int scrolled = verticalScrollBar()->value();
+    setHtml(html);
+    verticalScrollBar()->setValue(scrolled);
+}
+
+QString ReportView::part_html() const {
+    const SignalColours signal = signal_colours(palette());
+    const auto& part = document_.part();
+    const QString name = path_text(document_.project().part_path().filename());
+    QString html = heading(elided(name, 30));
+    if (!part) return html + note(tr("The part has not been read."), signal.quiet);
+    const MeshReport& r = part->report;
+    const LengthUnit unit = document_.unit();
+    const Vec3 s = part->box.size();
+    const double size[3] = {s.x(), s.y(), s.z()};
+    Facts facts(palette());
+    facts.add(tr("Format"), text(r.format));
+    if (!r.name.empty()) facts.add(tr("Name"), elided(text(r.name), 40));
+    facts.add(tr("Size"), size_text(size, unit, 5));
+    facts.add(tr("File unit"), text(unit_name(r.assumed_unit)));
+    facts.add(tr("Facets"), count_text(r.facets));
+    facts.add(tr("Vertices"), count_text(r.welded_vertices));
+    facts.add(tr("Shells"), count_text(r.shells));
+    facts.add(tr("Watertight"), r.watertight ? tr("yes") : tr("no"),
+              r.watertight ? QString() : signal.attention.name());
+    html += facts.html();
+
+    const std::pair<std::size_t, QString> defects[] = {
+        {r.open_edges, tr("open edges")},
+        {r.non_manifold_edges, tr("edges of more than two facets")},
+        {r.inconsistent_edges, tr("edges between facets of opposite winding")},
+        {r.non_manifold_vertices, tr("vertices where shells touch")},
+        {r.degenerate, tr("facets without area, left out")},
+        {r.duplicate, tr("facets that occur twice, kept")},
+    };
+    QString list;
+    for (const auto& [count, what] : defects)
+        if (count > 0)
+            list += QStringLiteral(
+                        "<tr><td align=\"right\" style=\"padding:1px 8px 1px 0\">%1</td><td>%2</td></tr>")
+                        .arg(count_text(count), what.toHtmlEscaped());
+    if (!list.isEmpty()) {
+        html += note(tr("Found in the mesh"), signal.attention);
+        html += QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(list);
+    }
+    for (const std::string& word : r.warnings)
+        html += note(sentence(text(explain_warning(word))), signal.attention);
+    if (list.isEmpty() && r.warnings.empty()) html += note(tr("No defects found."), signal.good);
+    return html;
+}
+
+QString ReportView::operation_html(std::size_t i) const {
+    const SignalColours signal = signal_colours(palette());
+    const Operation& operation = document_.operation(i);
+    const OperationState state = document_.state(i);
+    const LengthUnit unit = document_.unit();
+    QString html = heading(elided(text(operation.common().name), 30));
+    const QColor colour = state == OperationState::planned  ? signal.good
+                          : state == OperationState::stale  ? signal.attention
+                          : state == OperationState::failed ? signal.bad
+                                                            : signal.quiet;
+    html += note(state_text(state), colour);
+    if (state == OperationState::failed) return html + note(sentence(document_.failure(i)), signal.bad);
+    const auto result = document_.result(i);
+    if (!result) return html + note(tr("Press Plan (F5) to plan it."), signal.quiet);
+
+    const StrategyResult& path = result->path;
+    Facts facts(palette());
+    facts.add(tr("Passes"), count_text(std::size_t(std::max(0, path.drive_planes))));
+    facts.add(tr("Step-over"), path.stepover_min == path.stepover_max
+                                   ? length_text(path.stepover_min, unit, 4)
+                                   : text(format_number(path.stepover_min / mm_per(unit), 4))
+                                         + QStringLiteral(" to ") + length_text(path.stepover_max, unit, 4));
+    facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
+    facts.add(tr("CC points"), count_text(result->cc_points));
+    facts.add(tr("CL points"), count_text(result->cl_points));
+    facts.add(tr("Cut length"), length_text(result->totals.cut_length, unit, 5));
+    facts.add(tr("Rapid length"), length_text(result->totals.rapid_length, unit, 5));
+    facts.add(tr("Machining time"), duration_text(result->totals.time_seconds));
+    const double tolerance = operation.common().tolerance;
+    facts.add(tr("Expected cusp"), length_text(path.cusp_max, unit, 4),
+              state == OperationState::planned && path.cusp_max > tolerance * (1 + 1e-9)
+                  ? signal.attention.name()
+                  : QString());
+    facts.add(tr("Tolerance"), length_text(tolerance, unit, 4));
+    if (path.cleanup_points > 0)
+        facts.add(tr("Left for clean-up"), tr("%1 CC points").arg(count_text(path.cleanup_points)),
+                  signal.attention.name());
+    facts.add(tr("Planned in"), duration_text(result->seconds_planning));
+    html += facts.html();
+    for (const std::string& warning : path.warnings)
+        html += note(sentence(text(warning)), signal.attention);
+    return html;
+}
+
+QString ReportView::operations_html() const {
+    const SignalColours signal = signal_colours(palette());
+    QString html = heading(tr("Operations"));
+    if (document_.operation_count() == 0)
+        return html + note(tr("There is no operation yet. Add one below the tree."), signal.quiet);
+    QString rows;
+    double total = 0;
+    bool all = true;
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        const auto result = document_.state(i) == OperationState::planned ? document_.result(i) : nullptr;
+        all &= result != nullptr;
+        if (result) total += result->totals.time_seconds;
+        rows += QStringLiteral("<tr><td style=\"padding:1px 10px 1px 0\">%1</td><td align=\"right\" "
+                               "style=\"padding:1px 0; color:%3\">%2</td></tr>")
+                    .arg(elided(text(document_.operation(i).common().name), 24).toHtmlEscaped(),
+                         result ? duration_text(result->totals.time_seconds) : state_text(document_.state(i)),
+                         (result ? palette().color(QPalette::Text) : signal.quiet).name());
+    }
+    if (all)
+        rows += QStringLiteral("<tr><td style=\"padding:6px 10px 1px 0\"><b>%1</b></td><td align=\"right\" "
+                               "style=\"padding:6px 0 1px 0\"><b>%2</b></td></tr>")
+                    .arg(tr("Total"), duration_text(total));
+    html += QStringLiteral("<table width=\"100%\" cellspacing=\"0\">%1</table>").arg(rows);
+    return html;
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,52 @@
+#include "ui/text.h"
+
+#include <cmath>
+
+namespace facetmill::ui {
+
+QString path_text(const std::filesystem::path& path) {
+    return QString::fromStdString(path.string());
+}
+
+std::filesystem::path path_of(const QString& text) {
+    return std::filesystem::path(text.toStdString());
+}
+
+QString length_text(double mm, LengthUnit unit, int digits) {
+    return text(format_number(mm / mm_per(unit), digits)) + QChar(0x00A0) + text(unit_name(unit));
+}
+
+QString size_text(const double (&mm)[3], LengthUnit unit, int digits) {
+    const auto number = [&](double v) { return text(format_number(v / mm_per(unit), digits)); };
+    return QStringLiteral("%1 × %2 × %3 %4")
+        .arg(number(mm[0]), number(mm[1]), number(mm[2]), text(unit_name(unit)));
+}
+
+QString count_text(std::size_t n) {
+    QString digits = QString::number(n);
+    for (qsizetype i = digits.size() - 3; i > 0; i -= 3)
+        digits.insert(i, QChar(0x202F));
+    return digits;
+}
+
+QString duration_text(double seconds) {
+    if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
+    if (seconds < 9.95) return QString::number(seconds, 'f', 1) + QStringLiteral(" s");
+    const auto whole = qint64(std::llround(seconds));
+    if (whole < 60) return QStringLiteral("%1 s").arg(whole);
+    if (whole < 3600) return QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+    return QStringLiteral("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60, 2, 10, QChar('0'));
+}
+
+QString elided(const QString& text, int characters) {
+    if (text.size() <= characters) return text;
+    const int left = (characters - 1) / 2, right = characters - 1 - left;
+    return text.left(left) + QChar(0x2026) + text.right(right);
+}
+
+QString sentence(const QString& text) {
+    if (text.isEmpty()) return text;
+    return text.left(1).toUpper() + text.mid(1);
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,37 @@
+// Between core's values and the words on the screen.
+#pragma once
+
+#include "core/base/units.h"
+
+#include <QString>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace facetmill::ui {
+
+inline QString text(std::string_view s) {
+    return QString::fromUtf8(s.data(), qsizetype(s.size()));
+}
+inline std::string utf8(const QString& s) {
+    return s.toStdString();
+}
+
+QString path_text(const std::filesystem::path& path);
+std::filesystem::path path_of(const QString& text);
+
+/// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
+QString length_text(double mm, LengthUnit unit, int digits = 5);
+/// "10 × 8 × 2 in".
+QString size_text(const double (&mm)[3], LengthUnit unit, int digits = 5);
+/// "1 234 567" with narrow spaces.
+QString count_text(std::size_t n);
+/// "0.4 s", "12 s", "3 min 20 s", "1 h 05 min".
+QString duration_text(double seconds);
+/// `text` cut in the middle so that it has at most `characters` ones.
+QString elided(const QString& text, int characters);
+/// First letter in upper case: messages of core begin in lower case.
+QString sentence(const QString& text);
+
+} // namespace facetmill::ui

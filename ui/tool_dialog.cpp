@@ -1,0 +1,241 @@
+#include "ui/tool_dialog.h"
+
+#include "ui/icons.h"
+#include "ui/parameter_form.h"
+#include "ui/text.h"
+#include "ui/theme.h"
+#include "ui/tool_sketch.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill::ui {
+
+namespace {
+
+enum Shape { custom, ball, flat, bull, tapered_ball, cone };
+
+} // namespace
+
+ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent)
+    : QDialog(parent), tool_(tool), unit_(unit), taken_(std::move(taken)) {
+    setWindowTitle(tr("Tool"));
+    setObjectName(QStringLiteral("tool_dialog"));
+
+    shape_ = new QComboBox(this);
+    shape_->setObjectName(QStringLiteral("shape"));
+    shape_->addItems({tr("Choose a shape …"), tr("Ball end"), tr("Flat end"), tr("Bull nose"),
+                      tr("Tapered ball"), tr("Cone")});
+    shape_->setToolTip(tr("Sets corner radius and angles; every value can be changed afterwards."));
+    connect(shape_, &QComboBox::activated, this, &ToolDialog::set_shape);
+
+    form_ = new ParameterForm(this);
+    form_->set_live(true);
+    const ParameterView<Tool> view(tool_, tool_parameters());
+    form_->set_parameters(view.parameters(), unit_);
+    form_->set_values(view, unit_);
+    connect(form_, &ParameterForm::edited, this, &ToolDialog::set_value);
+    connect(form_, &ParameterForm::validity_changed, this, &ToolDialog::validate);
+
+    holder_ = new QTableWidget(0, 2, this);
+    holder_->setObjectName(QStringLiteral("holder"));
+    const QString u = text(unit_name(unit_));
+    holder_->setHorizontalHeaderLabels({tr("Diameter (%1)").arg(u), tr("Length (%1)").arg(u)});
+    holder_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    holder_->verticalHeader()->setVisible(false);
+    holder_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    holder_->setMinimumHeight(86);
+    holder_->setMaximumHeight(110);
+    connect(holder_, &QTableWidget::itemChanged, this, [this] {
+        if (!filling_) read_holder();
+    });
+    auto* add = new QToolButton(this);
+    add->setObjectName(QStringLiteral("add_section"));
+    add->setIcon(icon(Icon::add));
+    add->setToolTip(tr("Add a section above the others"));
+    auto* remove = new QToolButton(this);
+    remove->setObjectName(QStringLiteral("remove_section"));
+    remove->setIcon(icon(Icon::remove));
+    remove->setToolTip(tr("Remove the selected section"));
+    connect(add, &QToolButton::clicked, this, [this] {
+        const HolderSection below = tool_.holder.empty()
+                                        ? HolderSection{tool_.shank_diameter * 2, tool_.shank_diameter * 3}
+                                        : tool_.holder.back();
+        tool_.holder.push_back(below);
+        show_holder();
+        validate();
+    });
+    connect(remove, &QToolButton::clicked, this, [this] {
+        if (tool_.holder.empty()) return;
+        const int row = holder_->currentRow() >= 0 ? holder_->currentRow() : holder_->rowCount() - 1;
+        tool_.holder.erase(tool_.holder.begin() + row);
+        show_holder();
+        validate();
+    });
+    auto* holder_buttons = new QVBoxLayout;
+    holder_buttons->addWidget(add);
+    holder_buttons->addWidget(remove);
+    holder_buttons->addStretch(1);
+    auto* holder_row = new QHBoxLayout;
+    holder_row->addWidget(holder_, 1);
+    holder_row->addLayout(holder_buttons);
+
+    auto* shape_row = new QHBoxLayout;
+    shape_row->setContentsMargins(8, 0, 4, 0);
+    shape_row->addWidget(new QLabel(tr("Shape"), this));
+    shape_row->addWidget(shape_, 1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(form_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumSize(300, 200);
+
+    auto* holder_label = new QLabel(tr("Holder, from the shank upward"), this);
+    holder_label->setIndent(6);
+    auto* left = new QVBoxLayout;
+    left->addLayout(shape_row);
+    left->addWidget(scroll, 1);
+    left->addWidget(holder_label);
+    left->addLayout(holder_row);
+
+    sketch_ = new ToolSketch(this);
+    sketch_->setMinimumWidth(300);
+    auto* columns = new QHBoxLayout;
+    columns->addLayout(left, 2);
+    columns->addWidget(sketch_, 3);
+
+    problem_ = new QLabel(this);
+    problem_->setObjectName(QStringLiteral("problem"));
+    problem_->setWordWrap(true);
+    problem_->setMinimumWidth(120);
+    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &ToolDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(problem_, 1);
+    foot->addWidget(buttons_);
+
+    auto* all = new QVBoxLayout(this);
+    all->addLayout(columns, 1);
+    all->addLayout(foot);
+    resize(780, 560);
+    show_holder();
+    validate();
+}
+
+void ToolDialog::set_value(const std::string& key, const ParameterValue& value) {
+    ParameterView<Tool> view(tool_, tool_parameters());
+    view.set(key, value);
+    shape_->setCurrentIndex(custom);
+    form_->set_values(view, unit_);
+    validate();
+}
+
+void ToolDialog::set_shape(int index) {
+    switch (Shape(index)) {
+    case custom:
+        return;
+    case ball:
+        tool_.corner_radius = tool_.diameter / 2;
+        tool_.bottom_angle = tool_.taper_angle = 0;
+        break;
+    case flat:
+        tool_.corner_radius = tool_.bottom_angle = tool_.taper_angle = 0;
+        break;
+    case bull:
+        tool_.corner_radius = tool_.diameter / 8;
+        tool_.bottom_angle = tool_.taper_angle = 0;
+        break;
+    case tapered_ball:
+        tool_.bottom_angle = 0;
+        tool_.taper_angle = radians(5);
+        // The diameter is measured where side and bottom would meet, so the ball that touches the tapered
+        // side (e = 0) is a little larger than half of it.
+        tool_.corner_radius = tool_.diameter / 2 * std::tan(pi / 4 + tool_.taper_angle / 2);
+        break;
+    case cone:
+        tool_.corner_radius = 0;
+        tool_.bottom_angle = radians(45);
+        tool_.taper_angle = 0;
+        break;
+    }
+    form_->set_values(ParameterView<Tool>(tool_, tool_parameters()), unit_);
+    validate();
+}
+
+void ToolDialog::show_holder() {
+    filling_ = true;
+    holder_->setRowCount(int(tool_.holder.size()));
+    for (int i = 0; i < holder_->rowCount(); ++i) {
+        const HolderSection& h = tool_.holder[std::size_t(i)];
+        holder_->setItem(i, 0, new QTableWidgetItem(text(format_number(h.diameter / mm_per(unit_), 7))));
+        holder_->setItem(i, 1, new QTableWidgetItem(text(format_number(h.length / mm_per(unit_), 7))));
+    }
+    holder_problem_.clear();
+    filling_ = false;
+}
+
+void ToolDialog::read_holder() {
+    std::vector<HolderSection> sections;
+    holder_problem_.clear();
+    filling_ = true;
+    for (int i = 0; i < holder_->rowCount(); ++i) {
+        double values[2] = {0, 0};
+        for (int k = 0; k < 2; ++k) {
+            QTableWidgetItem* item = holder_->item(i, k);
+            const bool good = item && parse_number(utf8(item->text().trimmed()), values[k]) && values[k] > 0;
+            if (item) item->setForeground(good ? QBrush() : QBrush(signal_colours(palette()).bad));
+            if (!good)
+                holder_problem_ = tr("Holder section %1: %2 must be a number above 0")
+                                      .arg(i + 1)
+                                      .arg(k == 0 ? tr("the diameter") : tr("the length"));
+        }
+        sections.push_back({values[0] * mm_per(unit_), values[1] * mm_per(unit_)});
+    }
+    filling_ = false;
+    if (holder_problem_.isEmpty()) tool_.holder = std::move(sections);
+    validate();
+}
+
+QString ToolDialog::problem() const {
+    if (!form_->valid()) return tr("A value is not valid");
+    if (!holder_problem_.isEmpty()) return holder_problem_;
+    if (std::find(taken_.begin(), taken_.end(), tool_.number) != taken_.end())
+        return tr("Number %1 belongs to another tool").arg(tool_.number);
+    try {
+        check_tool(tool_);
+    } catch (const Error& e) {
+        return sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy());
+    }
+    return {};
+}
+
+void ToolDialog::validate() {
+    const QString why = problem();
+    problem_->setText(why);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, signal_colours(palette()).bad);
+    problem_->setPalette(colours);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
+    sketch_->set_tool(tool_, unit_);
+}
+
+void ToolDialog::accept() {
+    if (!form_->commit() || !problem().isEmpty()) return;
+    QDialog::accept();
+}
+
+} // namespace facetmill::ui

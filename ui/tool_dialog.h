@@ -1,0 +1,51 @@
+// Edits one tool, with its profile beside the form and every value checked while it is typed.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/setup/tool.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QTableWidget;
+
+namespace facetmill::ui {
+
+class ParameterForm;
+class ToolSketch;
+
+class ToolDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `taken`: numbers of the other tools.
+    ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent = nullptr);
+
+    const Tool& tool() const { return tool_; }
+    /// Why OK is not possible; empty when it is.
+    QString problem() const;
+    void accept() override;
+
+private:
+    void set_value(const std::string& key, const ParameterValue& value);
+    void set_shape(int index);
+    void read_holder();
+    void show_holder();
+    void validate();
+
+    Tool tool_;
+    LengthUnit unit_;
+    std::vector<long> taken_;
+    ParameterForm* form_ = nullptr;
+    ToolSketch* sketch_ = nullptr;
+    QComboBox* shape_ = nullptr;
+    QTableWidget* holder_ = nullptr;
+    QLabel* problem_ = nullptr;
+    QDialogButtonBox* buttons_ = nullptr;
+    std::string marked_; ///< field that carries the message of the check of all values together
+    QString holder_problem_;
+    bool filling_ = false;
+};
+
+} // namespace facetmill::ui

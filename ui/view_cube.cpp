@@ -1,0 +1,157 @@
+#include "ui/view_cube.h"
+
+#include "ui/text.h"
+#include "ui/theme.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+
+namespace facetmill::ui {
+
+namespace {
+
+struct Face {
+    StandardView view;
+    Vec3 outward, right, up; ///< right and up as its label is written
+    const char* label;
+};
+
+const std::array<Face, 6>& faces() {
+    static const std::array<Face, 6> all = {{
+        {StandardView::front, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, "FRONT"},
+        {StandardView::rear, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, "REAR"},
+        {StandardView::right, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, "RIGHT"},
+        {StandardView::left, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, "LEFT"},
+        {StandardView::top, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "TOP"},
+        {StandardView::bottom, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, "BOTTOM"},
+    }};
+    return all;
+}
+
+constexpr int side = 92;
+constexpr double half_edge = 25.0;
+const QRectF house(side - 20, side - 20, 18, 18);
+
+} // namespace
+
+ViewCube::ViewCube(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("view_cube"));
+    setFixedSize(side, side);
+    setMouseTracking(true);
+    setCursor(Qt::ArrowCursor);
+}
+
+void ViewCube::set_orientation(const Vec3& sight, const Vec3& up) {
+    if (sight.isApprox(sight_, 1e-12) && up.isApprox(up_, 1e-12)) return;
+    sight_ = sight;
+    up_ = up;
+    update();
+}
+
+QPointF ViewCube::project(const Vec3& p) const {
+    const Vec3 right = sight_.cross(up_).normalized();
+    const Vec3 upward = right.cross(sight_);
+    return {side / 2.0 + p.dot(right) * half_edge, side / 2.0 - p.dot(upward) * half_edge};
+}
+
+std::optional<QPointF> ViewCube::face_centre(StandardView view) const {
+    if (view == StandardView::iso) return house.center();
+    for (const Face& f : faces())
+        if (f.view == view && seen(f.outward)) return project(f.outward);
+    return std::nullopt;
+}
+
+std::optional<StandardView> ViewCube::face_at(const QPointF& at) const {
+    if (house.contains(at)) return StandardView::iso;
+    for (const Face& f : faces()) {
+        if (!seen(f.outward)) continue;
+        const QPolygonF outline({project(f.outward - f.right - f.up), project(f.outward + f.right - f.up),
+                                 project(f.outward + f.right + f.up), project(f.outward - f.right + f.up)});
+        if (outline.containsPoint(at, Qt::WindingFill)) return f.view;
+    }
+    return std::nullopt;
+}
+
+void ViewCube::paintEvent(QPaintEvent*) {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    const bool dark = is_dark(palette());
+    const QColor ink = dark ? QColor(0xdde3e9) : QColor(0x26323d);
+    const QColor body = dark ? QColor(0x46515c) : QColor(0xf7f9fb);
+    const QColor edge = dark ? QColor(0x8a97a4) : QColor(0x8593a1);
+    const QColor accent = palette().color(QPalette::Highlight);
+    for (const Face& f : faces()) {
+        if (!seen(f.outward)) continue;
+        const QPointF a = project(f.outward - f.right - f.up), b = project(f.outward + f.right - f.up),
+                      d = project(f.outward - f.right + f.up), c = b + d - a;
+        QColor fill = hover_ == f.view ? accent : body.darker(int(100 + 22 * (1.0 + f.outward.dot(sight_))));
+        fill.setAlpha(235);
+        p.setPen(QPen(edge, 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        p.setBrush(fill);
+        p.drawPolygon(QPolygonF({a, b, c, d}));
+        // The label lies in the face: a unit square of the face is mapped onto the screen.
+        p.save();
+        const QTransform onto((b.x() - a.x()) / 100, (b.y() - a.y()) / 100, (a.x() - d.x()) / 100,
+                              (a.y() - d.y()) / 100, d.x(), d.y());
+        p.setTransform(onto, true);
+        QFont font = this->font();
+        font.setPixelSize(21);
+        font.setBold(true);
+        p.setFont(font);
+        p.setPen(hover_ == f.view ? QColor(Qt::white) : ink);
+        p.drawText(QRectF(0, 0, 100, 100), Qt::AlignCenter, QLatin1String(f.label));
+        p.restore();
+    }
+    p.setPen(
+        QPen(hover_ == StandardView::iso ? accent : ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    p.setBrush(Qt::NoBrush);
+    const double x = house.x(), y = house.y();
+    p.drawPolyline(QPolygonF({{x + 2, y + 9}, {x + 9, y + 2.5}, {x + 16, y + 9}}));
+    p.drawPolyline(
+        QPolygonF({{x + 4.5, y + 7.5}, {x + 4.5, y + 15}, {x + 13.5, y + 15}, {x + 13.5, y + 7.5}}));
+}
+
+void ViewCube::mousePressEvent(QMouseEvent* event) {
+    pressed_ = face_at(event->position());
+    // Beside the cube the view below gets the press.
+    event->setAccepted(pressed_.has_value());
+}
+
+void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
+    const auto face = face_at(event->position());
+    if (event->button() == Qt::LeftButton && face && face == pressed_) emit chosen(*face);
+    pressed_.reset();
+}
+
+void ViewCube::mouseMoveEvent(QMouseEvent* event) {
+    const auto face = face_at(event->position());
+    if (face == hover_) return;
+    hover_ = face;
+    update();
+}
+
+void ViewCube::mouseDoubleClickEvent(QMouseEvent* event) {
+    event->setAccepted(face_at(event->position()).has_value());
+}
+
+void ViewCube::leaveEvent(QEvent*) {
+    hover_.reset();
+    update();
+}
+
+bool ViewCube::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        auto* help = static_cast<QHelpEvent*>(event);
+        if (const auto face = face_at(help->pos()))
+            QToolTip::showText(help->globalPos(), text(view_label(*face)), this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+} // namespace facetmill::ui

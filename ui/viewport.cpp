@@ -1,0 +1,296 @@
+#include "ui/viewport.h"
+
+#include "ui/view_cube.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+
+namespace facetmill::ui {
+
+struct Viewport::Window {
+    vtkSmartPointer<vtkGenericOpenGLRenderWindow> vtk = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+};
+
+namespace {
+
+/// Pointer travel, in points, below which a press and release is a click.
+constexpr double click_slack = 4.0;
+/// Half a turn of the part for one travel over the shorter side of the view.
+constexpr double turn_per_side = pi;
+constexpr double pick_radius = 8.0;
+
+Vec3 vec(const double* v) {
+    return {v[0], v[1], v[2]};
+}
+
+} // namespace
+
+void Viewport::set_default_format() {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    format.setAlphaBufferSize(8);
+    format.setSamples(0);
+    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_unique<Window>()) {
+    // The picture is kept between frames: overlays and neighbours repaint without drawing the scene again.
+    setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 120);
+    cube_ = new ViewCube(this);
+    connect(cube_, &ViewCube::chosen, this, &Viewport::set_view);
+    connect(this, &Viewport::camera_changed, cube_, [this] { cube_->set_orientation(sight(), up()); });
+    hover_timer_.setSingleShot(true);
+    hover_timer_.setInterval(60);
+    connect(&hover_timer_, &QTimer::timeout, this, &Viewport::hover);
+    cube_->set_orientation(sight(), up());
+}
+
+Viewport::~Viewport() {
+    release();
+}
+
+void Viewport::release() {
+    if (!context()) return;
+    makeCurrent();
+    scene_.detach();
+    window_->vtk->Finalize();
+    window_->vtk->SetReadyForRendering(false);
+    doneCurrent();
+}
+
+void Viewport::initializeGL() {
+    // A change of screen can give the widget another context: VTK's resources of the old one go with it.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::UniqueConnection);
+    auto* w = window_->vtk.Get();
+    w->SetOwnContext(0);
+    w->SetIsCurrent(true);
+    w->SetReadyForRendering(true);
+    w->SetFrameBlitModeToBlitToCurrent();
+    w->SetMultiSamples(0);
+    const QSurfaceFormat got = context()->format();
+    if (got.version() < qMakePair(3, 2)) {
+        emit unavailable(tr("The 3D view needs OpenGL 3.2; this display offers %1.%2")
+                             .arg(got.majorVersion())
+                             .arg(got.minorVersion()));
+        w->SetReadyForRendering(false);
+        return;
+    }
+    w->OpenGLInit();
+    scene_.attach(w);
+    dirty_ = true;
+}
+
+void Viewport::resizeGL(int, int) {
+    dirty_ = true;
+}
+
+void Viewport::paintGL() {
+    auto* w = window_->vtk.Get();
+    if (!dirty_ || !w->GetReadyForRendering()) return;
+    dirty_ = false;
+    QElapsedTimer timer;
+    timer.start();
+    const double ratio = devicePixelRatioF();
+    const int width_px = int(std::lround(width() * ratio)), height_px = int(std::lround(height() * ratio));
+    w->SetSize(width_px, height_px);
+    scene_.set_pixel_ratio(ratio);
+    if (first_fit_) {
+        // Only now the view has a size to fit into.
+        first_fit_ = false;
+        scene_.fit();
+    }
+    scene_.renderer()->ResetCameraClippingRange();
+    auto* state = w->GetState();
+    state->Reset();
+    state->Push();
+    state->ResetFramebufferBindings();
+    w->Render();
+    state->Pop();
+    ++frames_;
+    last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+}
+
+void Viewport::refresh() {
+    dirty_ = true;
+    update();
+}
+
+void Viewport::set_view(StandardView view) {
+    scene_.set_view(view);
+    emit camera_changed();
+    refresh();
+}
+
+void Viewport::fit() {
+    scene_.fit();
+    emit camera_changed();
+    refresh();
+}
+
+Vec3 Viewport::sight() const {
+    return vec(const_cast<Scene&>(scene_).camera()->GetDirectionOfProjection());
+}
+
+Vec3 Viewport::up() const {
+    return vec(const_cast<Scene&>(scene_).camera()->GetViewUp());
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    place_overlays();
+}
+
+void Viewport::place_overlays() {
+    const int margin = 8;
+    cube_->move(width() - cube_->width() - margin, margin);
+    cube_->setVisible(width() > 260 && height() > 200);
+}
+
+void Viewport::turn(const QPointF& by) {
+    vtkCamera* camera = scene_.camera();
+    const double side = std::max(1, std::min(width(), height()));
+    const Vec3 forward = vec(camera->GetDirectionOfProjection());
+    Vec3 upward = vec(camera->GetViewUp());
+    const Vec3 right = forward.cross(upward).normalized();
+    upward = right.cross(forward).normalized();
+    const Eigen::AngleAxisd about_up(-by.x() / side * turn_per_side, upward);
+    const Eigen::AngleAxisd about_right(-by.y() / side * turn_per_side, right);
+    const Mat3 rotation = (about_up * about_right).toRotationMatrix();
+    const Vec3 position = pivot_ + rotation * (vec(camera->GetPosition()) - pivot_);
+    const Vec3 focus = pivot_ + rotation * (vec(camera->GetFocalPoint()) - pivot_);
+    const Vec3 new_up = (rotation * upward).normalized();
+    camera->SetPosition(position.data());
+    camera->SetFocalPoint(focus.data());
+    camera->SetViewUp(new_up.data());
+    emit camera_changed();
+    refresh();
+}
+
+void Viewport::move(const QPointF& by) {
+    vtkCamera* camera = scene_.camera();
+    const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
+    const Vec3 forward = vec(camera->GetDirectionOfProjection());
+    const Vec3 right = forward.cross(vec(camera->GetViewUp())).normalized();
+    const Vec3 upward = right.cross(forward);
+    const Vec3 shift = mm_per_point * (-by.x() * right + by.y() * upward);
+    const Vec3 position = vec(camera->GetPosition()) + shift, focus = vec(camera->GetFocalPoint()) + shift;
+    camera->SetPosition(position.data());
+    camera->SetFocalPoint(focus.data());
+    emit camera_changed();
+    refresh();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::none) return; // a second button during a drag changes nothing
+    press_ = last_ = event->position();
+    dragged_ = false;
+    hover_timer_.stop();
+    if (event->button() == Qt::LeftButton)
+        drag_ = event->modifiers() & Qt::ShiftModifier ? Drag::move : Drag::turn;
+    else if (event->button() == Qt::MiddleButton)
+        drag_ = Drag::move;
+    else if (event->button() == Qt::RightButton)
+        drag_ = Drag::zoom;
+    if (drag_ == Drag::turn) {
+        // What is under the pointer stays there; off the part it turns about the middle of what is shown.
+        const Box3 bounds = scene_.bounds();
+        pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
+        const QPointF at = device(press_);
+        if (const auto pick = scene_.pick_part(at.x(), at.y())) pivot_ = pick->point;
+    }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = event->position();
+    if (drag_ == Drag::none) {
+        hover_at_ = at;
+        hover_timer_.start();
+        return;
+    }
+    if (!dragged_ && std::hypot(at.x() - press_.x(), at.y() - press_.y()) < click_slack) return;
+    dragged_ = true;
+    const QPointF by = at - last_;
+    last_ = at;
+    switch (drag_) {
+    case Drag::turn:
+        turn(by);
+        break;
+    case Drag::move:
+        move(by);
+        break;
+    case Drag::zoom: {
+        const QPointF centre = device(press_);
+        scene_.zoom_at(centre.x(), centre.y(), std::exp(-by.y() * 0.01));
+        emit camera_changed();
+        refresh();
+        break;
+    }
+    case Drag::none:
+        break;
+    }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    const Drag was = drag_;
+    drag_ = Drag::none;
+    if (dragged_ || was == Drag::none) return;
+    if (was == Drag::turn && event->button() == Qt::LeftButton) click(event->position());
+    if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) fit();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps == 0) return;
+    const QPointF at = device(event->position());
+    scene_.zoom_at(at.x(), at.y(), std::pow(1.2, steps));
+    emit camera_changed();
+    refresh();
+    event->accept();
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+    hover_timer_.stop();
+    emit hovered(std::nullopt);
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void Viewport::click(const QPointF& at) {
+    if (!window_->vtk->GetReadyForRendering()) return;
+    const QPointF p = device(at);
+    if (const auto pick = scene_.pick_path(p.x(), p.y(), pick_radius * devicePixelRatioF()))
+        emit path_picked(*pick);
+    else if (const auto part = scene_.pick_part(p.x(), p.y()))
+        emit part_picked(*part);
+    else
+        emit nothing_picked();
+}
+
+void Viewport::hover() {
+    if (!window_->vtk->GetReadyForRendering() || drag_ != Drag::none) return;
+    const QPointF p = device(hover_at_);
+    emit hovered(scene_.pick_part(p.x(), p.y()));
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,99 @@
+// The 3D view: a QOpenGLWidget around a vtkGenericOpenGLRenderWindow that shows a Scene. VTK is built against
+// another Qt than ours on some systems, so its own widget is not used anywhere.
+//
+// It draws only when something changed (`refresh`); between changes Qt composes the picture it has. Mouse:
+// left turns, middle or Shift+left moves, right or the wheel zooms about the pointer, a click picks, a double
+// click fits.
+#pragma once
+
+#include "viz/scene.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include <optional>
+
+template <class T>
+class vtkSmartPointer;
+class vtkGenericOpenGLRenderWindow;
+
+namespace facetmill::ui {
+
+class ViewCube;
+
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    /// The surface format that VTK needs; set as the default before the application object is made.
+    static void set_default_format();
+
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    Scene& scene() { return scene_; }
+    const Scene& scene() const { return scene_; }
+    /// Draws soon. Many calls draw once.
+    void refresh();
+    void set_view(StandardView view);
+    /// Fits the view without a change of direction.
+    void fit();
+    /// Direction of sight and upward direction of the screen, unit vectors.
+    Vec3 sight() const;
+    Vec3 up() const;
+    ViewCube* view_cube() { return cube_; }
+
+    /// Pixels drawn since the start, for tests and the log: frames and the time the last one took.
+    int frames() const { return frames_; }
+    double last_frame_ms() const { return last_frame_ms_; }
+
+signals:
+    void camera_changed();
+    /// A click that met a CC or CL, the part, nothing.
+    void path_picked(const facetmill::PathPick& pick);
+    void part_picked(const facetmill::PartPick& pick);
+    void nothing_picked();
+    /// The point of the part under the resting pointer, or none.
+    void hovered(const std::optional<facetmill::PartPick>& pick);
+    void menu_requested(const QPoint& global);
+    /// No OpenGL 3.2: the view stays empty.
+    void unavailable(const QString& why);
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    enum class Drag { none, turn, move, zoom };
+    void release();
+    void place_overlays();
+    void turn(const QPointF& by);
+    void move(const QPointF& by);
+    void click(const QPointF& at);
+    void hover();
+    QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
+
+    Scene scene_;
+    struct Window;
+    std::unique_ptr<Window> window_;
+    ViewCube* cube_ = nullptr;
+    bool dirty_ = true, first_fit_ = true;
+    Drag drag_ = Drag::none;
+    bool dragged_ = false;
+    QPointF press_, last_;
+    Vec3 pivot_ = Vec3::Zero();
+    QTimer hover_timer_;
+    QPointF hover_at_;
+    int frames_ = 0;
+    double last_frame_ms_ = 0;
+};
+
+} // namespace facetmill::ui
