@@ -212,33 +212,12 @@ private:
         }
     }
 
-    /// Place on the straight parameter line p-q whose surface point is equally far from both ends.
-    double middle(const Vec2& p, const Vec2& q, const Vec3& a, const Vec3& b) const {
-        const double length2 = (b - a).squaredNorm();
-        double t0 = 0.0, f0 = -length2, t1 = 1.0, f1 = length2, t = 0.5;
-        if (!(length2 > 0.0)) return t;
-        for (int step = 0; step < 6; ++step) {
-            const Vec3 s = patch_((1.0 - t) * p.x() + t * q.x(), (1.0 - t) * p.y() + t * q.y());
-            const double f = (s - a).squaredNorm() - (s - b).squaredNorm();
-            if (std::abs(f) < 0.02 * length2) break; // within a hundredth of the edge
-            (f < 0.0 ? t0 : t1) = t;
-            (f < 0.0 ? f0 : f1) = f;
-            t = std::clamp((t0 * f1 - t1 * f0) / (f1 - f0), t0 + 0.1 * (t1 - t0), t1 - 0.1 * (t1 - t0));
-        }
-        return t;
-    }
-
     void halve(Index first, int edge, Index second) {
         const auto corner = [](int k) { return std::size_t(k % 3); };
         const Triangle t = triangles_[first];
         const Index a = t.corner[corner(edge)], b = t.corner[corner(edge + 1)];
         const Vec2 pa = t.at[corner(edge)], pb = t.at[corner(edge + 1)];
-        // From the smaller vertex number, so that it does not matter which side asked.
-        const bool forward = a < b;
-        double w =
-            forward ? middle(pa, pb, vertices_[a], vertices_[b]) : middle(pb, pa, vertices_[b], vertices_[a]);
-        if (!forward) w = 1.0 - w;
-        const Vec2 pm = pa + w * (pb - pa); // exactly on the border where pa and pb are
+        const Vec2 pm = 0.5 * (pa + pb); // exactly on the border where both ends are
         const Index m = Index(vertices_.size());
         vertices_.push_back(patch_(pm.x(), pm.y()));
 
@@ -246,8 +225,7 @@ private:
         if (second == no_index) return;
         const int across = edge_to(triangles_[second], first);
         const Triangle& s = triangles_[second];
-        const Vec2 qa = s.at[corner(across + 1)], qb = s.at[corner(across)];
-        const Vec2 qm = qa + w * (qb - qa);
+        const Vec2 qm = 0.5 * (s.at[corner(across)] + s.at[corner(across + 1)]);
         const Index second_new = split_one(second, across, m, qm);
         // `first` kept the half at a, its new one has b; `second` runs the other way: it kept b, its new one
         // has a.

@@ -18,17 +18,16 @@ using PatchFunction = std::function<Vec3(double, double)>;
 /// so put lines on creases. Facets are counter-clockwise seen from d/da x d/db.
 struct PatchGrid {
     std::vector<double> a, b; ///< increasing, at least two each
-    bool closed_a =
-        false; ///< the last column is the first one again: patch(a.back(), b) == patch(a.front(), b)
+    /// The last column is the first one again: patch(a.back(), b) == patch(a.front(), b).
+    bool closed_a = false;
 };
 
 /// Mesh of the patch whose surface points are all within `tolerance` (mm) of it, edges and border included:
 /// facets are halved across their longest edge, together with the facet on the other side (Rivara's
 /// longest-edge bisection), so that there are never T-junctions and angles stay near those of the coarse
-/// grid. Edges are cut where the surface has equal distance to both ends. Facets are judged at the points of
-/// a fine lattice, not only at their middles. The same mesh for every thread count. Throws
-/// Error(out_of_range) naming `what` when the tolerance needs more than `sample_facet_limit` facets.
-/// Cancellation per 256 facets.
+/// grid. Facets are judged at the points of a fine lattice, not only at their middles. The same mesh for
+/// every thread count. Throws Error(out_of_range) naming `what` when the tolerance needs more than
+/// `sample_facet_limit` facets. Cancellation per 256 facets.
 Mesh tessellate_patch(const PatchFunction& patch, const PatchGrid& grid, double tolerance,
                       const std::string& what, const Progress& progress);
 

@@ -210,6 +210,29 @@ private slots:
         QVERIFY2(fine.mean_rms < 0.06 / small, qPrintable(QString::number(fine.mean_rms)));
     }
 
+    void fit_forgives_a_tilted_normal() {
+        // The slope is free, so a normal that is half a radian off changes neither curvatures nor directions
+        // much.
+        std::vector<Vec2> at;
+        const Mesh mesh = torus(128, 0.0, at);
+        auto normals = vertex_normals(mesh, NormalWeight::angle, {});
+        std::mt19937 rng(4);
+        for (Vec3& n : normals) {
+            const Vec3 random(double(rng() % 201) - 100.0, double(rng() % 201) - 100.0,
+                              double(rng() % 201) - 99.5);
+            n = (n + 0.5 * (random - random.dot(n) * n).normalized()).normalized();
+        }
+        const auto curvatures = vertex_curvatures(mesh, normals, {});
+        for (std::size_t v = 0; v < curvatures.size(); ++v) {
+            const Known k = on_torus(at[v]);
+            const VertexCurvature& c = curvatures[v];
+            QVERIFY(std::abs(c.k1 - k.k1) < 0.02 * k.k1 && std::abs(c.k2 - k.k2) < 0.02 * k.k1);
+            QVERIFY(c.direction1.cross(k.direction1).norm() < 0.02);
+            QVERIFY(std::abs(c.direction1.dot(c.direction2)) < 1e-12
+                    && std::abs(c.direction2.dot(k.normal)) < 0.02);
+        }
+    }
+
     void saddle_and_plane() {
         const int n = 40;
         const double r = 4.0;
@@ -299,7 +322,13 @@ private slots:
                      border);
         }
         // Two cubes at a vertex, two along an edge: undefined there, defined elsewhere.
-        const auto at_vertex = curvatures(welded(cube_mesh(), cube_mesh(1.0, Vec3::Ones())));
+        // The second one is sheared, so that the normals there do not cancel.
+        Mesh sheared = cube_mesh(1.0, Vec3::Ones());
+        for (Vec3& p : sheared.vertices)
+            p += 0.5 * (p.x() - 1) * Vec3(0, 1, 2);
+        const Mesh touching = welded(cube_mesh(), sheared);
+        QVERIFY(vertex_normals(touching, NormalWeight::angle, {})[7].norm() > 0.5);
+        const auto at_vertex = curvatures(touching);
         for (std::size_t v = 0; v < at_vertex.size(); ++v)
             QCOMPARE(std::isnan(at_vertex[v].mean), v == 7);
         const auto at_edge = curvatures(welded(cube_mesh(), cube_mesh(1.0, Vec3(1, 1, 0))));

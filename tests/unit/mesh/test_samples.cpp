@@ -241,7 +241,7 @@ private slots:
         QVERIFY2(tolerance > 0.1 || worst > 0.8 * tolerance, qPrintable(QString::number(worst / tolerance)));
         // Mesh to surface: inside facets, on edges, at vertices.
         double back = 0, at_vertices = 0;
-        for (int i = 0; i < 900; ++i) {
+        for (int i = 0; i < 450; ++i) {
             const std::size_t f = rng() % mesh->facet_count();
             double a = random_unit(rng), b = i % 3 == 0 ? 0.0 : random_unit(rng);
             if (a + b > 1) a = 1 - a, b = 1 - b;
