@@ -45,12 +45,11 @@ struct LineMeetsCircle {
     bool meets = false, tangent = false;
     double before = 0, after = 0;
 };
-LineMeetsCircle meet(const Vec2& through, const Vec2& u, const Vec2& centre, double r) {
+LineMeetsCircle meet(const Vec2& through, const Vec2& u, const Vec2& centre, double r, double noise) {
     const Vec2 to = centre - through;
     const double along = u.dot(to);
     const double distance = std::abs(u.x() * to.y() - u.y() * to.x());
-    if (std::abs(distance - r) <= tolerance::cutter_angle * std::max(r, to.norm()))
-        return {true, true, along, along};
+    if (std::abs(distance - r) <= noise) return {true, true, along, along};
     if (distance > r) return {};
     const double half = std::sqrt((r - distance) * (r + distance));
     return {true, false, along - half, along + half};
@@ -72,13 +71,13 @@ double tangent_angle(const Vec2& centre, const Vec2& p) {
 std::optional<Corner> corner_of(const AptCutter& c, const Vec2& bottom, const Vec2& side,
                                 const Vec2& corner) {
     const Vec2 centre(c.e, c.f);
-    const LineMeetsCircle low = meet(Vec2::Zero(), bottom, centre, c.r);
-    const LineMeetsCircle high = meet(corner, side, centre, c.r);
+    const double noise = tolerance::cutter_angle * std::max({c.d, c.r, std::abs(c.e), std::abs(c.f)});
+    const LineMeetsCircle low = meet(Vec2::Zero(), bottom, centre, c.r, noise);
+    const LineMeetsCircle high = meet(corner, side, centre, c.r, noise);
     if (!low.meets || !high.meets) return std::nullopt;
     // Where a line cuts the circle twice, the boundary passes from the bottom line to the circle at the outer
     // meeting and from the circle to the side line at the lower one: only there it turns to the steeper side.
     const double start = low.after, end = high.before;
-    const double noise = tolerance::cutter_angle * std::max({c.d, c.r, std::abs(c.e), std::abs(c.f)});
     if (start < -noise || start * bottom.x() > 0.5 * c.d + noise || end < -noise) return std::nullopt;
     Corner k{true, std::max(0.0, start) * bottom, corner + std::max(0.0, end) * side, centre, c.r};
     if (tangent_angle(centre, k.first_point) > tangent_angle(centre, k.last_point)) {

@@ -49,6 +49,11 @@ inline ElementLift edge_lift(const LowerSurface& surface, const Vec3& a, const V
     if (s_low > reach || s_high < -reach) return {};
     const double rise = high.z() - low.z();
     const double best = surface.line_contact(l, rise, run);
+    // Beyond an end it is that corner's lift, unless rounding sees the corner outside of the cutter.
+    if (best >= s_high || best <= s_low) {
+        const ElementLift corner = vertex_lift(surface, best >= s_high ? high : low);
+        if (corner.tip_z > -infinity) return corner;
+    }
     const double s = std::clamp(best, s_low, s_high);
     const double t = std::clamp((s - s_low) / run, 0.0, 1.0);
     const double z = std::min(low.z() + t * rise, high.z());

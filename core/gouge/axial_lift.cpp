@@ -120,6 +120,15 @@ private:
     Best best_;
 };
 
+/// What a query at a place that is no place gives: nothing is under infinity.
+double lift_nowhere(double x, double y) {
+    return std::isnan(x) || std::isnan(y) ? std::numeric_limits<double>::quiet_NaN() : -infinity;
+}
+
+bool is_place(double x, double y) {
+    return std::isfinite(x) && std::isfinite(y);
+}
+
 } // namespace
 
 AxialLift::AxialLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance)
@@ -127,7 +136,7 @@ AxialLift::AxialLift(ContactIndexPtr index, const CutterProfile& cutter, double 
       surface_(std::make_shared<const LowerSurface>(cutter.grown(allowance))) {}
 
 double AxialLift::tip_z(double x, double y) const {
-    if (std::isnan(x) || std::isnan(y)) return std::numeric_limits<double>::quiet_NaN();
+    if (!is_place(x, y)) return lift_nowhere(x, y);
     Query query(index_->impl(), *surface_, x, y);
     query.run();
     return query.best().tip_z + allowance_;
@@ -135,8 +144,8 @@ double AxialLift::tip_z(double x, double y) const {
 
 AxialContact AxialLift::contact(double x, double y) const {
     AxialContact contact;
-    if (std::isnan(x) || std::isnan(y)) {
-        contact.tip_z = std::numeric_limits<double>::quiet_NaN();
+    if (!is_place(x, y)) {
+        contact.tip_z = lift_nowhere(x, y);
         return contact;
     }
     Query query(index_->impl(), *surface_, x, y);
@@ -161,8 +170,8 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
         Index last_block = no_index;
         for (std::size_t i = begin; i < end; ++i) {
             const double x = points[i].x(), y = points[i].y();
-            if (std::isnan(x) || std::isnan(y)) {
-                heights[i] = std::numeric_limits<double>::quiet_NaN();
+            if (!is_place(x, y)) {
+                heights[i] = lift_nowhere(x, y);
                 continue;
             }
             Query query(index_->impl(), *surface_, x, y);

@@ -137,7 +137,10 @@ std::vector<Item> middles(const Mesh& mesh, const Progress& progress) {
                 throw Error(ErrorCode::internal, "facet " + std::to_string(f),
                             "names a vertex that does not exist", "report this");
             const Vec3& p = mesh.corner(f, k);
-            if (!(p.cwiseAbs().maxCoeff() <= tolerance::largest_coordinate))
+            const auto good = [](double v) {
+                return std::abs(v) <= tolerance::largest_coordinate;
+            }; // not for nan
+            if (!good(p.x()) || !good(p.y()) || !good(p.z()))
                 throw Error(ErrorCode::non_finite, "facet " + std::to_string(f),
                             "has a corner that is not finite or out of range",
                             "check the mesh's units and numbers");
@@ -152,6 +155,11 @@ std::vector<Item> middles(const Mesh& mesh, const Progress& progress) {
 } // namespace
 
 ContactIndex::~ContactIndex() = default;
+
+std::size_t ContactIndex::memory() const {
+    return sizeof(Impl) + impl_->blocks.capacity() * sizeof(FacetBlock)
+           + impl_->nodes.capacity() * sizeof(TreeNode);
+}
 
 ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::move(mesh)), impl_(new Impl) {
     if (mesh_->facet_count() == 0) return;
@@ -217,6 +225,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
             boxes[n].add(box);
         }
     }
+    impl_->nodes.shrink_to_fit();
     const Box3& all = boxes[0];
     impl_->largest_coordinate =
         std::max({std::abs(all.lo.x()), std::abs(all.lo.y()), std::abs(all.hi.x()), std::abs(all.hi.y())});

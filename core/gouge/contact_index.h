@@ -12,7 +12,8 @@ namespace facetmill {
 
 class ContactIndex {
 public:
-    /// Vertex coordinates must be finite. Cancellation within 20 ms. Memory at most 100 bytes a facet.
+    /// Throws Error(non_finite) for corners that are not finite or beyond tolerance::largest_coordinate.
+    /// Cancellation within 20 ms. Memory at most 100 bytes a facet beside the mesh.
     ContactIndex(MeshPtr mesh, const Progress& progress);
     ~ContactIndex();
     ContactIndex(const ContactIndex&) = delete;
@@ -20,6 +21,9 @@ public:
 
     const Mesh& mesh() const { return *mesh_; }
     MeshPtr mesh_ptr() const { return mesh_; }
+
+    /// Bytes held, the mesh not counted.
+    std::size_t memory() const;
 
     struct Impl;
     const Impl& impl() const { return *impl_; }

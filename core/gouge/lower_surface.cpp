@@ -75,7 +75,8 @@ double LowerSurface::line_contact(double l, double rise, double run) const {
         double s0 = 0;
         if (p.rho0 >= l) {
             s0 = leg(p.rho0, l);
-            if (rise * p.rho0 <= p.slope0 * s0 * run) return s0;
+            // s/rho at the start is 1 for a line through the axis.
+            if (p.rho0 > 0 ? rise * p.rho0 <= p.slope0 * s0 * run : rise <= p.slope0 * run) return s0;
         } else if (rise == 0) {
             return 0;
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace facetmill::test {
 
@@ -28,7 +29,7 @@ Real golden_maximum(Real lo, Real hi, F&& f) {
     Real x1 = hi - golden * (hi - lo), x2 = lo + golden * (hi - lo), f1 = f(x1), f2 = f(x2);
     // To the last digit of a double: the function may be as steep as the facet, or steeper on the cutter's
     // side.
-    while (hi - lo > 1e-17L * std::max({Real(1), std::abs(lo), std::abs(hi)})) {
+    while (hi - lo > 1e-16L * std::max({Real(1), std::abs(lo), std::abs(hi)})) {
         if (f1 < f2) {
             lo = x1;
             x1 = x2;
@@ -48,7 +49,7 @@ Real golden_maximum(Real lo, Real hi, F&& f) {
 }
 
 Real lift_at(const BruteCutter& cutter, Real x, Real y, Real z) {
-    return z - cutter.height(std::min(std::hypot(x, y), cutter.radius));
+    return z - cutter.height(std::min(std::sqrt(x * x + y * y), cutter.radius()));
 }
 
 /// Parameters of a + t (b - a), 0 <= t <= 1, within the disc.
@@ -67,7 +68,7 @@ Point along(const Point& a, const Point& b, Real t) {
 }
 
 Real edge_lift(const BruteCutter& cutter, const Point& a, const Point& b) {
-    const Interval t = within_disc(a, b, cutter.radius);
+    const Interval t = within_disc(a, b, cutter.radius());
     if (t.empty()) return none;
     return golden_maximum(t.lo, t.hi, [&](Real s) {
         const Point p = along(a, b, s);
@@ -103,7 +104,7 @@ Real facet_lift(const BruteCutter& cutter, Point (&p)[3]) {
         {edge_lift(cutter, p[0], p[1]), edge_lift(cutter, p[1], p[2]), edge_lift(cutter, p[2], p[0])});
     const Real area = turn(p[0], p[1], p[2].x, p[2].y);
     if (area == 0) return best; // seen along the axis it is its edges
-    const Real r = cutter.radius;
+    const Real r = cutter.radius();
     // Scan across the longer side.
     const auto extent = [&](Real Point::*c) {
         return std::max({p[0].*c, p[1].*c, p[2].*c}) - std::min({p[0].*c, p[1].*c, p[2].*c});
@@ -149,44 +150,39 @@ Real facet_lift(const BruteCutter& cutter, Point (&p)[3]) {
 
 } // namespace
 
-BruteCutter::BruteCutter(std::function<long double(long double)> g, long double max_radius)
-    : height(std::move(g)), radius(max_radius) {}
+BruteCutter::BruteCutter(std::function<Real(Real)> g, Real max_radius)
+    : function_(std::move(g)), radius_(max_radius) {}
 
-BruteCutter::BruteCutter(const AptCutter& cutter) {
-    const Real r = cutter.r, e = cutter.e, f = cutter.f, h = cutter.h;
-    const Real bottom = std::tan(Real(cutter.alpha)), side = std::tan(Real(cutter.beta));
-    const Real corner = Real(cutter.d) / 2, corner_z = corner * bottom;
-    // Distances at which the bottom gives over to the circle and the circle to the side.
-    Real rho_a = corner, rho_b = corner;
-    if (r > 0) {
+BruteCutter::BruteCutter(const AptCutter& cutter)
+    : r_(cutter.r), e_(cutter.e), f_(cutter.f), bottom_(std::tan(Real(cutter.alpha))),
+      side_(std::tan(Real(cutter.beta))), corner_(Real(cutter.d) / 2), corner_z_(corner_ * bottom_),
+      rho_a_(corner_), rho_b_(corner_) {
+    const Real h = cutter.h;
+    if (r_ > 0) {
         // Outer crossing of the circle with z = rho tan(alpha), lower one with rho = corner + (z - corner_z)
         // tan(beta).
         const Real ca = std::cos(Real(cutter.alpha)), sa = std::sin(Real(cutter.alpha));
         const Real cb = std::cos(Real(cutter.beta)), sb = std::sin(Real(cutter.beta));
         const auto half_chord = [&](Real distance) {
-            const Real square = r * r - distance * distance;
-            return square > 1e-11L * r * r ? std::sqrt(square) : 0; // less is a tangent's rounding
+            const Real square = r_ * r_ - distance * distance;
+            return square > 1e-11L * r_ * r_ ? std::sqrt(square) : 0; // less is a tangent's rounding
         };
-        rho_a = std::max(Real(0), (e * ca + f * sa + half_chord(f * ca - e * sa)) * ca);
-        const Real t =
-            (e - corner) * sb + (f - corner_z) * cb - half_chord((corner - e) * cb - (corner_z - f) * sb);
-        rho_b = corner + t * sb;
-        if (corner_z + t * cb > f) rho_b = e + r; // beyond its widest place the circle is no lower surface
+        rho_a_ = std::max(Real(0), (e_ * ca + f_ * sa + half_chord(f_ * ca - e_ * sa)) * ca);
+        const Real t = (e_ - corner_) * sb + (f_ - corner_z_) * cb
+                       - half_chord((corner_ - e_) * cb - (corner_z_ - f_) * sb);
+        rho_b_ = corner_ + t * sb;
+        if (corner_z_ + t * cb > f_)
+            rho_b_ = e_ + r_; // beyond its widest place the circle is no lower surface
     }
-    height = [=](Real rho) -> Real {
-        if (rho <= rho_a) return rho * bottom;
-        if (rho <= rho_b) return f - std::sqrt(std::max(Real(0), (r - (rho - e)) * (r + (rho - e))));
-        return corner_z + (rho - corner) / side;
-    };
-    radius = rho_b;
-    if (side > 0) radius = std::max(radius, corner + (h - corner_z) * side);
-    if (height(radius) > h) { // the cutter ends below: find where
-        Real lo = 0, hi = radius;
+    radius_ = rho_b_;
+    if (side_ > 0) radius_ = std::max(radius_, corner_ + (h - corner_z_) * side_);
+    if (height(radius_) > h * (1 + 1e-15L)) { // the cutter ends below: find where
+        Real lo = 0, hi = radius_;
         for (int i = 0; i < 200; ++i) {
             const Real middle = (lo + hi) / 2;
             (height(middle) <= h ? lo : hi) = middle;
         }
-        radius = lo;
+        radius_ = lo;
     }
 }
 
@@ -198,10 +194,30 @@ double brute_lift(const BruteCutter& cutter, const Vec3& a, const Vec3& b, const
 }
 
 double brute_lift(const BruteCutter& cutter, const Mesh& mesh, double x, double y) {
+    // No point of a facet is higher than its highest corner, and none is nearer to the axis than its box.
+    struct Candidate {
+        double most;
+        std::size_t facet;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        Box3 box;
+        for (int k = 0; k < 3; ++k)
+            box.add(mesh.corner(f, k));
+        const Real dx = std::max({Real(box.lo.x()) - x, x - Real(box.hi.x()), Real(0)});
+        const Real dy = std::max({Real(box.lo.y()) - y, y - Real(box.hi.y()), Real(0)});
+        const Real distance = std::sqrt(dx * dx + dy * dy);
+        if (distance > cutter.radius()) continue;
+        candidates.push_back({double(Real(box.hi.z()) - cutter.height(distance)) + 1e-12, f});
+    }
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b) { return a.most > b.most; });
     double best = -infinity;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f)
-        best =
-            std::max(best, brute_lift(cutter, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2), x, y));
+    for (const Candidate& c : candidates) {
+        if (c.most <= best) break;
+        best = std::max(best, brute_lift(cutter, mesh.corner(c.facet, 0), mesh.corner(c.facet, 1),
+                                         mesh.corner(c.facet, 2), x, y));
+    }
     return best;
 }
 

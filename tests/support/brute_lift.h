@@ -7,17 +7,33 @@
 #include "core/cutter/cutter.h"
 #include "core/mesh/mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace facetmill::test {
 
-/// The lower surface of a cutter straight from the APT letters (or from any convex function).
-struct BruteCutter {
+/// The lower surface of a cutter straight from the APT letters, or from any convex function.
+class BruteCutter {
+public:
+    using Real = long double;
     explicit BruteCutter(const AptCutter& cutter);
-    BruteCutter(std::function<long double(long double)> g, long double max_radius);
+    BruteCutter(std::function<Real(Real)> g, Real max_radius);
 
-    std::function<long double(long double)> height; ///< g(rho) for 0 <= rho <= radius
-    long double radius = 0;
+    /// g(rho) for 0 <= rho <= radius().
+    Real height(Real rho) const {
+        if (function_) return function_(rho);
+        if (rho <= rho_a_) return rho * bottom_;
+        if (rho <= rho_b_) return f_ - std::sqrt(std::max(Real(0), (r_ - (rho - e_)) * (r_ + (rho - e_))));
+        return corner_z_ + (rho - corner_) / side_;
+    }
+    Real radius() const { return radius_; }
+
+private:
+    std::function<Real(Real)> function_;
+    Real r_ = 0, e_ = 0, f_ = 0, bottom_ = 0, side_ = 0, corner_ = 0, corner_z_ = 0;
+    Real rho_a_ = 0, rho_b_ = 0; ///< where the bottom gives over to the circle, and the circle to the side
+    Real radius_ = 0;
 };
 
 /// -inf where the mesh is not under the cutter.
