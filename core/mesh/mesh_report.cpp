@@ -3,12 +3,11 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
 
 namespace facetmill {
@@ -362,37 +361,6 @@ void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress
          "unit_suspect");
     std::sort(report.warnings.begin(), report.warnings.end());
     report.warnings.erase(std::unique(report.warnings.begin(), report.warnings.end()), report.warnings.end());
-}
-
-nlohmann::ordered_json report_json(const MeshReport& report) {
-    const Box3& box = report.file_box;
-    const Vec3 size = box.size();
-    nlohmann::ordered_json j;
-    j["format"] = report.format;
-    j["name"] = report.name;
-    j["units"] = std::string(unit_name(report.assumed_unit));
-    j["units_guess"] = units_guess_name(report);
-    j["facets"] = report.facets;
-    j["vertices"] = report.vertices;
-    j["welded_vertices"] = report.welded_vertices;
-    j["degenerate"] = report.degenerate;
-    j["duplicate"] = report.duplicate;
-    j["shells"] = report.shells;
-    j["watertight"] = report.watertight;
-    j["open_edges"] = report.open_edges;
-    j["non_manifold_edges"] = report.non_manifold_edges;
-    j["inconsistent_edges"] = report.inconsistent_edges;
-    j["non_manifold_vertices"] = report.non_manifold_vertices;
-    j["bbox"] = {box.lo.x(), box.lo.y(), box.lo.z(), box.hi.x(), box.hi.y(), box.hi.z()};
-    j["size"] = {size.x(), size.y(), size.z()};
-    j["area"] = report.file_area;
-    j["volume"] = report.file_volume;
-    j["warnings"] = report.warnings;
-    auto notes = nlohmann::ordered_json::array();
-    for (const std::string& word : report.warnings)
-        notes.push_back(explain_warning(word));
-    j["notes"] = std::move(notes);
-    return j;
 }
 
 } // namespace facetmill

@@ -6,8 +6,6 @@
 #include "core/base/units.h"
 #include "core/mesh/mesh.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <vector>
 
@@ -68,11 +66,5 @@ std::vector<std::string> warning_words();
 /// non_manifold_edges, inconsistent_winding, multiple_shells, inside_out, unit_suspect. Lengths are divided
 /// by mm_per(report.assumed_unit). The same bits for every thread count. Cancellation within 20 ms.
 void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress);
-
-/// What `info` prints: format, name, units (assumed), units_guess, facets, vertices, welded_vertices,
-/// degenerate, duplicate, shells, watertight, open_edges, non_manifold_edges, inconsistent_edges,
-/// non_manifold_vertices, bbox (six numbers: low, high), size, area, volume (all in the file's own numbers),
-/// warnings (words), notes (their sentences).
-nlohmann::ordered_json report_json(const MeshReport& report);
 
 } // namespace facetmill

@@ -5,8 +5,6 @@
 
 #include <QTest>
 
-#include <nlohmann/json.hpp>
-
 #include <map>
 #include <numeric>
 #include <random>
@@ -267,25 +265,6 @@ private slots:
             QVERIFY2(explain_warning(word).ends_with('.') || explain_warning(word).ends_with(':'),
                      word.c_str());
         QVERIFY(explain_warning("no_such_word").empty());
-    }
-
-    void json_has_what_info_prints() {
-        Mesh mesh = box_mesh(origin, Vec3(20, 30, 40));
-        mesh.facets.pop_back();
-        const nlohmann::json j = report_json(read(binary_stl(mesh, "a box"), "a.stl").report);
-        QCOMPARE(j.at("facets").get<int>(), 11);
-        QCOMPARE(j.at("vertices").get<int>(), 8);
-        QCOMPARE(j.at("open_edges").get<int>(), 3);
-        QVERIFY(!j.at("watertight").get<bool>());
-        QVERIFY(j.at("bbox") == nlohmann::json({0.0, 0.0, 0.0, 20.0, 30.0, 40.0}));
-        QVERIFY(j.at("warnings") == nlohmann::json({"open_edges"}));
-        QCOMPARE(j.at("notes").size(), std::size_t(1));
-        QCOMPARE(j.at("units_guess").get<std::string>(), std::string("mm"));
-        QCOMPARE(j.at("name").get<std::string>(), std::string("a box"));
-        for (const char* key :
-             {"format", "units", "welded_vertices", "degenerate", "duplicate", "shells", "non_manifold_edges",
-              "inconsistent_edges", "non_manifold_vertices", "size", "area", "volume"})
-            QVERIFY2(j.contains(key), key);
     }
 };
 
