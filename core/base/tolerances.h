@@ -55,11 +55,18 @@ inline constexpr double cutter_angle = 1e-12;
 inline constexpr double cutter_tangency = 1e-5;
 /// Share of the diameter, and radians, by which a tool may differ from a named shape and keep its name.
 inline constexpr double same_shape = 1e-3;
+/// No tool is longer or wider (mm), and none has an angle nearer to 90° than the difference (radians).
+inline constexpr double largest_tool = 1e4;
+inline constexpr double steepest_tool_angle = 1.5707963267948966 - 1e-3;
 /// Radii (mm) of cutters below this are refused: no tool, and near the rounding of coordinates.
 inline constexpr double smallest_cutter = 1e-9;
 /// Where a plane touches the cutter is known to this many roundings, times the condition of the facet; nearer to an
 /// edge of the facet, that edge is asked too.
 inline constexpr double contact_roundings = 64;
+/// The projected area of a facet is zero, and an edge is no valley, where this many roundings of the products that make it
+/// could be all there is.
+inline constexpr double area_roundings = 8;
+inline constexpr double valley_roundings = 64;
 /// Bounds that let the index skip a block are widened by this share of the lengths in them: above all rounding.
 inline constexpr double bound_slack = 1e-13;
 /// Diameter (mm) of the cutter that stands for a line when the height of the mesh at one place is asked for.

@@ -1,22 +1,24 @@
 #include "core/gouge/facet_duties.h"
 
 #include "core/base/parallel.h"
+#include "core/base/tolerances.h"
 #include "core/gouge/contact_blocks.h"
 
 #include <atomic>
+#include <limits>
 
 namespace facetmill {
 
 namespace {
 
-constexpr double rounding = 1.1102230246251565e-16; // half the distance from 1 to the next number
+constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// True when d surely lies above the plane of the triangle a, b, c, whose projected area is `area`.
 bool surely_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double area) {
     const Vec3 u = b - a, v = c - a, w = d - a;
     const double det = u.cross(v).dot(w);
     const double size = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff() * w.cwiseAbs().maxCoeff();
-    const double noise = 64 * rounding * size;
+    const double noise = tolerance::valley_roundings * rounding * size;
     return area > 0 ? det > noise : det < -noise;
 }
 
@@ -33,7 +35,8 @@ bool is_valley(const Mesh& mesh, Index half1, Index half2) {
 double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
     const double area = left - right;
-    return std::abs(area) > 8 * rounding * (std::abs(left) + std::abs(right)) ? area : 0;
+    return std::abs(area) > tolerance::area_roundings * rounding * (std::abs(left) + std::abs(right)) ? area
+                                                                                                      : 0;
 }
 
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress) {

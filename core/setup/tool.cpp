@@ -8,9 +8,8 @@ namespace facetmill {
 
 namespace {
 
-/// No tool is longer or wider, mm.
-constexpr double largest_tool = 1e4;
-constexpr double steepest_angle = pi / 2 - 1e-3;
+using tolerance::largest_tool;
+constexpr double steepest_angle = tolerance::steepest_tool_angle;
 
 [[noreturn]] void refuse(const std::string& key, const std::string& what, const std::string& remedy) {
     throw Error(ErrorCode::out_of_range, key, what, remedy);

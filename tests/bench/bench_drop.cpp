@@ -1,0 +1,136 @@
+// Rate of axial lifts: ball, flat, bull and cone D 6 on a grid over height fields of 250 x 250 mm with
+// jittered vertices, with 1 and 2 threads, against a plain scan over all facets; build time and memory of the
+// index. Each shape is also compared with the brute-force reference at some points of the grid.
+//
+//     bench_drop [GRID [FACETS ...]]      default: 500 20000 1000000
+#include "core/base/parallel.h"
+#include "core/gouge/axial_elements.h"
+#include "core/gouge/axial_lift.h"
+#include "tests/support/brute_lift.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+using namespace facetmill;
+
+namespace {
+
+constexpr double size = 250;
+
+std::shared_ptr<const Mesh> height_field(std::size_t facets) {
+    const auto n = std::size_t(std::lround(std::sqrt(double(facets) / 2)));
+    std::mt19937_64 rng(1);
+    std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+    const auto mesh = std::make_shared<Mesh>();
+    mesh->vertices.reserve((n + 1) * (n + 1));
+    for (std::size_t j = 0; j <= n; ++j)
+        for (std::size_t i = 0; i <= n; ++i) {
+            const double x = size * (double(i) + jitter(rng)) / double(n),
+                         y = size * (double(j) + jitter(rng)) / double(n);
+            mesh->vertices.emplace_back(
+                x, y, 10 * std::sin(0.11 * x) * std::cos(0.07 * y) + 2 * std::sin(0.5 * x + 0.3 * y));
+        }
+    mesh->facets.reserve(2 * n * n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+            const Index a = Index(j * (n + 1) + i), b = a + 1, c = a + Index(n) + 1, d = c + 1;
+            mesh->facets.push_back({a, b, d});
+            mesh->facets.push_back({a, d, c});
+        }
+    return mesh;
+}
+
+template <class Call>
+double seconds(Call&& call) {
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Every corner, edge and facet of the mesh, one after another.
+double scan(const Mesh& mesh, const LowerSurface& surface, const Vec2& at) {
+    double best = -infinity;
+    for (const Facet& f : mesh.facets) {
+        Vec3 p[3];
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = mesh.vertices[f[k]] - Vec3(at.x(), at.y(), 0);
+        for (std::size_t k = 0; k < 3; ++k)
+            best = std::max(
+                {best, vertex_lift(surface, p[k]).tip_z, edge_lift(surface, p[k], p[(k + 1) % 3]).tip_z});
+        best = std::max(best, facet_lift(surface, p[0], p[1], p[2]).tip_z);
+    }
+    return best;
+}
+
+void run(std::size_t facets, std::size_t grid) {
+    const auto mesh = height_field(facets);
+    double build[2];
+    ContactIndexPtr index;
+    for (int threads = 1; threads <= 2; ++threads) {
+        set_thread_count(threads);
+        build[threads - 1] = seconds([&] { index = std::make_shared<ContactIndex>(mesh, Progress()); });
+    }
+    std::printf("\n%zu facets: index built in %.3f s (1 thread), %.3f s (2 threads), %.1f bytes a facet\n",
+                mesh->facet_count(), build[0], build[1],
+                double(index->memory()) / double(mesh->facet_count()));
+    std::printf("%-6s %14s %14s %8s %14s %10s %14s\n", "cutter", "1 thread /s", "2 threads /s", "ratio",
+                "plain scan /s", "speed-up", "worst mm");
+    std::vector<Vec2> points;
+    for (std::size_t j = 0; j < grid; ++j)
+        for (std::size_t i = 0; i < grid; ++i)
+            points.emplace_back(size * double(i) / double(grid - 1), size * double(j) / double(grid - 1));
+    std::vector<double> heights(points.size());
+
+    const std::pair<const char*, AptCutter> cutters[] = {{"ball", AptCutter::ball(6, 50)},
+                                                         {"flat", AptCutter::flat(6, 50)},
+                                                         {"bull", AptCutter::bull(6, 1, 50)},
+                                                         {"cone", AptCutter::cone(6, radians(45))}};
+    for (const auto& [name, apt] : cutters) {
+        const AxialLift lift(index, CutterProfile(apt));
+        double rate[2];
+        for (int threads = 1; threads <= 2; ++threads) {
+            set_thread_count(threads);
+            rate[threads - 1] =
+                double(points.size()) / seconds([&] { lift.tip_z(points, heights, Progress()); });
+        }
+        const LowerSurface surface{CutterProfile(apt)};
+        const std::size_t scanned = std::max<std::size_t>(2, 1'000'000 / mesh->facet_count());
+        double worst = 0;
+        const auto compare = [&](std::size_t count, auto&& height_at) {
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::size_t i = (2 * k + 1) * points.size() / (2 * count);
+                const double other = height_at(points[i]);
+                if (other != heights[i]) worst = std::max(worst, std::abs(other - heights[i]));
+            }
+        };
+        const double scan_rate = double(scanned) / seconds([&] {
+                                     compare(scanned, [&](const Vec2& p) { return scan(*mesh, surface, p); });
+                                 });
+        const test::BruteCutter brute(apt);
+        compare(300'000'000 / (mesh->facet_count() + 1'000'000),
+                [&](const Vec2& p) { return test::brute_lift(brute, *mesh, p.x(), p.y()); });
+        std::printf("%-6s %14.0f %14.0f %8.2f %14.2f %10.0f %14.2e\n", name, rate[0], rate[1],
+                    rate[1] / rate[0], scan_rate, rate[0] / scan_rate, worst);
+        std::fflush(stdout);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const std::size_t grid = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 500;
+    std::vector<std::size_t> sizes;
+    for (int i = 2; i < argc; ++i)
+        sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+    if (sizes.empty()) sizes = {20'000, 1'000'000};
+    if (grid < 2 || std::min_element(sizes.begin(), sizes.end())[0] < 2) {
+        std::fprintf(stderr, "usage: bench_drop [GRID [FACETS ...]], each at least 2\n");
+        return 2;
+    }
+    for (const std::size_t facets : sizes)
+        run(facets, grid);
+}
