@@ -41,7 +41,11 @@ CurvePoint2 CubicBSpline::de_boor(double t) const {
     return result;
 }
 
-Vec2 CubicBSpline::point(double t) const { return de_boor<false>(t).point; }
-CurvePoint2 CubicBSpline::evaluate(double t) const { return de_boor<true>(t); }
+Vec2 CubicBSpline::point(double t) const {
+    return de_boor<false>(t).point;
+}
+CurvePoint2 CubicBSpline::evaluate(double t) const {
+    return de_boor<true>(t);
+}
 
 } // namespace facetmill

@@ -17,13 +17,15 @@ struct SampleKind {
     LengthUnit natural_unit = LengthUnit::inch; ///< the unit its source gives it in
 };
 
-/// concave, convex, complex (Lu, Appendix A), pillar, gap, shell (stand-ins), square-prism, cylinder, twisted-prism (Jasra).
+/// concave, convex, complex (Lu, Appendix A), pillar, gap, shell (stand-ins), square-prism, cylinder,
+/// twisted-prism (Jasra).
 const std::vector<SampleKind>& sample_kinds();
 
 inline constexpr double default_sample_tolerance = 0.002 * 25.4; ///< mm
 
-/// Throws Error(out_of_range) for an unknown name or a tolerance that is not positive, not finite, or so small that the
-/// mesh would have more than 20 million facets.
-std::shared_ptr<const Mesh> make_sample(std::string_view name, double chord_tolerance_mm, const Progress& progress);
+/// Throws Error(out_of_range) for an unknown name or a tolerance that is not positive, not finite, or so
+/// small that the mesh would have more than 20 million facets.
+std::shared_ptr<const Mesh> make_sample(std::string_view name, double chord_tolerance_mm,
+                                        const Progress& progress);
 
 } // namespace facetmill
