@@ -100,28 +100,31 @@ std::string Overlay::shortened(const std::string& text, double width, double siz
     return low < 3 ? std::string() : cut_to(low);
 }
 
-void Overlay::rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha) {
-    // Whole device pixels keep thin rectangles sharp.
-    const auto snap = [&](double v) { return std::round(v * ratio_); };
-    const double corners[4][2] = {
-        {snap(x0), snap(y0)}, {snap(x1), snap(y0)}, {snap(x1), snap(y1)}, {snap(x0), snap(y1)}};
-    vtkIdType ids[4];
-    for (int k = 0; k < 4; ++k)
-        ids[k] = shape_points_->InsertNextPoint(corners[k][0], height_ - corners[k][1], 0.0);
-    shapes_->GetPolys()->InsertNextCell(4, ids);
+void Overlay::polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha) {
+    std::vector<vtkIdType> ids;
+    for (const Vec2& c : corners)
+        ids.push_back(shape_points_->InsertNextPoint(c.x() * ratio_, height_ - c.y() * ratio_, 0.0));
+    shapes_->GetPolys()->InsertNextCell(vtkIdType(ids.size()), ids.data());
     shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255 * alpha);
 }
 
+void Overlay::rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha) {
+    // Whole device pixels keep thin rectangles sharp.
+    const auto snap = [&](double v) { return std::round(v * ratio_) / ratio_; };
+    polygon({{snap(x0), snap(y0)}, {snap(x1), snap(y0)}, {snap(x1), snap(y1)}, {snap(x0), snap(y1)}}, color,
+            alpha);
+}
+
 void Overlay::disc(double x, double y, double radius, const Rgb& color) {
-    constexpr int corners = 24;
-    vtkIdType ids[corners];
-    for (int k = 0; k < corners; ++k) {
-        const double t = 2.0 * pi * k / corners;
-        ids[k] = shape_points_->InsertNextPoint((x + radius * std::cos(t)) * ratio_,
-                                                height_ - (y + radius * std::sin(t)) * ratio_, 0.0);
-    }
-    shapes_->GetPolys()->InsertNextCell(corners, ids);
-    shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255);
+    std::vector<Vec2> corners;
+    for (int k = 0; k < 32; ++k)
+        corners.emplace_back(x + radius * std::cos(pi * k / 16), y + radius * std::sin(pi * k / 16));
+    polygon(corners, color, 1.0);
+}
+
+void Overlay::stroke(const Vec2& from, const Vec2& to, double width, const Rgb& color) {
+    const Vec2 along = (to - from).normalized(), side = width / 2 * Vec2(-along.y(), along.x());
+    polygon({from + side, to + side, to - side, from - side}, color, 1.0);
 }
 
 void Overlay::place_text(Text text) {
@@ -178,21 +181,53 @@ OverlayLayout Overlay::lay_out(const OverlayContent& content, bool draw) {
     lay_out_title(content, draw, layout);
     lay_out_axes(content, draw, layout);
     lay_out_scale(content, draw, layout);
-    if (draw && !content.empty_text.empty()) {
-        const Colors& colors = colors_of(content.palette);
-        const double width = content.width / ratio_, height = content.height / ratio_;
-        place_text({width / 2, height / 2, Text::Align::center,
-                    shortened(content.empty_text, width - 2 * margin, title_size, false), title_size, false,
-                    colors.faint_text});
+    if (draw) {
+        draw_marker(content);
+        draw_empty_text(content);
     }
     return layout;
+}
+
+void Overlay::draw_marker(const OverlayContent& content) {
+    if (!content.marker || !content.marker->allFinite()) return;
+    const Colors& colors = colors_of(content.palette);
+    const Vec2 at = *content.marker, end = at + 34 * content.marker_normal;
+    if (content.marker_normal.norm() > 0.3) {
+        stroke(at, end, 4.5, colors.marker_ring);
+        stroke(at, end, 2.2, colors.marker);
+    }
+    disc(at.x(), at.y(), 6.5, colors.marker_ring);
+    disc(at.x(), at.y(), 4.8, colors.marker);
+}
+
+void Overlay::draw_empty_text(const OverlayContent& content) {
+    const double width = content.width / ratio_, height = content.height / ratio_, room = width - 2 * margin;
+    std::vector<std::string> lines(1);
+    for (std::size_t begin = 0; begin < content.empty_text.size();) {
+        const std::size_t end = std::min(content.empty_text.find(' ', begin), content.empty_text.size());
+        const std::string word = content.empty_text.substr(begin, end - begin);
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || text_width(longer, title_size, false) <= room)
+            lines.back() = longer;
+        else
+            lines.push_back(word);
+        begin = end + 1;
+    }
+    const double line_height = 1.5 * title_size;
+    double y = height / 2 - line_height * double(lines.size() - 1) / 2;
+    if (y < title_size) return;
+    for (const std::string& line : lines) {
+        place_text({width / 2, y, Text::Align::center, shortened(line, room, title_size, false), title_size,
+                    false, colors_of(content.palette).faint_text});
+        y += line_height;
+    }
 }
 
 void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     const double width = content.width / ratio_, height = content.height / ratio_;
     const double right = layout.legend.empty() ? width - margin : layout.legend.x0 - 2 * gap;
     const double room = right - margin;
-    if (height < 80 || room < 40) return;
+    if (height < 150 || room < 100) return;
     const Colors& colors = colors_of(content.palette);
     double y = margin;
     const auto add = [&](const std::string& text, double size, bool bold, const Rgb& color) {
@@ -278,16 +313,16 @@ void Overlay::lay_out_scale(const OverlayContent& content, bool draw, OverlayLay
     const double width = content.width / ratio_, height = content.height / ratio_;
     const double left = layout.axes.empty() ? margin : layout.axes.x1 + gap;
     const double longest = std::min({150.0, 0.35 * width, width - margin - left});
-    if (longest < 30 || height < 60) return;
+    if (width < 200 || height < 56) return;
     const double length_mm = round_length(longest * content.mm_per_pixel, content.unit);
     const double length = length_mm / content.mm_per_pixel;
     const std::string label =
         format_number(length_mm / mm_per(content.unit)) + " " + std::string(unit_name(content.unit));
     const double label_width = text_width(label, text_size, false);
-    const double w = std::max(length, label_width);
-    if (w > width - margin - left) return;
+    if (std::max(length, label_width) > width - margin - left) return;
     const double x1 = width - margin, y1 = height - margin, x0 = x1 - length;
-    layout.scale = {x1 - w, y1 - 8 - text_size - 4, x1, y1};
+    // Room for the longest bar there can be: what is fitted around it must not depend on the zoom before.
+    layout.scale = {x1 - longest, y1 - 8 - text_size - 4, x1, y1};
     if (!draw) return;
     const Colors& colors = colors_of(content.palette);
     rectangle(x0, y1 - 2, x1, y1, colors.text);

@@ -47,6 +47,8 @@ struct OverlayContent {
     LengthUnit unit = LengthUnit::mm;
     double mm_per_pixel = 0; ///< per layout pixel
     bool axes = false;
+    std::optional<Vec2> marker;        ///< layout pixels
+    Vec2 marker_normal = Vec2::Zero(); ///< image of the unit normal, y down
     std::array<Vec3, 3>
         axis_directions; ///< X, Y, Z of the part in the camera's frame: right, up, towards the eye
 };
@@ -80,7 +82,11 @@ private:
     std::string shortened(const std::string& text, double width, double size, bool bold);
     void rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha = 1.0);
     void disc(double x, double y, double radius, const Rgb& color);
+    void stroke(const Vec2& from, const Vec2& to, double width, const Rgb& color);
+    void polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha);
     void place_text(Text text);
+    void draw_marker(const OverlayContent& content);
+    void draw_empty_text(const OverlayContent& content);
     OverlayLayout lay_out(const OverlayContent& content, bool draw);
     void lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout);
     void lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout);

@@ -131,7 +131,7 @@ private:
 };
 
 struct EdgeBlock {
-    std::vector<std::array<Index, 2>> sharp, border;
+    std::vector<std::array<Index, 2>> all, sharp, border;
 };
 
 /// Edges from `v` to vertices of higher number, by what their facets look like.
@@ -150,6 +150,7 @@ void classify_edges(const Mesh& mesh, const CornersByVertex& by, const std::vect
         for (j = i + 1; j < around.size() && around[j].first == around[i].first;)
             ++j;
         const std::array<Index, 2> edge{Index(v), around[i].first};
+        out.all.push_back(edge);
         if (j - i != 2) {
             out.border.push_back(edge);
         } else {
@@ -237,14 +238,16 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
     }
     // A noisy scan is sharp nearly everywhere; lines would only blacken it.
     const bool noise = mesh.facets.size() > 10'000 && sharp > mesh.facets.size() / 4;
-    for (const EdgeBlock& b : edge_blocks) {
+    for (EdgeBlock& b : edge_blocks) {
         progress.check();
-        const auto add = [&](const std::vector<std::array<Index, 2>>& edges) {
+        const auto add = [&](std::vector<std::int32_t>& to, const std::vector<std::array<Index, 2>>& edges) {
             for (const auto& e : edges)
-                display->lines.insert(display->lines.end(), {display_of[e[0]], display_of[e[1]]});
+                to.insert(to.end(), {display_of[e[0]], display_of[e[1]]});
         };
-        if (!noise) add(b.sharp);
-        add(b.border);
+        if (!noise) add(display->lines, b.sharp);
+        add(display->lines, b.border);
+        add(display->edges, b.all);
+        b = {};
     }
     return display;
 }

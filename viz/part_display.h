@@ -22,6 +22,7 @@ struct PartDisplay {
     std::vector<std::int32_t> triangles; ///< 3 per facet, in the mesh's order
     std::vector<std::int32_t>
         lines;               ///< 2 per edge that is open, non-manifold or sharper than the crease angle
+    std::vector<std::int32_t> edges;     ///< 2 per edge, every edge once
     bool has_border = false; ///< some edge has one facet, or more than two: a back side may be seen
 };
 

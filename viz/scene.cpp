@@ -17,7 +17,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr double fit_margin = 1.06;       // free room around what is fitted
+constexpr double fit_margin = 1.07;       // free room around what is fitted
 constexpr double empty_view_height = 100; // mm, of an empty scene
 
 void set_color(SceneActor& a, const Rgb& c) {
@@ -104,7 +104,7 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
     };
     const LayoutRect all{0, 0, width, height};
     Fit best{scale_in(all), Vec2(width / 2, height / 2)};
-    double best_clear = 0;
+    double best_score = 0;
     for (int way = 0; way < 81; ++way) {
         LayoutRect r = all;
         for (int i = 0, rest = way; i < 4; ++i, rest /= 3) {
@@ -125,15 +125,26 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
         }
         if (r.width() < 0.35 * width || r.height() < 0.35 * height) continue;
         const double scale = scale_in(r);
-        if (!(scale > best_clear) || !std::isfinite(scale)) continue;
-        const Vec2 centre((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2);
+        if (!std::isfinite(scale)) continue;
         const std::array<Vec2, 3> drawn{half[0] * scale, half[1] * scale, half[2] * scale};
-        bool clear = true;
-        for (const LayoutRect& t : things)
-            clear = clear && !meets(t, 4, centre, drawn);
-        if (!clear) continue;
-        best_clear = scale;
-        best = {scale, centre};
+        // As near to the window's middle as it stays clear.
+        const Vec2 own((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2), middle(width / 2, height / 2);
+        for (const double t : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+            const Vec2 centre = own + t * (middle - own);
+            bool clear = true;
+            for (const LayoutRect& thing : things)
+                clear = clear && !meets(thing, 7, centre, drawn);
+            if (!clear) continue;
+            // A little smaller is better than far off the middle; the last factor settles ties the same way
+            // on every machine.
+            const double score =
+                scale * (1.0 - 0.3 * (centre - middle).norm() / (width + height)) * (1.0 - 1e-6 * way);
+            if (score > best_score) {
+                best_score = score;
+                best = {scale, centre};
+            }
+            break;
+        }
     }
     return best;
 }
@@ -181,8 +192,7 @@ Scene::Impl::Impl() {
     axes_renderer->GetActiveCamera()->ParallelProjectionOn();
 
     const auto add_all = [&](auto&... actors) { (renderer->AddActor(actors.actor), ...); };
-    add_all(part_surface, part_lines, part_edges, stock_faces, stock_lines, contact_lines, contact_dots,
-            marker_ring, marker_dot, marker_normal);
+    add_all(part_surface, part_lines, part_edges, stock_faces, stock_lines, contact_lines, contact_dots);
     for (auto& a : motion_lines)
         renderer->AddActor(a.actor);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -190,8 +200,8 @@ Scene::Impl::Impl() {
         renderer->AddActor(tool_rings[k].actor);
         axes_renderer->AddActor(axes[k].actor);
     }
-    for (SceneActor* a : {&part_lines, &part_edges, &stock_faces, &stock_lines, &contact_lines, &contact_dots,
-                          &marker_dot, &marker_ring, &marker_normal})
+    for (SceneActor* a :
+         {&part_lines, &part_edges, &stock_faces, &stock_lines, &contact_lines, &contact_dots})
         unlit(*a);
     for (auto& a : motion_lines)
         unlit(a);
@@ -199,8 +209,8 @@ Scene::Impl::Impl() {
         unlit(a);
 
     vtkProperty* surface = part_surface.actor->GetProperty();
-    surface->SetAmbient(0.06);
-    surface->SetDiffuse(0.94);
+    surface->SetAmbient(0.10);
+    surface->SetDiffuse(0.90);
     surface->SetSpecular(0.12);
     surface->SetSpecularPower(24);
     part_surface.actor->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New());
@@ -211,14 +221,25 @@ Scene::Impl::Impl() {
     }
     // All faces of the stock have the same colour and no light, so that they blend alike in any order.
     stock_faces.actor->GetProperty()->SetOpacity(0.10);
-    // The stock lies behind the part where both have the same plane.
-    stock_faces.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 4);
-    part_lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -2); // over the facet edges
+    // What lies on the surface is drawn a little nearer (1/65000 of the depth of the view each), or the
+    // facets beside it would cut it up. About half a pixel on a steep facet; the order settles what lies on
+    // what.
+    const auto nearer = [](SceneActor& a, double by) {
+        a.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -by);
+        a.mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-by);
+    };
+    nearer(part_edges, 32);
+    nearer(part_lines, 36);
+    nearer(stock_lines, 36);
+    nearer(contact_lines, 40);
+    nearer(contact_dots, 48);
+    for (auto& a : motion_lines)
+        nearer(a, 44);
+    for (auto& a : tool_rings)
+        nearer(a, 20);
+    // The stock's faces lie behind the part's where both have the same plane.
+    stock_faces.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
     contact_dots.actor->GetProperty()->SetRenderPointsAsSpheres(true);
-    marker_dot.actor->GetProperty()->SetRenderPointsAsSpheres(true);
-    marker_ring.actor->GetProperty()->SetRenderPointsAsSpheres(true);
-    marker_dot.mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-60);
-    marker_ring.mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-50);
 
     // The axes in the corner: an arrow along Z, turned.
     for (std::size_t k = 0; k < 3; ++k) {
@@ -265,9 +286,6 @@ void Scene::Impl::apply_palette() {
         set_color(tool_rings[k], c.feature_edges);
         set_color(axes[k], c.axes[k]);
     }
-    set_color(marker_dot, c.marker);
-    set_color(marker_ring, c.marker_ring);
-    set_color(marker_normal, c.marker);
     apply_part_style();
 }
 
@@ -275,49 +293,37 @@ void Scene::Impl::apply_part_style() {
     const Colors& c = colors_of(palette);
     vtkProperty* front = part_surface.actor->GetProperty();
     front->SetColor(c.part.r, c.part.g, c.part.b);
-    if (part_style == PartStyle::wire) {
-        front->SetRepresentationToWireframe();
-        front->LightingOff();
-        front->SetColor(c.mesh_edges.r, c.mesh_edges.g, c.mesh_edges.b);
-    } else {
-        front->SetRepresentationToSurface();
-        front->LightingOn();
-    }
     if (part_style == PartStyle::flat)
         front->SetInterpolationToFlat();
     else
         front->SetInterpolationToGouraud();
     vtkProperty* back = part_surface.actor->GetBackfaceProperty();
     back->DeepCopy(front);
-    if (part_style != PartStyle::wire) back->SetColor(c.part_back.r, c.part_back.g, c.part_back.b);
+    back->SetColor(c.part_back.r, c.part_back.g, c.part_back.b);
 }
 
 void Scene::Impl::apply_line_widths() {
     const auto set = [&](SceneActor& a, double width) {
         a.actor->GetProperty()->SetLineWidth(float(width * ratio));
     };
-    set(part_surface, 0.75);
-    part_surface.actor->GetBackfaceProperty()->SetLineWidth(float(0.75 * ratio));
     set(part_lines, 1.1);
     set(part_edges, 0.6);
     set(stock_lines, 1.4);
     set(contact_lines, 0.8);
-    set(marker_normal, 2.2);
     for (auto& a : tool_rings)
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
         set(motion_lines[k], motion_line_width(MotionKind(k)));
-    contact_dots.actor->GetProperty()->SetPointSize(float(2.8 * ratio));
-    marker_dot.actor->GetProperty()->SetPointSize(float(10 * ratio));
-    marker_ring.actor->GetProperty()->SetPointSize(float(14 * ratio));
+    contact_dots.actor->GetProperty()->SetPointSize(float(2.6 * ratio));
 }
 
 void Scene::Impl::apply_visibility() {
     const auto on = [&](Layer layer) { return bool(layer_on[std::size_t(layer)]); };
     const auto show = [](SceneActor& a, bool wanted) { a.actor->SetVisibility(wanted && a.filled); };
-    show(part_surface, on(Layer::part));
+    const bool wire = part_style == PartStyle::wire;
+    show(part_surface, on(Layer::part) && !wire);
     show(part_lines, on(Layer::part));
-    show(part_edges, on(Layer::edges) && part_style != PartStyle::wire);
+    show(part_edges, on(Layer::edges) || (on(Layer::part) && wire));
     show(stock_faces, on(Layer::stock));
     show(stock_lines, on(Layer::stock));
     show(contact_lines, on(Layer::cc));
@@ -328,12 +334,22 @@ void Scene::Impl::apply_visibility() {
         show(tool_bodies[k], on(Layer::tool) && pose.has_value());
         show(tool_rings[k], on(Layer::tool) && pose.has_value());
     }
-    for (SceneActor* a : {&marker_dot, &marker_ring, &marker_normal})
-        show(*a, on(Layer::marker) && marker.has_value());
 }
 
 bool Scene::Impl::shows_content() const {
     return part || !stock.empty() || (path && !path->box.empty());
+}
+
+bool Scene::Impl::shows_back() const {
+    if (!part || !part->has_border || !layer_on[std::size_t(Layer::part)] || part_style == PartStyle::wire)
+        return false;
+    // A sample is enough for a line of the legend.
+    const std::size_t n = part->mesh->facets.size(), step = n / 2048 + 1;
+    const Vec3 toward = camera_frame().row(2).transpose();
+    std::size_t seen = 0, back = 0;
+    for (std::size_t f = 0; f < n; f += step, ++seen)
+        back += part->mesh->facet_normal(f).dot(toward) < 0;
+    return 50 * back > seen;
 }
 
 Eigen::Vector2i Scene::Impl::window_size() const {
@@ -399,8 +415,7 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
         return const_cast<vtkActor*>(a.actor.Get())->GetVisibility() != 0;
     };
     std::vector<LegendEntry> all;
-    if (seen(part_surface) && part->has_border && part_style != PartStyle::wire)
-        all.push_back({Sample::surface, c.part_back, 1, "Back of the surface"});
+    if (shows_back()) all.push_back({Sample::surface, c.part_back, 1, "Back of the surface"});
     if (seen(stock_lines)) all.push_back({Sample::box, c.stock, 1, "Stock"});
     if (seen(contact_dots)) all.push_back({Sample::dot, c.contacts, 1, "Contact points"});
     const auto add = [&](MotionKind kind, const char* label) {
@@ -441,6 +456,11 @@ OverlayContent Scene::Impl::overlay_content() const {
     content.unit = unit;
     content.mm_per_pixel = pixel_size() * ratio;
     content.axes = on(Layer::axes);
+    if (marker && on(Layer::marker)) {
+        content.marker = Vec2(display_of(marker->point) / ratio);
+        const Vec3 n = camera_frame() * marker->normal;
+        content.marker_normal = Vec2(n.x(), -n.y());
+    }
     const Mat3 frame = camera_frame();
     for (int k = 0; k < 3; ++k)
         content.axis_directions[std::size_t(k)] = frame.col(k);
@@ -511,8 +531,7 @@ void Scene::set_part(PartDisplayPtr part) {
         const auto surface = triangle_data(p->points, p->normals, p->triangles);
         impl_->part_surface.set_data(surface, p->centre);
         impl_->part_lines.set_data(segment_data(p->points, p->lines), p->centre);
-        impl_->part_edges.set_data(surface, p->centre);
-        impl_->part_edges.actor->GetProperty()->SetRepresentationToWireframe();
+        impl_->part_edges.set_data(segment_data(p->points, p->edges), p->centre);
     }
     impl_->apply_visibility();
 }
@@ -619,21 +638,6 @@ Box3 Scene::Impl::tool_bounds() const {
 
 void Scene::set_marker(const std::optional<Marker>& marker) {
     impl_->marker = marker;
-    for (SceneActor* a : {&impl_->marker_dot, &impl_->marker_ring, &impl_->marker_normal})
-        a->clear();
-    if (marker) {
-        const Box3 box = bounds();
-        const Vec3 end = 0.08 * (box.empty() ? empty_view_height : box.diagonal()) * marker->normal;
-        impl_->marker_points = {0, 0, 0, float(end.x()), float(end.y()), float(end.z())};
-        impl_->marker_segment = {0, 1};
-        static const Polylines dot{{0, 0, 0}, {0, 1}};
-        impl_->marker_dot.set_data(dot_data(dot), marker->point);
-        impl_->marker_ring.set_data(dot_data(dot), marker->point);
-        if (end.squaredNorm() > 0)
-            impl_->marker_normal.set_data(segment_data(impl_->marker_points, impl_->marker_segment),
-                                          marker->point);
-    }
-    impl_->apply_visibility();
 }
 
 void Scene::set_title(const std::string& title, const std::string& subtitle) {

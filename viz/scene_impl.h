@@ -42,6 +42,8 @@ struct Scene::Impl {
     OverlayContent overlay_content() const;
     std::vector<LegendEntry> legend() const;
     bool shows_content() const;
+    bool shows_back() const; ///< part of the surface turns its back to the eye
+    Vec2 display_of(const Vec3& point) const;
     Box3 tool_bounds() const;
 
     /// Device pixels of the window; {0, 0} when there is none.
@@ -78,10 +80,9 @@ struct Scene::Impl {
     SceneActor contact_lines, contact_dots;
     std::array<SceneActor, motion_kinds> motion_lines;
     std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder
-    SceneActor marker_dot, marker_ring, marker_normal;
     std::array<SceneActor, 3> axes;
-    std::vector<float> stock_points, marker_points; ///< behind the actors' data
-    std::vector<std::int32_t> stock_triangles, stock_segments, marker_segment;
+    std::vector<float> stock_points; ///< behind the actors' data
+    std::vector<std::int32_t> stock_triangles, stock_segments;
     std::array<RevolvedShape, 3> axis_shapes;
 };
 

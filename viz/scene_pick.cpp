@@ -143,13 +143,17 @@ std::optional<PathPick> Scene::pick_path(double x, double y, double radius) cons
     return std::nullopt;
 }
 
-Vec2 Scene::display_of(const Vec3& point) const {
-    const Eigen::Vector2i size = impl_->window_size();
-    const double mm = impl_->pixel_size();
+Vec2 Scene::Impl::display_of(const Vec3& point) const {
+    const Eigen::Vector2i size = window_size();
+    const double mm = pixel_size();
     if (mm <= 0) return Vec2::Zero();
-    const Mat3 frame = impl_->camera_frame();
-    const Vec3 d = point - impl_->point_at(size.x() / 2.0, size.y() / 2.0);
+    const Mat3 frame = camera_frame();
+    const Vec3 d = point - point_at(size.x() / 2.0, size.y() / 2.0);
     return {size.x() / 2.0 + frame.row(0).dot(d) / mm, size.y() / 2.0 - frame.row(1).dot(d) / mm};
+}
+
+Vec2 Scene::display_of(const Vec3& point) const {
+    return impl_->display_of(point);
 }
 
 } // namespace facetmill

@@ -107,6 +107,7 @@ private slots:
         scene.set_stock({{-8, -8, 0}, {68, 48, 30}}); // shares the part's bottom plane
         check(scene, "stock");
         check(scene, "stock-front", 480, 360, StandardView::front);
+        check(scene, "stock-bottom", 480, 360, StandardView::bottom);
     }
     void path_layers() {
         Scene scene;
