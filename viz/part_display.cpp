@@ -249,6 +249,8 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
         add(display->edges, b.all);
         b = {};
     }
+    if (mesh.facets.size() > largest_part_without_preview)
+        display->preview = make_preview(*display, progress);
     return display;
 }
 

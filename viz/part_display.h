@@ -11,6 +11,12 @@
 
 namespace facetmill {
 
+/// A coarse copy of a large part, drawn while the view moves.
+struct PartPreview {
+    std::vector<float> points, normals;  ///< as in PartDisplay
+    std::vector<std::int32_t> triangles; ///< empty: the part is small enough to be drawn itself
+};
+
 /// Flat arrays in the graphics card's types. Positions are relative to `centre`, because a float holds a part
 /// far from the origin too coarsely.
 struct PartDisplay {
@@ -21,8 +27,9 @@ struct PartDisplay {
     std::vector<float> normals;          ///< 3 per display vertex, unit
     std::vector<std::int32_t> triangles; ///< 3 per facet, in the mesh's order
     std::vector<std::int32_t>
-        lines;               ///< 2 per edge that is open, non-manifold or sharper than the crease angle
-    std::vector<std::int32_t> edges;     ///< 2 per edge, every edge once
+        lines; ///< 2 per edge that is open, non-manifold or sharper than the crease angle
+    std::vector<std::int32_t> edges; ///< 2 per edge, every edge once
+    PartPreview preview;
     bool has_border = false; ///< some edge has one facet, or more than two: a back side may be seen
 };
 
@@ -30,6 +37,13 @@ using PartDisplayPtr = std::shared_ptr<const PartDisplay>;
 
 /// Facets that meet at less than this are shaded as one smooth surface.
 inline constexpr double crease_angle = 30.0 * (pi / 180.0);
+
+/// Parts of more facets have a preview.
+inline constexpr std::size_t largest_part_without_preview = 150'000;
+
+/// Joins the vertices in each cell of a grid of about 100 cells a side, those that face one way (of six) in
+/// each cell, so that edges stay edges. About 10 ms per 100 000 facets.
+PartPreview make_preview(const PartDisplay& part, const Progress& progress);
 
 /// Any mesh, also open, non-manifold or degenerate. Throws Cancelled within 20 ms.
 PartDisplayPtr prepare_part_display(MeshPtr mesh, const Progress& progress);

@@ -57,6 +57,25 @@ void finish(Polylines& lines, bool keep_single) {
     if (length > (keep_single ? 0 : 1)) lines.offsets.push_back(count);
 }
 
+/// Every n-th point of each polyline and its last; every n-th polyline where they are short. Empty for few
+/// points.
+Polylines thinned(const Polylines& lines) {
+    Polylines thin;
+    const std::size_t points = lines.points.size() / 3, count = lines.offsets.size() - 1;
+    if (points <= largest_path_without_preview) return thin;
+    const std::size_t n = points / largest_path_without_preview + 1;
+    const bool short_lines = points / count < 4 * n;
+    for (std::size_t i = 0; i < count; i += short_lines ? n : 1) {
+        const auto first = std::size_t(lines.offsets[i]), end = std::size_t(lines.offsets[i + 1]);
+        for (std::size_t p = first; p < end;) {
+            thin.points.insert(thin.points.end(), &lines.points[3 * p], &lines.points[3 * p] + 3);
+            p = p + 1 == end ? end : std::min(p + (short_lines ? 1 : n), end - 1);
+        }
+        thin.offsets.push_back(std::int32_t(thin.points.size() / 3));
+    }
+    return thin;
+}
+
 } // namespace
 
 PathSource path_source(const std::shared_ptr<const OperationResult>& operation) {
@@ -137,6 +156,10 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
         }
         if (open) finish(display->motions[std::size_t(motions.back().kind)], false);
     }
+    progress.check();
+    display->contacts_preview = thinned(display->contacts);
+    for (std::size_t k = 0; k < motion_kinds; ++k)
+        display->motions_preview[k] = thinned(display->motions[k]);
     return display;
 }
 

@@ -38,9 +38,15 @@ struct PathDisplay {
     Box3 box; ///< of all CC and CL points
     Polylines contacts;
     std::array<Polylines, motion_kinds> motions; ///< by MotionKind; rapids are dashed
+    /// Fewer points, drawn while the view moves; of long paths only, otherwise empty.
+    Polylines contacts_preview;
+    std::array<Polylines, motion_kinds> motions_preview;
 };
 
 using PathDisplayPtr = std::shared_ptr<const PathDisplay>;
+
+/// A kind of motion with more points than this has a preview of about as many.
+inline constexpr std::size_t largest_path_without_preview = 60'000;
 
 /// Points that are not finite are left out. Throws Cancelled within 20 ms.
 PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress);

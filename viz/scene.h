@@ -109,6 +109,10 @@ public:
     Palette palette() const;
     /// Unit of the scale bar. Everything else in a Scene is mm.
     void set_unit(LengthUnit unit);
+    /// While the view turns, large parts and paths are drawn coarsely, so that it keeps up on slow graphics.
+    /// Say true when the user begins to move it and false at the end. Pictures, picking and bounds do not
+    /// change.
+    void set_moving(bool moving);
     /// Smooths jagged edges after drawing (FXAA). On at first.
     void set_antialiasing(bool on);
 

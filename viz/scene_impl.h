@@ -63,6 +63,7 @@ struct Scene::Impl {
     Palette palette = Palette::light;
     LengthUnit unit = LengthUnit::mm;
     double ratio = 1;
+    bool moving = false;
     PartStyle part_style = PartStyle::smooth;
     std::string title, subtitle, empty_text = "Nothing to show";
     std::vector<bool> layer_on;
@@ -75,10 +76,10 @@ struct Scene::Impl {
     std::optional<CutterLocation> pose;
     std::optional<Marker> marker;
 
-    SceneActor part_surface, part_lines, part_edges;
+    SceneActor part_surface, part_lines, part_edges, part_preview;
     SceneActor stock_faces, stock_lines;
-    SceneActor contact_lines, contact_dots;
-    std::array<SceneActor, motion_kinds> motion_lines;
+    SceneActor contact_lines, contact_dots, contact_preview;
+    std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
     std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder
     std::array<SceneActor, 3> axes;
     std::vector<float> stock_points; ///< behind the actors' data

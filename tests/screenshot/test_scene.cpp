@@ -225,6 +225,25 @@ private slots:
         QCOMPARE(different_pixels(drawn(scene), drawn(empty)), std::size_t(0));
     }
 
+    void a_moving_view_shows_nearly_the_same() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        scene.set_path(prepare_path_display({hill_path(60, 3000, 6)}, {}));
+        scene.set_visible(Layer::cc, false);
+        const Picture still = drawn(scene);
+        scene.set_moving(true);
+        const Picture moving = window_.render();
+        const std::size_t different = different_pixels(still, moving);
+        QVERIFY2(different > 100, qPrintable(QString::number(different))); // the preview is really drawn
+        double sum = 0;
+        for (std::size_t i = 0; i < still.rgb.size(); ++i)
+            sum += std::abs(int(still.rgb[i]) - int(moving.rgb[i]));
+        QVERIFY2(sum / double(still.rgb.size()) < 3,
+                 qPrintable(QString::number(sum / double(still.rgb.size()))));
+        scene.set_moving(false);
+        QCOMPARE(different_pixels(still, window_.render()), std::size_t(0));
+    }
+
     void the_background_is_opaque_and_graded() {
         Scene scene;
         const Picture p = drawn(scene, 200, 200);

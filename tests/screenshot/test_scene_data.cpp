@@ -164,6 +164,55 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(prepare_path_display({hill_path(300, 300, 3)}, Progress(job)), Cancelled);
     }
 
+    void large_parts_have_a_preview() {
+        QVERIFY(prepare_part_display(sheet_part({0, 0}, {hill_length, hill_width}, 50, hill), {})
+                    ->preview.triangles.empty());
+        const auto sheet = prepare_part_display(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill), {});
+        const PartPreview& p = sheet->preview;
+        const std::size_t facets = p.triangles.size() / 3;
+        QVERIFY2(facets > 10'000 && facets < 40'000, qPrintable(QString::number(facets)));
+        QCOMPARE(p.points.size(), p.normals.size());
+        double area = 0; // its shadow covers the part's, but for half a cell at the border
+        for (std::size_t t = 0; t < p.triangles.size(); t += 3) {
+            const auto corner = [&](std::size_t k) { return vec(p.points, std::size_t(p.triangles[t + k])); };
+            area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).z() / 2;
+        }
+        QVERIFY2(std::abs(area / (hill_length * hill_width) - 1) < 0.03, qPrintable(QString::number(area)));
+        for (std::size_t v = 0; v < p.points.size() / 3; ++v) {
+            const Vec3 at = vec(p.points, v) + sheet->centre;
+            QVERIFY(std::abs(at.z() - hill(at.x(), at.y())) < 0.3); // a fraction of a cell of 1 mm
+            QVERIFY(std::abs(vec(p.normals, v).norm() - 1) < 1e-5);
+        }
+        // The corners of a box keep a normal for each side.
+        const auto box = prepare_part_display(box_part({0, 0, 0}, {4, 4, 4}), {});
+        QCOMPARE(make_preview(*box, {}).points.size(), std::size_t(3 * 24));
+        QCOMPARE(make_preview(*box, {}).triangles.size(), std::size_t(36));
+        Mesh flat;
+        flat.vertices = {{1, 1, 1}};
+        flat.facets = {{0, 0, 0}};
+        QVERIFY(make_preview(*prepare_part_display(std::make_shared<Mesh>(flat), {}), {}).triangles.empty());
+    }
+
+    void long_paths_have_a_preview() {
+        const auto few = prepare_path_display({hill_path(40, 40, 3)}, {});
+        QVERIFY(few->contacts_preview.empty() && few->motions_preview[std::size_t(MotionKind::cut)].empty());
+        const auto many = prepare_path_display({hill_path(400, 1000, 3)}, {});
+        const Polylines &all = many->contacts, &thin = many->contacts_preview;
+        QCOMPARE(thin.offsets.size(), all.offsets.size());
+        QVERIFY(thin.points.size() / 3 > 30'000 && thin.points.size() / 3 < 70'000);
+        for (std::size_t i = 0; i + 1 < all.offsets.size(); ++i) { // the ends stay
+            QCOMPARE(vec(thin.points, std::size_t(thin.offsets[i])),
+                     vec(all.points, std::size_t(all.offsets[i])));
+            QCOMPARE(vec(thin.points, std::size_t(thin.offsets[i + 1]) - 1),
+                     vec(all.points, std::size_t(all.offsets[i + 1]) - 1));
+        }
+        // Many short lines: whole ones are left out.
+        const auto shorts = prepare_path_display({hill_path(60'000, 3, 3)}, {});
+        const Polylines& cut = shorts->motions_preview[std::size_t(MotionKind::cut)];
+        QCOMPARE(cut.points.size(), 3 * 3 * (cut.offsets.size() - 1));
+        QVERIFY(cut.offsets.size() > 10'000 && cut.offsets.size() < 30'000);
+    }
+
     void a_path_becomes_polylines_by_kind() {
         const PathSource path = hill_path(6, 11, 4);
         const auto d = prepare_path_display({path, {}}, {});
