@@ -79,5 +79,9 @@ inline constexpr double smallest_chord = 1e-6;
 inline constexpr double vanishing_step = 1e-6;
 /// Average changes of normals that differ by less than this share are alike.
 inline constexpr double like_normal_change = 0.01;
+/// How far (mm) inside a border the places lie that stand for it.
+inline constexpr double border_inset = 1e-3;
+/// Relative: a number in a project file this near to a limit of its parameter is the limit.
+inline constexpr double written_number = 1e-14;
 
 } // namespace facetmill::tolerance

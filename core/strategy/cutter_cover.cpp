@@ -26,7 +26,7 @@ Vec2 piece_support(const ProfilePiece& piece, double sine, double cosine) {
 struct Near {
     Vec2 foot = Vec2::Zero(), normal = Vec2::Zero();
     double distance = infinity;
-    bool inside = false; ///< the foot is not an end of the piece
+    bool inside = false; ///< the foot is no end of the piece, nor as good as one
 };
 
 Near nearest(const ProfilePiece& piece, const Vec2& q) {
@@ -38,7 +38,6 @@ Near nearest(const ProfilePiece& piece, const Vec2& q) {
         const double t = (q - piece.from).dot(d) / (length * length);
         near.foot = piece.from + std::clamp(t, 0.0, 1.0) * d;
         near.normal = Vec2(-d.y(), d.x()) / length;
-        near.inside = t > 0 && t < 1;
     } else {
         const double a = angle_of(piece, q), from = angle_of(piece, piece.from),
                      to = angle_of(piece, piece.to);
@@ -46,9 +45,10 @@ Near nearest(const ProfilePiece& piece, const Vec2& q) {
         const Vec2 out(std::cos(c), std::sin(c));
         near.foot = piece.centre + piece.radius * out;
         near.normal = -out;
-        near.inside = a > low && a < high;
     }
     near.distance = (q - near.foot).norm();
+    near.inside = std::min((near.foot - piece.from).norm(), (near.foot - piece.to).norm())
+                  > tolerance::contact_distance;
     return near;
 }
 
@@ -189,14 +189,16 @@ std::optional<Vec3> CutterCover::contact_normal(const Vec3& rel) const {
     } else if (!best.inside) {
         // Smooth where the other piece that ends here has the same normal, and on the axis where the mirror
         // image joins.
-        bool smooth = best.foot.x() == 0 && std::abs(normal.x()) < tolerance::level_angle;
-        int ends = 0;
+        bool smooth =
+            best.foot.x() <= tolerance::contact_distance && std::abs(normal.x()) < tolerance::level_angle;
+        int alike = 0; // counts the nearest piece too
         for (const ProfilePiece& piece : profile_.pieces()) {
             const Near near = nearest(piece, q);
-            if (near.distance > best.distance + tolerance::contact_distance) continue;
-            ++ends;
-            if (ends > 1 && normal.dot(near.normal) > 1 - tolerance::level_angle) smooth = true;
+            if (near.distance <= best.distance + tolerance::contact_distance
+                && normal.dot(near.normal) > 1 - tolerance::level_angle)
+                ++alike;
         }
+        smooth = smooth || alike > 1;
         if (!smooth) return std::nullopt;
     }
     if (rho == 0) return Vec3(0, 0, 1);

@@ -32,6 +32,7 @@ private:
     void plan_constant(double step);
     void plan_adaptive();
     void add_warnings();
+    void add_body_warning(const std::string& name, double diameter, double base);
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
@@ -280,15 +281,45 @@ void Planner::add_warnings() {
     for (const Pass& p : result_.passes)
         for (const CutterLocation& c : p.cl)
             lowest = std::min(lowest, c.tip.z());
-    const double depth = context_.part_box.hi.z() - lowest;
-    if (depth > context_.tool.flute_length)
-        warnings.push_back(
-            "the tip goes " + length_text(depth) + " below the top of the part, but the tool cuts over only "
-            + length_text(context_.tool.flute_length) + ": shank or holder may touch steep places");
     const double below = context_.stock_box.lo.z() - lowest;
-    if (!context_.stock_box.empty() && below > chord_)
+    if (!context_.stock_box.empty() && below > settings_.tolerance)
         warnings.push_back("the tip goes " + length_text(below)
                            + " below the bottom of the stock, to cut the part's lower border fully");
+
+    // Above the cutting part: shank and holder as upright cylinders, each with its lower face at its height
+    // over the tip.
+    const Tool& tool = context_.tool;
+    double base = tool.flute_length;
+    add_body_warning("shank", tool.shank_diameter, base);
+    base += tool.shank_length;
+    for (const HolderSection& section : tool.holder) {
+        add_body_warning("holder", section.diameter, base);
+        base += section.length;
+    }
+}
+
+void Planner::add_body_warning(const std::string& name, double diameter, double base) {
+    if (!(diameter > 0)) return;
+    // A hair thinner: a shank as thick as the cutter runs along the walls that the cutter has cut.
+    const double thickness = diameter - 2 * std::max(chord_, tolerance::contact_distance);
+    if (!(thickness > 0) || base > context_.part_box.size().z() + 2 * cover_.radius()) return;
+    const AxialLift body(context_.contact, CutterProfile(AptCutter::flat(thickness, unlimited_height)));
+    const double hit = parallel_reduce(
+        result_.passes.size(), 1, 0.0, still(1),
+        [&](std::size_t begin, std::size_t end) {
+            double worst = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                for (const CutterLocation& c : result_.passes[i].cl) {
+                    progress_.check();
+                    worst = std::max(worst, body.tip_z(c.tip.x(), c.tip.y()) - (c.tip.z() + base));
+                }
+            return worst;
+        },
+        [](double x, double y) { return std::max(x, y); });
+    if (hit > chord_)
+        result_.warnings.push_back("the " + name + " (diameter " + length_text(diameter) + ", "
+                                   + length_text(base) + " above the tip) would cut into the part by up to "
+                                   + length_text(hit) + " of height: use a longer tool");
 }
 
 double normal_change(const PlanContext& context, const MeshGeometry& geometry, const DriveFrame& frame,

@@ -32,6 +32,7 @@ StepOver::StepOver(const StepOverInput& input) : in_(input), field_{input.lift, 
     guess_ = std::min(largest_, level);
     smallest_ = tolerance::smallest_step_share * std::min(level, largest_);
     grid_ = 0.08 * radius;
+    sharp_ = in_.cover->profile().cutter().r < 0.25 * radius;
 }
 
 std::vector<Interval> StepOver::ranges(double v, double reach) const {
@@ -182,13 +183,14 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
     const double v0 = a ? a->v : edge, v1 = b ? b->v : edge;
     if (!(v1 > v0)) return 0;
     constexpr int rows = 3;
-    double share[rows] = {0.25, 0.5, 0.75};
-    if (!a) share[0] = 0.01;
-    if (!b) share[2] = 0.99;
     double v[rows];
     std::vector<Interval> domain[rows], all;
     for (int i = 0; i < rows; ++i) {
-        v[i] = v0 + share[i] * (v1 - v0);
+        v[i] = v0 + 0.25 * (i + 1) * (v1 - v0);
+        // At a border the outermost row lies on it, but for the rounding of the domain's ends.
+        const double inset = std::min(tolerance::border_inset, 0.01 * (v1 - v0));
+        if (!a && i == 0) v[i] = v0 + inset;
+        if (!b && i == rows - 1) v[i] = v1 - inset;
         domain[i] = in_.domain->line(v[i], in_.merge);
         all.insert(all.end(), domain[i].begin(), domain[i].end());
     }
@@ -213,7 +215,7 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
             for (std::size_t c = begin; c < end; ++c) {
                 const double u = columns[c];
                 Sample s[rows];
-                double x[rows], y[rows];
+                double x[rows] = {}, y[rows] = {};
                 for (int i = 0; i < rows; ++i) {
                     if (!inside(domain[i], u, tolerance::contact_distance)) continue;
                     s[i] = sample(u, v[i]);
@@ -225,20 +227,37 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                     y[i] = std::sqrt(tb);
                 }
                 if (worst == infinity) return worst;
-                // The cusp's ridge lies where both cutters leave the same; roots of cusps run linearly.
+                // The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left
+                // grows with the square of the distance, so roots run linearly; beside a sharp rim it grows
+                // with the distance.
                 if (a && b) {
-                    const auto ridge = [&](double xa, double xb, double ya, double yb) {
+                    const auto crossing = [](double xa, double xb, double ya, double yb) {
                         const double da = ya - xa, db = xb - yb;
-                        if (!(da > 0 && db > 0) || da == infinity || db == infinity) return;
-                        const double root = xa + (xb - xa) * da / (da + db);
-                        worst = std::max(worst, root * root);
+                        return da > 0 && db > 0 && da + db < infinity ? xa + (xb - xa) * da / (da + db) : 0;
                     };
-                    for (int i = 0; i + 1 < rows; ++i)
-                        if (s[i].valid && s[i + 1].valid) ridge(x[i], x[i + 1], y[i], y[i + 1]);
-                    if (s[0].valid && s[1].valid) ridge(0, x[0], std::max(2 * y[0] - y[1], y[0]), y[0]);
-                    if (s[rows - 1].valid && s[rows - 2].valid)
-                        ridge(x[rows - 1], std::max(2 * x[rows - 1] - x[rows - 2], x[rows - 1]), y[rows - 1],
-                              0);
+                    const auto ridge = [&](const double* xs, const double* ys) {
+                        double least = 0;
+                        for (int i = 0; i + 1 < rows; ++i)
+                            if (s[i].valid && s[i + 1].valid)
+                                least = std::max(least, crossing(xs[i], xs[i + 1], ys[i], ys[i + 1]));
+                        if (s[0].valid && s[1].valid)
+                            least = std::max(least,
+                                             crossing(0, xs[0], std::max(2 * ys[0] - ys[1], ys[0]), ys[0]));
+                        constexpr int l = rows - 1;
+                        if (s[l].valid && s[l - 1].valid)
+                            least = std::max(
+                                least, crossing(xs[l], std::max(2 * xs[l] - xs[l - 1], xs[l]), ys[l], 0));
+                        return least;
+                    };
+                    const double root = ridge(x, y);
+                    worst = std::max(worst, root * root);
+                    if (sharp_) {
+                        for (int i = 0; i < rows; ++i) {
+                            x[i] *= x[i];
+                            y[i] *= y[i];
+                        }
+                        worst = std::max(worst, ridge(x, y));
+                    }
                 }
                 for (int i = 0; i + 1 < rows; ++i)
                     if (s[i].valid && s[i + 1].valid
@@ -273,7 +292,7 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
 
 StepOver::Step StepOver::next(const DriveLine* a, const Progress& progress) {
     const double from = a ? a->v : in_.domain->lo();
-    const double cap = std::min(largest_, in_.domain->hi() - from);
+    const double cap = std::min(a ? largest_ : 0.5 * largest_, in_.domain->hi() - from);
     Step best, last;
     best.satisfied = last.satisfied = false;
     double low = 0, high = infinity;
@@ -300,7 +319,7 @@ StepOver::Step StepOver::next(const DriveLine* a, const Progress& progress) {
             last = std::move(s);
             if (step <= smallest_) break;
         }
-        if (low > 0 && high - low <= 0.01 * high) break;
+        if (low > 0 && high < infinity && high - low <= 0.01 * high) break;
         if (low == 0) {
             step = std::clamp(wish, 0.1 * high, 0.9 * high);
             step = std::max(step, std::min(smallest_, 0.9 * high));

@@ -83,6 +83,7 @@ private:
     StepOverInput in_;
     LiftField field_;
     std::unique_ptr<AxialLift> needle_; ///< finds the surface under a flat bottom's centre
+    bool sharp_ = false; ///< the corner of the profile is sharp, or nearly so
     double grid_ = 1, smallest_ = 0, largest_ = 0, guess_ = 0;
 };
 

@@ -1,0 +1,228 @@
+// Every registered three-axis operation with every cutter shape over parts with known answers: judged by the
+// path checker, which shares no code with the planner.
+#include "core/base/parallel.h"
+#include "core/link/motion.h"
+#include "core/mesh/sample.h"
+#include "tests/property/shapes.h"
+#include "tests/support/path_checker.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <cstring>
+#include <thread>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+struct Cutter {
+    const char* name;
+    Tool tool;
+};
+
+std::vector<Cutter> cutters() {
+    Tool cone;
+    cone.diameter = cone.shank_diameter = 6;
+    cone.corner_radius = 0.5;
+    cone.taper_angle = radians(20);
+    cone.flute_length = 12;
+    return {{"ball", ball_tool(6)}, {"flat", flat_tool(6)}, {"bull", bull_tool(6, 1.5)}, {"cone", cone}};
+}
+
+std::unique_ptr<Operation> operation(const std::string& kind, double tolerance) {
+    auto op = make_operation(kind);
+    op->common().tolerance = tolerance;
+    return op;
+}
+
+ToolMotions linked(const StrategyResult& path, const PlanContext& context, const Operation& op) {
+    return link_three_axis(path, context, op.common().allowance,
+                           default_link_options(path, context, op.common()), Progress());
+}
+
+std::vector<TipLine> tips(const ToolMotions& motions) {
+    TipLine line;
+    for (const Motion& m : motions.motions)
+        line.push_back(m.to.tip);
+    return {line};
+}
+
+std::vector<std::string> three_axis_kinds() {
+    std::vector<std::string> kinds;
+    for (const OperationKind& k : operation_kinds())
+        if (k.make()->three_axis()) kinds.push_back(k.kind);
+    return kinds;
+}
+
+/// All numbers of a path, to compare bit by bit.
+std::vector<double> numbers(const StrategyResult& path) {
+    std::vector<double> all{path.stepover_min, path.stepover_max, path.direction, path.cusp_max};
+    for (const Pass& p : path.passes) {
+        all.push_back(p.offset);
+        for (std::size_t i = 0; i < p.cl.size(); ++i)
+            for (const Vec3* v : {&p.cl[i].tip, &p.cc[i].point, &p.cc[i].normal})
+                all.insert(all.end(), v->data(), v->data() + 3);
+    }
+    return all;
+}
+
+} // namespace
+
+class TestThreeAxis : public QObject {
+    Q_OBJECT
+private slots:
+    void shapes_are_cut_to_tolerance_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<int>("cutter");
+        const auto parts = shapes();
+        const auto tools = cutters();
+        for (const std::string& kind : three_axis_kinds())
+            for (std::size_t s = 0; s < parts.size(); ++s)
+                for (std::size_t c = 0; c < tools.size(); ++c)
+                    QTest::addRow("%s %s %s", kind.c_str(), parts[s].name.c_str(), tools[c].name)
+                        << QString::fromStdString(kind) << int(s) << int(c);
+    }
+
+    void shapes_are_cut_to_tolerance() {
+        QFETCH(QString, kind);
+        QFETCH(int, shape);
+        QFETCH(int, cutter);
+        const Shape part = shapes()[std::size_t(shape)];
+        const Tool tool = cutters()[std::size_t(cutter)].tool;
+        const double tolerance = 0.05, chord = tolerance / 20;
+        const auto op = operation(kind.toStdString(), tolerance);
+        const PlanContext context = context_of(part.mesh, tool);
+        const StrategyResult path = op->plan(context, Progress());
+        PathCheckOptions options;
+        options.spacing = 0.5;
+        options.border = 0.5 * tool.diameter;
+        options.no_cusp = [&](const Vec3& p) { return part.out_of_reach(p, tool); };
+        const PathCheckResult result =
+            check_path(part.mesh, tool.cutter(), tips(linked(path, context, *op)), options);
+        qInfo("planes %d cusp expected %.5f found max %.5f p99.9 %.5f gouge %.6f uncut %.5f steps %.3f..%.3f",
+              path.drive_planes, path.cusp_max, result.cusp_max, result.cusp_p999, result.gouge_max,
+              result.uncut_fraction, path.stepover_min, path.stepover_max);
+        QVERIFY(result.samples > 1000);
+        QVERIFY2(result.gouge_max <= chord, qPrintable(QString::number(result.gouge_max)));
+        QVERIFY2(result.cusp_p999 <= 1.02 * tolerance, qPrintable(QString::number(result.cusp_p999)));
+        QCOMPARE(result.uncut_fraction, 0.0);
+        for (const std::string& w : path.warnings)
+            qInfo("%s", w.c_str());
+    }
+
+    void threads_do_not_change_a_bit() {
+        const PlanContext context = context_of(make_mixed(), ball_tool(5));
+        for (const std::string& kind : three_axis_kinds()) {
+            const auto op = operation(kind, 0.05);
+            set_thread_count(1);
+            const StrategyResult one = op->plan(context, Progress());
+            const ToolMotions one_linked = linked(one, context, *op);
+            set_thread_count(0);
+            const StrategyResult many = op->plan(context, Progress());
+            const auto a = numbers(one), b = numbers(many);
+            QVERIFY(a.size() > 1000);
+            QCOMPARE(a.size(), b.size());
+            QVERIFY(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+            const auto p = tips(one_linked), q = tips(linked(many, context, *op));
+            QVERIFY(p == q);
+        }
+    }
+
+    void cancelling_anywhere_leaves_nothing() {
+        const PlanContext context = context_of(make_mixed(), ball_tool(5));
+        for (const std::string& kind : three_axis_kinds()) {
+            const auto op = operation(kind, 0.05);
+            const auto reference = numbers(op->plan(context, Progress()));
+            for (int point = 0; point < 10; ++point) {
+                Job job;
+                const double at = 0.1 * point;
+                // Raised as soon as the job has come so far.
+                std::atomic<bool> over{false};
+                std::thread watcher([&] {
+                    while (!over && job.fraction() < at)
+                        std::this_thread::yield();
+                    job.cancel();
+                });
+                bool cancelled = false;
+                try {
+                    op->plan(context, Progress(job));
+                } catch (const Cancelled&) {
+                    cancelled = true;
+                }
+                over = true;
+                watcher.join();
+                QVERIFY2(cancelled, qPrintable(QString::number(at)));
+            }
+            // The operation and what it shares are as before.
+            QVERIFY(numbers(op->plan(context, Progress())) == reference);
+        }
+    }
+
+    void allowance_stays_on() {
+        const Shape part = shapes()[2]; // cap
+        const Tool tool = bull_tool(6, 1.5);
+        const PlanContext context = context_of(part.mesh, tool);
+        for (const std::string& kind : three_axis_kinds()) {
+            const auto op = operation(kind, 0.05);
+            op->common().allowance = 0.3;
+            PathCheckOptions options;
+            options.spacing = 0.5;
+            options.border = 4;
+            options.allowance = 0.3;
+            const auto path = tips(linked(op->plan(context, Progress()), context, *op));
+            PathCheckResult result = check_path(part.mesh, tool.cutter(), path, options);
+            QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));
+            QVERIFY2(result.cusp_max <= 0.052, qPrintable(QString::number(result.cusp_max)));
+            // and it is there: nothing is nearer to the part itself.
+            options.allowance = 0;
+            result = check_path(part.mesh, tool.cutter(), path, options);
+            QVERIFY(result.cusp_p50 >= 0.299);
+        }
+    }
+
+    void an_upright_wall_is_cut_to_tolerance() {
+        for (const double angle : {0.0, 0.4, 0.5 * pi}) {
+            const Mesh part = turned(step(0, 8), angle);
+            const Tool tool = ball_tool(5);
+            const PlanContext context = context_of(part, tool);
+            for (const std::string& kind : three_axis_kinds()) {
+                const auto op = operation(kind, 0.05);
+                op->common().direction = {0, "x"};
+                PathCheckOptions options;
+                options.spacing = 0.3;
+                options.border = 5;
+                options.lowest_normal = -1; // the wall too
+                // Only the wall is judged, above the corner that the ball cannot fill.
+                options.no_cusp = [&](const Vec3& p) {
+                    const Vec3 q = Eigen::AngleAxisd(-angle, Vec3::UnitZ()) * p;
+                    return std::abs(q.y()) > 1e-6 || q.z() < 2.5 || q.z() > 8 - 1e-6 || std::abs(q.x()) > 14;
+                };
+                options.border = 0;
+                const StrategyResult path = op->plan(context, Progress());
+                const PathCheckResult result =
+                    check_path(part, tool.cutter(), tips(linked(path, context, *op)), options);
+                qInfo("angle %.2f planes %d expected %.4f found %.4f uncut %.4f", angle, path.drive_planes,
+                      path.cusp_max, result.cusp_max, result.uncut_fraction);
+                QVERIFY(result.cusp_samples > 500);
+                QVERIFY2(result.cusp_max <= 0.052, qPrintable(QString::number(result.cusp_max)));
+                QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));
+            }
+        }
+    }
+
+private:
+    /// Smooth, a wall and a hole in one part.
+    static Mesh make_mixed() {
+        const auto f = [](double x, double y) {
+            return 2 * std::sin(0.2 * x) * std::cos(0.15 * y) + (x > 8 ? 3 : 0);
+        };
+        return only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
+                    [](const Vec3& p) { return std::hypot(p.x() + 8, p.y()) > 4; });
+    }
+};
+
+FACETMILL_TEST(TestThreeAxis)
+#include "test_three_axis.moc"
