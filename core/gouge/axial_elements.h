@@ -31,12 +31,13 @@ inline ElementLift vertex_lift(const LowerSurface& surface, const Vec3& p) {
     return {lift_at(surface, std::sqrt(square), p.z()), p};
 }
 
-/// The whole closed edge. Lu 3.63-3.72; a vertical edge is left to its ends.
-inline ElementLift edge_lift(const LowerSurface& surface, const Vec3& a, const Vec3& b) {
+/// The whole closed edge. Lu 3.63-3.72; a vertical edge is left to its ends. An edge that passes the rim by
+/// no more than `slack` touches it.
+inline ElementLift edge_lift(const LowerSurface& surface, const Vec3& a, const Vec3& b, double slack = 0) {
     const double dx = b.x() - a.x(), dy = b.y() - a.y(), square = dx * dx + dy * dy;
     const double r = surface.max_radius();
     const double cross = a.x() * dy - a.y() * dx;
-    if (!(square > 0) || cross * cross > r * r * square) return {};
+    if (!(square > 0) || cross * cross > (r + slack) * (r + slack) * square) return {};
     const double run = std::sqrt(square);
     const double l = std::min(std::abs(cross) / run, r);
     // s runs uphill along the projection, from the point nearest to the axis.
@@ -45,8 +46,8 @@ inline ElementLift edge_lift(const LowerSurface& surface, const Vec3& a, const V
     const double sign = falls ? -1 : 1;
     const double s_low = sign * (low.x() * dx + low.y() * dy) / run,
                  s_high = sign * (high.x() * dx + high.y() * dy) / run;
-    const double reach = std::sqrt((r - l) * (r + l));
-    if (s_low > reach || s_high < -reach) return {};
+    const double past = (r + slack) * (r + slack) - l * l;
+    if ((s_low > 0 && s_low * s_low > past) || (s_high < 0 && s_high * s_high > past)) return {};
     const double rise = high.z() - low.z();
     const double best = surface.line_contact(l, rise, run);
     // Beyond an end it is that corner's lift, unless rounding sees the corner outside of the cutter.
@@ -96,10 +97,12 @@ inline ElementLift facet_lift(const LowerSurface& surface, const Vec3& a, const 
     const double longest = std::sqrt(u.x() * u.x() + u.y() * u.y());
     const double noise = tolerance::contact_roundings * std::numeric_limits<double>::epsilon() * longest
                          * (rho * (1 + longest * longest / area) + longest);
+    const double slack =
+        tolerance::contact_roundings * std::numeric_limits<double>::epsilon() * (longest + rho);
     ElementLift best;
     const auto ask = [&](double side, const Vec3& p, const Vec3& q) {
         if (side >= 0) return;
-        const ElementLift lift = edge_lift(surface, p, q);
+        const ElementLift lift = edge_lift(surface, p, q, slack);
         if (lift.tip_z > best.tip_z) best = lift;
     };
     if (std::min({side0, side1, side2}) >= -noise) {

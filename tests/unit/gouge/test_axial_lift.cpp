@@ -409,6 +409,96 @@ private slots:
         }
     }
 
+    // A third facet on an edge keeps it.
+    void non_manifold_edges_are_kept() {
+        Mesh mesh;
+        mesh.vertices = {Vec3(0, -1, -1), Vec3(0, 1, -1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0, -4)};
+        mesh.facets = {{0, 1, 2}, {1, 0, 3}};
+        QVERIFY(!(facet_duties(mesh, Progress())[0] & duty_edge));
+        mesh.facets.push_back({0, 1, 4});
+        QVERIFY(facet_duties(mesh, Progress())[0] & duty_edge);
+    }
+
+    // Planes that are flat but for the last digits, and a ball that touches them exactly on their vertices
+    // and edges: neither facet may leave the contact to the other.
+    void contact_between_nearly_coplanar_facets() {
+        Random rng(12);
+        for (int i = 0; i < 600; ++i) {
+            const double noise = i % 3 ? 0 : std::pow(10.0, uniform(rng, -16, -10));
+            const double bowl = i % 3 ? std::pow(10.0, uniform(rng, -17, -12)) : 0; // every edge a valley
+            const double turn = uniform(rng, 0, 2 * pi), narrow = std::pow(10.0, uniform(rng, -4, 0));
+            const double slope = uniform(rng, 0.1, 3), uphill = uniform(rng, 0, 2 * pi);
+            const Vec2 gradient = slope * Vec2(std::cos(uphill), std::sin(uphill));
+            const auto mesh = field(
+                24, 24, [](double, double) { return 0.0; }, 0, 1);
+            for (Vec3& v : mesh->vertices) {
+                const Vec2 at = Eigen::Rotation2Dd(turn) * Vec2(v.x() - 12, narrow * (v.y() - 12));
+                v = Vec3(at.x(), at.y(),
+                         gradient.dot(at) + bowl * at.squaredNorm() + noise * uniform(rng, -1, 1));
+            }
+            const double r = uniform(rng, 0.1, 1);
+            const AxialLift lift(std::make_shared<ContactIndex>(mesh, Progress()),
+                                 CutterProfile(AptCutter::ball(2 * r, 50)));
+            for (int k = 0; k < 40; ++k) {
+                // A vertex, or a place on a diagonal, near the middle: touched by a ball whose axis is
+                // downhill of it.
+                const Vec3& v = mesh->vertices[std::size_t(whole(rng, 10, 14) * 25 + whole(rng, 10, 14))];
+                const Vec3& w = mesh->vertices[std::size_t(&v - mesh->vertices.data()) + 26];
+                const Vec3 touched = k % 2 ? v : Vec3(0.5 * (v + w));
+                const double root = std::sqrt(1 + slope * slope);
+                const Vec2 axis = touched.head<2>() - r / root * gradient;
+                const double wanted = gradient.dot(axis) + r * (root - 1),
+                             got = lift.tip_z(axis.x(), axis.y());
+                QVERIFY2(std::abs(got - wanted) <= tolerance::lift_accuracy,
+                         qPrintable(QString("%1 %2 %3").arg(got - wanted).arg(narrow).arg(noise)));
+            }
+        }
+    }
+
+    // The rim of a flat end, uphill of the axis, exactly on a valley between planes that climb the same way:
+    // each plane's contact is that point, and rounding may see it outside of both facets.
+    void contact_on_a_valley() {
+        Random rng(14);
+        for (int i = 0; i < 400; ++i) {
+            const double turn = uniform(rng, 0, 2 * pi);
+            const auto mesh = field(
+                12, 12, [](double x, double) { return 0.05 * x * x; }, 0, 1);
+            for (Vec3& v : mesh->vertices)
+                v.head<2>() = Eigen::Rotation2Dd(turn) * v.head<2>();
+            const double r = uniform(rng, 0.5, 2);
+            const AxialLift lift(std::make_shared<ContactIndex>(mesh, Progress()),
+                                 CutterProfile(AptCutter::flat(2 * r, 50)));
+            for (int x = 5; x <= 11; ++x)
+                for (int k = 0; k < 10; ++k) {
+                    const Vec2 axis =
+                        Eigen::Rotation2Dd(turn) * Vec2(x - r, k % 2 ? uniform(rng, 3, 9) : whole(rng, 3, 9));
+                    const double wanted = 0.05 * x * x, got = lift.tip_z(axis.x(), axis.y());
+                    QVERIFY2(std::abs(got - wanted) <= tolerance::lift_accuracy,
+                             qPrintable(QString::number(got - wanted)));
+                }
+        }
+    }
+
+    // Boxes of the index are kept in 32-bit floats: what only just reaches under the rim must not be lost by
+    // their rounding.
+    void small_things_at_the_rim() {
+        Random rng(13);
+        const AptCutter flat = AptCutter::flat(6, 50);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 at(uniform(rng, 50, 100), uniform(rng, 50, 100), uniform(rng, 1, 2));
+            const auto mesh = std::make_shared<Mesh>();
+            for (int k = 0; k < 3; ++k)
+                mesh->vertices.push_back(
+                    at + 1e-10 * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)));
+            mesh->facets = {{0, 1, 2}};
+            const AxialLift lift(std::make_shared<ContactIndex>(mesh, Progress()), CutterProfile(flat));
+            const double highest =
+                std::max({mesh->vertices[0].z(), mesh->vertices[1].z(), mesh->vertices[2].z()});
+            const double away = 3 - 1e-9, angle = 0.5 * pi * (i % 4);
+            QCOMPARE(lift.tip_z(at.x() + away * std::cos(angle), at.y() + away * std::sin(angle)), highest);
+        }
+    }
+
     void nothing_under_the_cutter() {
         const AxialLift empty(std::make_shared<ContactIndex>(std::make_shared<Mesh>(), Progress()),
                               CutterProfile(AptCutter::ball(6, 50)));
