@@ -114,7 +114,7 @@ double chord_tolerance(const Operation& operation) {
         const ParameterValue value = operation.get(info->key);
         if (const auto* d = std::get_if<double>(&value)) return *d;
     }
-    return operation.common().tolerance / 10;
+    return operation.common().tolerance / 20;
 }
 
 } // namespace

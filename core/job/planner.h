@@ -74,8 +74,13 @@ private:
 /// report.json as the contract says, in the project's units: lengths in `units`, seconds.
 std::string report_json(const Project& project, const PlanResult& result);
 
+/// "01-Finish.apt": the operation's place in the project and its name, in which '-' stands for what file systems
+/// or shells might stumble over.
+std::string program_file_name(std::size_t place, const std::string& operation_name);
+
 /// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none.
-/// Returns the paths. NN is the operation's place in the project.
+/// Returns the paths. Throws Error(unwritable, what write_apt throws) or Cancelled; nothing is left then, not
+/// even a new folder.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress);
 

@@ -110,8 +110,8 @@ const Tool& Project::tool_of(const Operation& operation) const {
 void move_project(Project& project, const fs::path& path) {
     const fs::path file = project.part.file;
     const auto folder = [](const fs::path& p) { return fs::absolute(p).lexically_normal().parent_path(); };
-    if (!file.empty() && (project.path.empty() || folder(project.path) != folder(path))) {
-        // A project that was never saved has an absolute part file or one relative to the working folder.
+    const bool is_new = project.path.empty(); // its relative part file waits for a folder to be relative to
+    if (!file.empty() && (is_new ? file.is_absolute() : folder(project.path) != folder(path))) {
         const fs::path target = fs::absolute(project.part_path()).lexically_normal();
         const fs::path relative = target.lexically_relative(folder(path));
         const bool below = !relative.empty() && *relative.begin() != "..";
@@ -278,6 +278,11 @@ double usual_diameter(double target, LengthUnit unit) {
     return above == sizes.begin() ? round_down(target) : *std::prev(above);
 }
 
+/// As near to `v` as the parameter allows.
+double allowed(double v, const ParameterInfo& info) {
+    return std::clamp(v, info.minimum, info.maximum);
+}
+
 } // namespace
 
 Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& part_box) {
@@ -292,7 +297,7 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     p.unit = unit;
     p.part.file = fs::absolute(part_file).lexically_normal().generic_string();
     p.part.unit = unit;
-    const double margin = round_down(diagonal / 40) * per;
+    const double margin = allowed(round_down(diagonal / 40) * per, stock_parameters().find("margin")->info);
     p.stock.margin = {margin, margin, margin};
 
     Tool tool;
@@ -300,7 +305,8 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     tool.diameter = tool.shank_diameter = diameter * per;
     tool.corner_radius = tool.diameter / 2;
     tool.flute_length = 3 * tool.diameter;
-    tool.shank_length = std::max(4 * tool.diameter, part_box.size().z());
+    tool.shank_length = allowed(std::max(4 * tool.diameter, part_box.size().z()),
+                                tool_parameters().find("shank_length")->info);
     tool.name = "Ball " + format_number(diameter);
     p.tools.push_back(tool);
 
@@ -311,7 +317,7 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     common.tolerance = round_down(std::min(diagonal / 4000, diameter / 100)) * per;
     common.feed = (unit == LengthUnit::inch ? 40 : 1000) * per;
     common.spindle = 6000;
-    common.clearance = round_down(diagonal / 25) * per;
+    common.clearance = allowed(round_down(diagonal / 25) * per, operation->parameter("clearance"));
     p.operations.push_back(std::move(operation));
     return p;
 }

@@ -1,5 +1,6 @@
 // The project file: reading with every key checked, and writing what reads back the same.
 #include "core/base/file.h"
+#include "core/base/tolerances.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
 #include "core/job/strict_json.h"
@@ -51,8 +52,18 @@ LengthUnit read_unit(const Json& value, const std::string& place) {
     return parse_length_unit(read_text(value, place), place);
 }
 
+/// In core units. A limit that is not a round number in the file's unit was rounded when it was written: what
+/// is beyond the limit by no more than that is the limit.
+double read_number(const Json& value, const ParameterInfo& info, LengthUnit unit) {
+    const double v = value.get<double>() * info.scale(unit);
+    for (double limit : {info.minimum, info.maximum})
+        if (std::abs(v - limit) <= tolerance::written_number * std::abs(limit)) return limit;
+    return v;
+}
+
 template <std::size_t N>
-std::array<double, N> read_numbers(const Json& value, const std::string& place, double factor) {
+std::array<double, N> read_numbers(const Json& value, const ParameterInfo& info, const std::string& place,
+                                   LengthUnit unit) {
     const std::string expected = "a list of " + std::to_string(N) + " numbers";
     if (!value.is_array()) wrong_type(place, value, expected);
     if (value.size() != N)
@@ -61,7 +72,7 @@ std::array<double, N> read_numbers(const Json& value, const std::string& place, 
     std::array<double, N> numbers{};
     for (std::size_t i = 0; i < N; ++i) {
         if (!value[i].is_number()) wrong_type(element(place, i), value[i], "a number");
-        numbers[i] = value[i].get<double>() * factor;
+        numbers[i] = read_number(value[i], info, unit);
     }
     return numbers;
 }
@@ -71,9 +82,9 @@ ParameterValue read_value(const Json& value, const ParameterInfo& info, const st
     switch (info.kind) {
     case ParameterKind::number:
         if (!value.is_number()) wrong_type(place, value, "a number");
-        return value.get<double>() * info.scale(unit);
+        return read_number(value, info, unit);
     case ParameterKind::number_or_word:
-        if (value.is_number()) return value.get<double>() * info.scale(unit);
+        if (value.is_number()) return read_number(value, info, unit);
         if (!value.is_string()) wrong_type(place, value, "a number or a word");
         return read_text(value, place);
     case ParameterKind::integer: {
@@ -91,9 +102,9 @@ ParameterValue read_value(const Json& value, const ParameterInfo& info, const st
     case ParameterKind::text:
         return read_text(value, place);
     case ParameterKind::pair:
-        return read_numbers<2>(value, place, info.scale(unit));
+        return read_numbers<2>(value, info, place, unit);
     case ParameterKind::triple:
-        return read_numbers<3>(value, place, info.scale(unit));
+        return read_numbers<3>(value, info, place, unit);
     }
     throw Error(ErrorCode::internal, place, "unknown kind of parameter", "report this");
 }

@@ -1,0 +1,336 @@
+// The planner: what did not change is reused, and what is reused equals a fresh plan. Outputs appear together
+// or not at all.
+#include "core/base/file.h"
+#include "core/job/planner.h"
+#include "core/job/strict_json.h"
+#include "core/mesh/sample.h"
+#include "core/output/apt.h"
+#include "tests/support/test_runner.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+using namespace facetmill;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A wavy sheet of n x n squares, `size` mm wide.
+Mesh wavy_sheet(int n, double size, double height) {
+    Mesh m;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) {
+            const double u = double(i) / n, v = double(j) / n;
+            m.vertices.emplace_back(size * u, size * v, height * std::sin(4 * u) * std::cos(3 * v));
+        }
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const auto at = [&](int a, int b) { return Index((j + b) * (n + 1) + i + a); };
+            m.facets.push_back({at(0, 0), at(1, 0), at(1, 1)});
+            m.facets.push_back({at(0, 0), at(1, 1), at(0, 1)});
+        }
+    return m;
+}
+
+class Workplace {
+    QTemporaryDir dir_;
+
+public:
+    Workplace() : folder(dir_.path().toStdString()) {
+        write_part(1.0);
+        project.path = folder / "p.facetmill";
+        project.part.file = "part.stl";
+        Tool ball;
+        ball.number = 1;
+        ball.name = "Ball 6";
+        ball.corner_radius = 3;
+        Tool flat;
+        flat.number = 2;
+        flat.name = "Bull 8";
+        flat.diameter = flat.shank_diameter = 8;
+        flat.corner_radius = 1;
+        project.tools = {ball, flat};
+        for (const char* name : {"First", "Second"}) {
+            auto o = make_operation("finish3");
+            o->common().name = name;
+            o->common().tool = 1;
+            o->common().tolerance = 0.2;
+            o->set("stepover", 1.0); // the planner is on trial here, not the adaptive step-over
+            project.operations.push_back(std::move(o));
+        }
+        project.operations[1]->common().direction = {0, "y"};
+    }
+    void write_part(double height) {
+        save_stl(wavy_sheet(6, 10, height), folder / "part.stl", LengthUnit::mm, {});
+    }
+
+    fs::path folder;
+    Project project;
+};
+
+std::string apt_of(const OperationResult& o) {
+    QTemporaryDir dir;
+    const fs::path path = fs::path(dir.path().toStdString()) / "p.apt";
+    OutputFile file(path);
+    write_apt(o.program, file, {});
+    file.commit();
+    return std::string(InputFile(path).bytes());
+}
+
+/// All that a plan says, but for the seconds it took.
+std::string text_of(const Project& project, const PlanResult& plan) {
+    Json report = Json::parse(report_json(project, plan));
+    for (auto& o : report["operations"])
+        o["seconds_planning"] = 0;
+    std::string text = report.dump();
+    for (const auto& o : plan.operations)
+        text += apt_of(*o);
+    return text;
+}
+
+std::string code_of(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return std::string(code_name(e.code()));
+    } catch (const Cancelled&) {
+        return "cancelled";
+    }
+    return "none";
+}
+
+std::vector<std::string> files_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& e : fs::directory_iterator(folder))
+        names.push_back(e.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace
+
+class TestPlanner : public QObject {
+    Q_OBJECT
+private slots:
+
+    void only_what_changed_runs_again() {
+        Workplace w;
+        Planner planner;
+        Project& p = w.project;
+        std::shared_ptr<const PlanResult> plan;
+        const auto work_of = [&](const std::string& only = {}) {
+            const PlannerWork before = planner.work();
+            plan = planner.plan(p, only, {});
+            const PlannerWork& now = planner.work();
+            // Whatever was reused, the result is that of a planner that knows nothing.
+            Planner fresh;
+            const auto anew = fresh.plan(p, only, {});
+            if (text_of(p, *plan) != text_of(p, *anew)) qFatal("a reused plan differs from a fresh one");
+            return PlannerWork{now.loads - before.loads,     now.placements - before.placements,
+                               now.indexes - before.indexes, now.strategies - before.strategies,
+                               now.links - before.links,     now.programs - before.programs};
+        };
+        using W = PlannerWork;
+        QVERIFY((work_of() == W{1, 1, 1, 2, 2, 2}));
+        const auto first = plan;
+        QVERIFY((work_of() == W{}));
+        QCOMPARE(plan->operations[0], first->operations[0]); // the very same
+        QCOMPARE(plan->part, first->part);
+
+        p.operations[0]->common().feed = 777;
+        QVERIFY((work_of() == W{0, 0, 0, 0, 0, 1}));
+        QVERIFY(apt_of(*plan->operations[0]).find("FEDRAT/777.") != std::string::npos);
+        QCOMPARE(plan->operations[0]->seconds_planning, first->operations[0]->seconds_planning);
+        p.tools[0].name = "Another name";
+        QVERIFY((work_of() == W{0, 0, 0, 0, 0, 2}));
+        p.operations[0]->common().name = "Renamed";
+        QVERIFY((work_of() == W{0, 0, 0, 0, 0, 1}));
+        p.operations[1]->common().clearance = 9;
+        QVERIFY((work_of() == W{0, 0, 0, 0, 1, 1}));
+        p.operations[1]->common().tolerance = 0.18;
+        QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
+        p.operations[1]->common().tool = 2;
+        QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
+        p.tools[1].diameter = 7.5;
+        QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
+        p.tools[1].holder.push_back({30, 40});
+        QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
+        p.unit = LengthUnit::inch;
+        QVERIFY((work_of() == W{0, 0, 0, 0, 0, 2}));
+        p.stock.margin = {1, 1, 1};
+        QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2}));
+        p.part.tessellation_tolerance = {0.005, 0.005};
+        QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2}));
+        p.machine = "tarus-tpi-2000";
+        QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2}));
+        p.part.translate = {0, 0, 5};
+        QVERIFY((work_of() == W{0, 1, 1, 2, 2, 2}));
+        p.part.unit = LengthUnit::inch;
+        p.part.translate = {0, 0, 0};
+        for (auto& o : p.operations)
+            o->set("stepover", 25.0);
+        QVERIFY((work_of() == W{1, 1, 1, 2, 2, 2}));
+        w.write_part(0.5);
+        QVERIFY((work_of() == W{1, 1, 1, 2, 2, 2}));
+        // One operation alone does not forget the other.
+        p.operations[1]->common().tolerance = 0.25;
+        QVERIFY((work_of("Second") == W{0, 0, 0, 1, 1, 1}));
+        QCOMPARE(plan->operations.size(), std::size_t(1));
+        QVERIFY((work_of() == W{}));
+        std::swap(p.operations[0], p.operations[1]);
+        QVERIFY((work_of() == W{}));
+    }
+
+    void placement_turns_about_fixed_axes() {
+        Workplace w;
+        w.project.part.rotate = {pi / 2, 0, pi / 2}; // X, then Z
+        w.project.part.translate = {100, 200, 300};
+        Planner planner;
+        const auto part = planner.prepare(w.project, {});
+        Planner plain;
+        w.project.part.rotate = w.project.part.translate = {0, 0, 0};
+        const auto before = plain.prepare(w.project, {});
+        for (std::size_t i = 0; i < before->mesh->vertices.size(); ++i) {
+            const Vec3& v = before->mesh->vertices[i];
+            // About X: (x, -z, y). About Z: (z, x, y).
+            QVERIFY((part->mesh->vertices[i] - Vec3(v.z() + 100, v.x() + 200, v.y() + 300)).norm() < 1e-12);
+        }
+        QVERIFY((part->box.lo - part->mesh->box().lo).norm() == 0);
+    }
+
+    void cancelling_leaves_a_good_cache() {
+        Workplace w;
+        Planner fresh;
+        const std::string wanted = text_of(w.project, *fresh.plan(w.project, {}, {}));
+        Planner planner;
+        int cancelled = 0;
+        for (int tenth = 0; tenth < 10; ++tenth) {
+            Job job;
+            std::atomic<bool> over{false};
+            std::thread canceller([&] {
+                while (!over && job.fraction() < tenth / 10.0)
+                    std::this_thread::yield();
+                job.cancel();
+            });
+            cancelled += code_of([&] { planner.plan(w.project, {}, Progress(job)); }) == "cancelled";
+            over = true;
+            canceller.join();
+        }
+        QVERIFY(cancelled > 0);
+        QCOMPARE(text_of(w.project, *planner.plan(w.project, {}, {})), wanted);
+    }
+
+    void what_is_missing_is_named() {
+        Workplace w;
+        Planner planner;
+        const auto code = [&](const std::function<void(Project&)>& change, const std::string& only = {}) {
+            Project p = w.project;
+            change(p);
+            return code_of([&] { planner.plan(p, only, {}); });
+        };
+        QCOMPARE(code([](Project& p) { p.part.file = "none.stl"; }), std::string("not_found"));
+        QCOMPARE(code([](Project& p) { p.part.file = "."; }), std::string("is_directory"));
+        QCOMPARE(code([](Project& p) { p.operations.clear(); }), std::string("missing_key"));
+        QCOMPARE(code([](Project&) {}, "Third"), std::string("missing_reference"));
+        QCOMPARE(code([](Project& p) { p.operations[0]->common().tool = 9; }),
+                 std::string("missing_reference"));
+        QCOMPARE(code([](Project& p) { p.machine = "none"; }), std::string("missing_reference"));
+        QCOMPARE(code([](Project& p) { p.part.translate = {9.9e5, 0, 0}; }), std::string("none"));
+        try {
+            Project p = w.project;
+            p.operations[1]->common().tolerance = 1e-7;
+            p.operations[1]->set("stepover", 1e-7); // more passes than anyone wants
+            planner.plan(p, {}, {});
+        } catch (const Error& e) {
+            QVERIFY2(std::string(e.what()).starts_with("operation 'Second'"), e.what());
+        }
+        QCOMPARE(code([](Project&) {}), std::string("none"));
+    }
+
+    void the_report_is_in_project_units() {
+        Workplace w;
+        Planner planner;
+        const Json mm = Json::parse(report_json(w.project, *planner.plan(w.project, {}, {})));
+        w.project.unit = LengthUnit::inch;
+        const auto plan = planner.plan(w.project, {}, {});
+        const Json in = Json::parse(report_json(w.project, *plan));
+        QCOMPARE(in["units"].get<std::string>(), std::string("in"));
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Json &a = mm["operations"][i], &b = in["operations"][i];
+            for (const char* key : {"stepover_min", "stepover_max", "cut_length", "rapid_length", "cusp_max"})
+                QVERIFY2(std::abs(a[key].get<double>() - 25.4 * b[key].get<double>())
+                             < 1e-9 * a[key].get<double>() + 1e-12,
+                         key);
+            for (const char* key :
+                 {"time_seconds", "passes", "cc_points", "cl_points", "cleanup_points", "rework_regions"})
+                QCOMPARE(a[key].get<double>(), b[key].get<double>());
+            QVERIFY(a["passes"].get<int>() > 3);
+            QVERIFY(a["cut_length"].get<double>() > 50);
+            QVERIFY(a["cusp_max"].get<double>() > 0 && a["cusp_max"].get<double>() < 0.2);
+            QVERIFY(a["warnings"].is_array());
+            QVERIFY(a["seconds_planning"].get<double>() >= 0);
+            const auto& o = *plan->operations[i];
+            std::size_t cl = 0;
+            for (const Pass& pass : o.path.passes)
+                cl += pass.cl.size();
+            QCOMPARE(a["cl_points"].get<std::size_t>(), cl);
+            QCOMPARE(a["name"].get<std::string>(), o.name);
+        }
+    }
+
+    void names_become_file_names() {
+        QCOMPARE(program_file_name(1, "Finish"), std::string("01-Finish.apt"));
+        QCOMPARE(program_file_name(12, "a/b\\c:d*e"), std::string("12-a-b-c-d-e.apt"));
+        QCOMPARE(program_file_name(3, "../../etc/passwd"), std::string("03-..-..-etc-passwd.apt"));
+        QCOMPARE(program_file_name(3, "-rf ~"), std::string("03-rf.apt"));
+        QCOMPARE(program_file_name(4, "\xC3\xA9\xC3\xA8"), std::string("04-operation.apt"));
+        QCOMPARE(program_file_name(5, "caf\xC3\xA9 2"), std::string("05-caf-2.apt"));
+        QCOMPARE(program_file_name(100, std::string(500, 'x')).size(), std::size_t(68));
+    }
+
+    void outputs_appear_together() {
+        Workplace w;
+        Planner planner;
+        const auto plan = planner.plan(w.project, {}, {});
+        const fs::path out = w.folder / "deep" / "out";
+        const auto paths = write_plan(w.project, *plan, out, {});
+        const std::vector<std::string> names = {"01-First.apt", "02-Second.apt", "report.json"};
+        QCOMPARE(files_in(out), names);
+        QCOMPARE(paths.size(), std::size_t(3));
+        QCOMPARE(std::string(InputFile(out / "report.json").bytes()), report_json(w.project, *plan));
+        const AptReadResult back = read_apt(out / "02-Second.apt", LengthUnit::mm, {});
+        QCOMPARE(back.program.operation_name, std::string("Second"));
+        QCOMPARE(back.program.motions.motions.size(), plan->operations[1]->program.motions.motions.size());
+        const std::string bytes(InputFile(out / "01-First.apt").bytes());
+
+        // A part of a project keeps its place in the name.
+        const auto second = planner.plan(w.project, "Second", {});
+        write_plan(w.project, *second, w.folder / "second", {});
+        QCOMPARE(files_in(w.folder / "second"), (std::vector<std::string>{"02-Second.apt", "report.json"}));
+
+        // Something in the way of one: none is changed, nothing is left.
+        w.project.operations[0]->common().feed = 1;
+        const auto slow = planner.plan(w.project, {}, {});
+        fs::remove(out / "report.json");
+        fs::create_directories(out / "report.json" / "x");
+        QCOMPARE(code_of([&] { write_plan(w.project, *slow, out, {}); }), std::string("unwritable"));
+        QCOMPARE(files_in(out), names);
+        QCOMPARE(std::string(InputFile(out / "01-First.apt").bytes()), bytes);
+
+        Job job;
+        job.cancel();
+        QCOMPARE(code_of([&] { write_plan(w.project, *slow, w.folder / "new" / "er", Progress(job)); }),
+                 std::string("cancelled"));
+        QVERIFY(!fs::exists(w.folder / "new"));
+        std::ofstream(w.folder / "file") << "x";
+        QCOMPARE(code_of([&] { write_plan(w.project, *slow, w.folder / "file", {}); }),
+                 std::string("unwritable"));
+    }
+};
+
+FACETMILL_TEST(TestPlanner)
+#include "test_planner.moc"
