@@ -11,6 +11,7 @@
 #include <vtkWeakPointer.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 
 namespace facetmill {
@@ -19,6 +20,7 @@ namespace {
 // Larger framebuffers than this no renderer of Mesa has.
 constexpr int largest_framebuffer_side = 16384;
 constexpr std::size_t largest_framebuffer = 64u << 20;
+constexpr double ordinary_picture_side = 1400; // of a square of as many pixels
 } // namespace
 
 struct OffscreenWindow::Impl {
@@ -96,7 +98,9 @@ void OffscreenWindow::show(Scene& scene, int width, int height) {
     impl_->samples =
         2 * std::max(width, height) <= largest_framebuffer_side && 4 * pixels <= largest_framebuffer ? 2 : 1;
     impl_->window->SetSize(impl_->samples * width, impl_->samples * height);
-    scene.set_pixel_ratio(impl_->samples);
+    // Large pictures are for paper and large screens: text and lines grow with them.
+    const double enlarged = std::max(1.0, std::sqrt(double(pixels)) / ordinary_picture_side);
+    scene.set_pixel_ratio(impl_->samples * enlarged);
     scene.set_antialiasing(impl_->samples == 1);
 }
 

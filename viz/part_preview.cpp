@@ -84,8 +84,14 @@ PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
             corner[k] = merged[std::size_t(part.triangles[t + k])];
             place[k] = place_of_vertex[std::size_t(corner[k])];
         }
-        if (place[0] != place[1] && place[1] != place[2] && place[2] != place[0])
-            preview.triangles.insert(preview.triangles.end(), corner.begin(), corner.end());
+        if (place[0] == place[1] || place[1] == place[2] || place[2] == place[0]) continue;
+        // A thin facet may have been turned over; its normals still say which side is out.
+        const auto at = [&](std::size_t k) { return vec(preview.points, std::size_t(corner[k])); };
+        Vec3 out = Vec3::Zero();
+        for (const std::int32_t c : corner)
+            out += vec(preview.normals, std::size_t(c));
+        if ((at(1) - at(0)).cross(at(2) - at(0)).dot(out) < 0) std::swap(corner[1], corner[2]);
+        preview.triangles.insert(preview.triangles.end(), corner.begin(), corner.end());
     }
     return preview;
 }

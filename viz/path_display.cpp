@@ -119,12 +119,21 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
 
     // Dashes of a fixed length on the part, longer where there would be too many of them.
     const double dash = std::max(display->box.diagonal() / 60.0, rapid_length / 200'000.0);
+    double contact_length = 0;
+    std::size_t contact_steps = 0;
     for (const PathSource& s : display->sources) {
         if (s.contacts)
             for (const Pass& pass : s.contacts->passes) {
+                const CutterContact* before = nullptr;
                 for (const CutterContact& c : pass.cc) {
                     tick();
-                    if (c.point.allFinite()) append(display->contacts, c.point - centre);
+                    if (!c.point.allFinite()) continue;
+                    append(display->contacts, c.point - centre);
+                    if (before) {
+                        contact_length += (c.point - before->point).norm();
+                        ++contact_steps;
+                    }
+                    before = &c;
                 }
                 finish(display->contacts, true);
             }
@@ -155,6 +164,13 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
             append(line, to.to.tip - centre);
         }
         if (open) finish(display->motions[std::size_t(motions.back().kind)], false);
+    }
+    if (contact_steps > 0) {
+        const Vec3 size = display->box.size();
+        const double area = std::max({size.x() * size.y(), size.y() * size.z(), size.z() * size.x()});
+        const double along = contact_length / double(contact_steps),
+                     across = area / std::max(contact_length, 1e-300);
+        display->contact_spacing = std::min(along, across);
     }
     progress.check();
     display->contacts_preview = thinned(display->contacts);

@@ -37,6 +37,7 @@ struct PathDisplay {
     Vec3 centre = Vec3::Zero();
     Box3 box; ///< of all CC and CL points
     Polylines contacts;
+    double contact_spacing = 0;                  ///< mean distance of neighbours on a pass, mm
     std::array<Polylines, motion_kinds> motions; ///< by MotionKind; rapids are dashed
     /// Fewer points, drawn while the view moves; of long paths only, otherwise empty.
     Polylines contacts_preview;

@@ -209,12 +209,10 @@ void Scene::Impl::apply_line_widths() {
     set(part_lines, 1.1);
     set(part_edges, 0.6);
     set(stock_lines, 1.4);
-    set(contact_lines, 0.8);
     for (auto& a : tool_rings)
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
         set(motion_lines[k], motion_line_width(MotionKind(k)));
-    contact_dots.actor->GetProperty()->SetPointSize(float(2.6 * ratio));
 }
 
 void Scene::Impl::apply_visibility() {
@@ -260,6 +258,12 @@ void Scene::Impl::update_frame() {
     // flat.
     if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window)) gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
     apply_visibility();
+    // Dots and lines that would run into each other are thinner.
+    const double gap = path && path->contact_spacing > 0 && pixel_size() > 0
+                           ? path->contact_spacing / pixel_size()
+                           : infinity;
+    contact_dots.actor->GetProperty()->SetPointSize(float(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio)));
+    contact_lines.actor->GetProperty()->SetLineWidth(float(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio)));
     renderer->ResetCameraClippingRange();
     overlay->update(overlay_content());
     // The axes' renderer covers a square in the corner and turns as the camera does.
