@@ -78,7 +78,10 @@ std::optional<Corner> corner_of(const AptCutter& c, const Vec2& bottom, const Ve
     // Where a line cuts the circle twice, the boundary passes from the bottom line to the circle at the outer
     // meeting and from the circle to the side line at the lower one: only there it turns to the steeper side.
     const double start = low.after, end = high.before;
-    if (start < -noise || start * bottom.x() > 0.5 * c.d + noise || end < -noise) return std::nullopt;
+    // A circle through the tip may seem to meet the bottom line beyond it, far though when it meets it at a
+    // small angle.
+    const bool before_tip = start < 0 && std::abs(centre.norm() - c.r) > noise;
+    if (before_tip || start * bottom.x() > 0.5 * c.d + noise || end < -noise) return std::nullopt;
     Corner k{true, std::max(0.0, start) * bottom, corner + std::max(0.0, end) * side, centre, c.r};
     if (tangent_angle(centre, k.first_point) > tangent_angle(centre, k.last_point)) {
         if ((k.first_point - k.last_point).norm() > noise) return std::nullopt;

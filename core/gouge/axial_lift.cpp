@@ -48,12 +48,11 @@ public:
             Vec3 p[3];
             for (std::size_t k = 0; k < 3; ++k)
                 p[k] = Vec3(block.x[k][lane] - x_, block.y[k][lane] - y_, block.z[k][lane]);
-            const double reach = radius_;
-            if (std::min({p[0].x(), p[1].x(), p[2].x()}) > reach
-                || std::max({p[0].x(), p[1].x(), p[2].x()}) < -reach
-                || std::min({p[0].y(), p[1].y(), p[2].y()}) > reach
-                || std::max({p[0].y(), p[1].y(), p[2].y()}) < -reach)
-                continue;
+            const double dx = std::max(
+                {std::min({p[0].x(), p[1].x(), p[2].x()}), -std::max({p[0].x(), p[1].x(), p[2].x()}), 0.0});
+            const double dy = std::max(
+                {std::min({p[0].y(), p[1].y(), p[2].y()}), -std::max({p[0].y(), p[1].y(), p[2].y()}), 0.0});
+            if (promise(dx, dy, highest) <= best_.tip_z) continue;
             const Index facet = block.facet[lane];
             for (std::size_t k = 0; k < 3; ++k)
                 if (duty & (duty_vertex << k) && p[k].z() > best_.tip_z)
@@ -79,7 +78,6 @@ public:
         // tree is no deeper than the digits of the facet count in base 8.
         std::array<Entry, block_width * 16> stack;
         std::size_t depth = 0;
-        const double reach = radius_ + slack_;
         stack[depth++] = {infinity, 0};
         while (depth > 0) {
             const Entry top = stack[--depth];
@@ -93,11 +91,7 @@ public:
             for (std::size_t lane = 0; lane < block_width; ++lane) {
                 const double dx = std::max({double(node.xlo[lane]) - x_, x_ - double(node.xhi[lane]), 0.0});
                 const double dy = std::max({double(node.ylo[lane]) - y_, y_ - double(node.yhi[lane]), 0.0});
-                const double square = dx * dx + dy * dy;
-                if (!(square <= reach * reach)) continue;
-                const double zhi = double(node.zhi[lane]);
-                const double under = surface_.bound(std::max(0.0, std::sqrt(square) - slack_));
-                const double bound = zhi - under + tolerance::bound_slack * (std::abs(zhi) + under + radius_);
+                const double bound = promise(dx, dy, double(node.zhi[lane]));
                 if (bound <= best_.tip_z) continue;
                 // Kept in order of bound, the highest last.
                 std::size_t at = depth++;
@@ -113,6 +107,15 @@ public:
     const Best& best() const { return best_; }
 
 private:
+    /// No lift of anything in a box is higher: the box is dx, dy away from the axis and reaches up to
+    /// `highest`.
+    double promise(double dx, double dy, double highest) const {
+        const double square = dx * dx + dy * dy, reach = radius_ + slack_;
+        if (!(square <= reach * reach)) return -infinity;
+        const double under = surface_.bound(std::max(0.0, std::sqrt(square) - slack_));
+        return highest - under + tolerance::bound_slack * (std::abs(highest) + under + radius_);
+    }
+
     const ContactIndex::Impl& index_;
     const LowerSurface& surface_;
     double x_, y_, radius_;

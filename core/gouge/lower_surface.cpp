@@ -108,7 +108,7 @@ double LowerSurface::arc_contact(const Piece& p, double l, double rise, double r
         const double x1 = std::min(1.0, (p.rho1 - p.e) / p.r);
         y = leg(std::max(x1, k), k);
     }
-    constexpr int most_steps = 100; // a guard only: the tests see no more than 40
+    constexpr int most_steps = 100; // a guard only: about 45 is the most that random tries see
     for (int i = 0; i < most_steps; ++i) {
         const double x = std::sqrt(y * y + k * k);
         if (x == 0) break;

@@ -225,6 +225,12 @@ private slots:
         QVERIFY(profile_fault(ogive).isEmpty());
         QCOMPARE(ogive.height_at(0), 0.0);
         QVERIFY(near(ogive.height_at(4), std::sqrt(24.0)));
+        for (double e = 1e-15; e < 40; e *= 1.7) { // also where it hardly is
+            const double r = 5 + e;
+            const CutterProfile p(AptCutter{10, r, -e, std::sqrt(r * r - e * e), 0, 0, 50});
+            QVERIFY(profile_fault(p).isEmpty());
+            QVERIFY(near(p.height_at(3), p.cutter().f - std::sqrt(r * r - (3 + e) * (3 + e))));
+        }
         // With r = 0 there is no circle.
         QCOMPARE(CutterProfile(AptCutter{10, 0, 0, 0, 0, 0, 20}).max_radius(), 5.0);
         QCOMPARE(refused_at([] { CutterProfile(AptCutter{10, 0, 3, 0, 0, 0, 20}); }), "e");
