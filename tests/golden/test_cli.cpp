@@ -1,0 +1,393 @@
+// The headless program's manners: exit status, one line on stderr, nothing left behind.
+#include "core/gouge/axial_lift.h"
+#include "core/mesh/mesh_io.h"
+#include "tests/golden/run_cli.h"
+#include "tests/support/test_runner.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTest>
+
+#include <cmath>
+#include <csignal>
+#include <random>
+#include <sstream>
+
+using namespace facetmill;
+using test::CliRun;
+using test::run_cli;
+using test::run_cli_and_signal;
+using test::Sandbox;
+
+namespace {
+
+const char* const good_project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
+  "tools": [ { "number": 1, "name": "Ball", "diameter": 6, "corner_radius": 3 } ],
+  "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.1, "stepover": "adaptive" } ] })";
+
+QByteArray changed(const QByteArray& from, const QByteArray& to) {
+    QByteArray text = good_project;
+    if (!text.contains(from)) qFatal("the test's text is not in the project");
+    return text.replace(from, to);
+}
+
+/// Three facets of a little roof.
+const char* const small_part = R"(solid roof
+facet normal 0 0 1 outer loop vertex 0 0 0 vertex 20 0 0 vertex 20 10 4 endloop endfacet
+facet normal 0 0 1 outer loop vertex 0 0 0 vertex 20 10 4 vertex 0 10 4 endloop endfacet
+facet normal 0 0 1 outer loop vertex 0 10 4 vertex 20 10 4 vertex 10 20 0 endloop endfacet
+endsolid roof
+)";
+
+QJsonObject json(const CliRun& run) {
+    return QJsonDocument::fromJson(run.out).object();
+}
+
+} // namespace
+
+class TestCli : public QObject {
+    Q_OBJECT
+private slots:
+
+    void help_and_version() {
+        Sandbox s;
+        const CliRun help = run_cli({"--help"}, s.path());
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.err.isEmpty());
+        for (const char* command : {"info", "sample", "plan", "drop", "render", "reference"}) {
+            QVERIFY(help.out.contains(command));
+            const CliRun one = run_cli({command, "--help"}, s.path());
+            QCOMPARE(one.status, 0);
+            QVERIFY(one.out.startsWith(QByteArray("usage: facetmill-cli ") + command));
+        }
+        const CliRun version = run_cli({"--version"}, s.path());
+        QCOMPARE(version.status, 0);
+        QVERIFY(version.out.startsWith("facetmill-cli ") && version.out.count('.') == 2);
+    }
+
+    void wrong_usage_is_2_data() {
+        QTest::addColumn<QString>("line");
+        for (const char* line : {"",
+                                 "fly",
+                                 "info",
+                                 "info a.stl b.stl",
+                                 "info part.stl --units",
+                                 "info part.stl --units cm",
+                                 "info part.stl --unit mm",
+                                 "info part.stl --units mm --units in",
+                                 "info part.stl --units=",
+                                 "sample",
+                                 "sample concave",
+                                 "sample conclave -o x.stl",
+                                 "sample concave --tolerance wide -o x.stl",
+                                 "plan",
+                                 "plan job.facetmill",
+                                 "plan job.facetmill -o",
+                                 "plan job.facetmill -o out --threads 0",
+                                 "plan job.facetmill -o out --threads 1.5",
+                                 "plan job.facetmill -o out --set tolerance",
+                                 "plan job.facetmill -o out --set tolerance=1",
+                                 "drop part.stl -o x",
+                                 "drop part.stl --cutter ball:6 -o x",
+                                 "drop part.stl --cutter ball:6 --grid 5x5 --points p -o x",
+                                 "drop part.stl --cutter ball:6 --grid 5 -o x",
+                                 "drop part.stl --cutter ball:6 --grid 5x -o x",
+                                 "drop part.stl --cutter ball:6 --grid 0x5 -o x",
+                                 "drop part.stl --cutter ball:6 --grid -5x5 -o x",
+                                 "drop part.stl --cutter ball:6 --grid 5x5x5 -o x",
+                                 "drop part.stl --cutter ball:6 --grid 99999x99999 -o x",
+                                 "drop part.stl --cutter ball --grid 5x5 -o x",
+                                 "drop part.stl --cutter cube:6 --grid 5x5 -o x",
+                                 "drop part.stl --cutter ball:six --grid 5x5 -o x",
+                                 "reference more"})
+            QTest::newRow(line) << line;
+    }
+    void wrong_usage_is_2() {
+        QFETCH(QString, line);
+        Sandbox s;
+        s.write("part.stl", small_part);
+        s.write("job.facetmill", good_project);
+        const QStringList before = s.files();
+        const CliRun run = run_cli(line.split(' ', Qt::SkipEmptyParts), s.path());
+        QCOMPARE(run.status, 2);
+        QCOMPARE(run.code(), QByteArray("usage"));
+        QCOMPARE(run.err_lines(), 2); // what is wrong, and the usage
+        QVERIFY(run.err.contains("\nusage: facetmill-cli "));
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(s.files(), before);
+    }
+
+    void failed_jobs_are_1_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("place"); // in the line on stderr
+        QTest::addColumn<QByteArray>("project");
+        const auto row = [](const char* name, const char* line, const char* code, const char* place,
+                            const QByteArray& project = good_project) {
+            QTest::newRow(name) << line << QByteArray(code) << QByteArray(place) << project;
+        };
+        row("no part", "info none.stl", "not_found", "none.stl");
+        row("a folder", "info .", "is_directory", ".");
+        row("empty", "info empty.stl", "empty_file", "empty.stl");
+        row("truncated", "info cut.stl", "truncated", "cut.stl");
+        row("no place for a sample", "sample concave -o none/x.stl", "unwritable", "none/x.stl");
+        row("a folder as output", "sample concave -o .", "unwritable", ".");
+        row("a device as output", "sample concave -o /dev/null", "unwritable", "/dev/null");
+        row("tolerance 0 of a sample", "sample concave --tolerance 0 -o x.stl", "out_of_range", "concave");
+        row("tolerance -1 of a sample", "sample concave --tolerance -1 -o x.stl", "out_of_range", "concave");
+        row("negative cutter", "drop part.stl --cutter ball:-6 --grid 5x5 -o x", "out_of_range", "--cutter");
+        row("corner too large", "drop part.stl --cutter bull:6,4 --grid 5x5 -o x", "out_of_range",
+            "--cutter");
+        row("bad points", "drop part.stl --cutter ball:6 --points bad.txt -o x", "syntax", "bad.txt:3");
+        row("half a point", "drop part.stl --cutter ball:6 --points half.txt -o x", "syntax", "half.txt:1");
+        row("three numbers", "drop part.stl --cutter ball:6 --points three.txt -o x", "syntax",
+            "three.txt:2");
+        row("far point", "drop part.stl --cutter ball:6 --points far.txt -o x", "coordinate_range",
+            "far.txt:1");
+        row("no points", "drop part.stl --cutter ball:6 --points comment.txt -o x", "empty_result",
+            "comment.txt");
+        row("drop on nothing", "drop none.stl --cutter ball:6 --grid 5x5 -o x", "not_found", "none.stl");
+        row("no project", "plan none.facetmill -o out", "not_found", "none.facetmill");
+        row("a mesh as project", "plan part.stl -o out", "syntax", "part.stl:1");
+        row("a picture as part", "info picture.stl", "not_stl", "picture.stl");
+        row("a file as folder", "plan job.facetmill -o part.stl", "unwritable", "part.stl");
+        row("unknown operation", "plan job.facetmill -o out --op Rough", "missing_reference", "Rough");
+        row("set unknown", "plan job.facetmill -o out --set Finish.tolerence=1", "unknown_key", "tolerence");
+        row("set 0", "plan job.facetmill -o out --set Finish.tolerance=0", "out_of_range",
+            "Finish.tolerance=0");
+        row("set tool", "plan job.facetmill -o out --set Finish.tool=2", "missing_reference",
+            "job.facetmill: operations[0].tool");
+        const char* plan = "plan job.facetmill -o out";
+        row("unknown key", plan, "unknown_key", "job.facetmill: operations[0].tolerence",
+            changed("tolerance", "tolerence"));
+        row("wrong type", plan, "wrong_type", "job.facetmill: tools[0].diameter",
+            changed("\"diameter\": 6", "\"diameter\": \"6\""));
+        row("negative diameter", plan, "out_of_range", "job.facetmill: tools[0].diameter",
+            changed("\"diameter\": 6", "\"diameter\": -6"));
+        row("step-over 0", plan, "out_of_range", "job.facetmill: operations[0].stepover",
+            changed("\"adaptive\"", "0"));
+        row("tolerance 0", plan, "out_of_range", "job.facetmill: operations[0].tolerance",
+            changed("0.1", "0"));
+        row("tool missing", plan, "missing_reference", "job.facetmill: operations[0].tool",
+            changed("\"tool\": 1", "\"tool\": 7"));
+        row("part missing", plan, "not_found", "nothing.stl", changed("part.stl", "nothing.stl"));
+        row("part is a folder", plan, "is_directory", "folder", changed("part.stl", "folder"));
+        row("part is empty", plan, "empty_file", "empty.stl", changed("part.stl", "empty.stl"));
+        row("part is the project", plan, "unsupported_format", "job.facetmill: part.file",
+            changed("part.stl", "job.facetmill"));
+        row("no operations", plan, "missing_key", "job.facetmill: operations",
+            "{\"facetmill\":1,\"units\":\"mm\",\"part\":{\"file\":\"part.stl\"}}");
+        row("cut project", plan, "truncated", "job.facetmill:2", QByteArray(good_project).left(110));
+        row("newer project", plan, "newer_version", "job.facetmill",
+            changed("\"facetmill\": 1", "\"facetmill\": 99"));
+        row("empty project", plan, "empty_file", "job.facetmill", "");
+        row("NaN", plan, "syntax", "job.facetmill:3", changed("0.1", "NaN"));
+    }
+    void failed_jobs_are_1() {
+        QFETCH(QString, line);
+        QFETCH(QByteArray, code);
+        QFETCH(QByteArray, place);
+        QFETCH(QByteArray, project);
+        Sandbox s;
+        s.write("part.stl", small_part);
+        s.write("job.facetmill", project);
+        s.write("empty.stl", "");
+        s.write("cut.stl", QByteArray(small_part).left(150));
+        s.write("picture.stl", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0", 29));
+        s.write("bad.txt", "1 2\n# note\n1 x\n");
+        s.write("half.txt", "1\n");
+        s.write("three.txt", "1 2\n1 2 3\n");
+        s.write("far.txt", "1 2e9\n");
+        s.write("comment.txt", "# nothing\n\n");
+        QVERIFY(QDir(s.path()).mkdir("folder"));
+        const QStringList before = s.files();
+        const CliRun run = run_cli(line.split(' '), s.path());
+        QVERIFY2(run.status == 1, run.err);
+        QVERIFY2(run.code() == code, run.err);
+        QVERIFY2(run.err_lines() == 1 && run.err.endsWith(")\n"), run.err); // one line, with a remedy
+        QVERIFY2(run.err.contains(place), run.err);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(s.files(), before); // nothing written, nothing left
+    }
+
+    void info_tells_what_is_there() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        const QJsonObject o = json(run_cli({"info", "part.stl", "--units", "in"}, s.path()));
+        QCOMPARE(o["facets"].toInt(), 3);
+        QCOMPARE(o["welded_vertices"].toInt(), 5);
+        QCOMPARE(o["vertices"].toInt(), 5);
+        QCOMPARE(o["shells"].toInt(), 1);
+        QCOMPARE(o["open_edges"].toInt(), 5);
+        QCOMPARE(o["watertight"].toBool(true), false);
+        QCOMPARE(o["bbox"].toArray(), (QJsonArray{0, 0, 0, 20, 20, 4}));
+        QCOMPARE(o["size_mm"].toArray(), (QJsonArray{508, 508, 101.6}));
+        for (const char* key : {"degenerate", "duplicate", "non_manifold_edges", "volume"})
+            QVERIFY2(o[key].isDouble(), key);
+        QVERIFY(o["warnings"].toArray().contains("open_edges"));
+        QVERIFY(!o["explanations"]["open_edges"].toString().isEmpty());
+    }
+
+    void samples_are_in_their_units() {
+        Sandbox s;
+        const QJsonObject made = json(
+            run_cli({"sample", "cylinder", "--tolerance", "0.5", "--units", "mm", "-o", "c.stl"}, s.path()));
+        QCOMPARE(made["units"].toString(), QString("mm"));
+        const QJsonObject read = json(run_cli({"info", "c.stl"}, s.path()));
+        QCOMPARE(read["facets"].toInt(), made["facets"].toInt());
+        QCOMPARE(read["watertight"].toBool(), true);
+        for (int k = 0; k < 6; ++k)
+            QVERIFY(std::abs(read["bbox"][k].toDouble() - made["bbox"][k].toDouble()) < 1e-4);
+        const QJsonObject inch = json(
+            run_cli({"sample", "cylinder", "--tolerance", "0.02", "--units", "in", "-o", "c.stl"}, s.path()));
+        QVERIFY(std::abs(inch["bbox"][3].toDouble() * 25.4 - made["bbox"][3].toDouble()) < 0.6);
+        QCOMPARE(s.files(), QStringList{"c.stl"});
+    }
+
+    void drop_is_the_axial_lift() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        const struct {
+            const char* shape;
+            AptCutter cutter; // of the same numbers in inches
+        } cutters[] = {{"ball:6", AptCutter::ball(6 * 25.4, 1e5)},
+                       {"flat:6", AptCutter::flat(6 * 25.4, 1e5)},
+                       {"bull:6,1", AptCutter::bull(6 * 25.4, 25.4, 1e5)},
+                       {"cone:6,30", AptCutter::cone(6 * 25.4, radians(30))},
+                       {"apt:6,1,2,1,0,0,50", AptCutter{6 * 25.4, 25.4, 2 * 25.4, 25.4, 0, 0, 50 * 25.4}}};
+        const LoadedMesh part = load_mesh((s.path() + "/part.stl").toStdString(), LengthUnit::inch, {});
+        const auto index = std::make_shared<const ContactIndex>(part.mesh, Progress());
+        for (const auto& c : cutters) {
+            const CliRun run = run_cli(
+                {"drop", "part.stl", "--units", "in", "--cutter", c.shape, "--grid", "13x9", "-o", "z.txt"},
+                s.path());
+            QVERIFY2(run.status == 0, run.err);
+            const AxialLift lift(index, CutterProfile(c.cutter));
+            QFile file(s.path() + "/z.txt");
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            int n = 0;
+            for (; !file.atEnd(); ++n) {
+                const QByteArray line = file.readLine().trimmed();
+                const auto fields = line.split(' ');
+                QCOMPARE(fields.size(), 3);
+                const double x = fields[0].toDouble(), y = fields[1].toDouble();
+                QVERIFY(std::abs(x - 20.0 * (n % 13) / 12) < 1e-9
+                        && std::abs(y - 20.0 * (n / 13) / 8) < 1e-9);
+                QCOMPARE(fields[0].size() - fields[0].indexOf('.') - 1, 9);
+                const double z = lift.tip_z(x * 25.4, y * 25.4) / 25.4;
+                if (std::isinf(z))
+                    QCOMPARE(fields[2], QByteArray("-inf"));
+                else
+                    QVERIFY(std::abs(fields[2].toDouble() - z) < 1e-9);
+            }
+            QCOMPARE(n, 13 * 9);
+        }
+        s.write("p.txt", "# x y\n10 5\r\n\n  0.5,1e1 \n100 100");
+        const CliRun run =
+            run_cli({"drop", "part.stl", "--cutter", "flat:2", "--points", "p.txt", "-o", "z.txt"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        QCOMPARE(json(run)["contacts"].toInt(), 2);
+        QFile file(s.path() + "/z.txt");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(),
+                 QByteArray("10.000000000 5.000000000 2.400000000\n0.500000000 10.000000000 4.000000000\n"
+                            "100.000000000 100.000000000 -inf\n"));
+    }
+
+    void a_full_or_closed_stdout_is_told() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        QProcess process;
+        process.setWorkingDirectory(s.path());
+        process.setStandardOutputFile("/dev/full");
+        process.start(FACETMILL_CLI, {"info", "part.stl"});
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardError().startsWith("facetmill-cli: error [unwritable] stdout: "));
+    }
+
+    void the_reference_page_prints() {
+        Sandbox s;
+        const CliRun run = run_cli({"reference"}, s.path());
+        QCOMPARE(run.status, 0);
+        QVERIFY(run.out.contains("### `finish3`"));
+        QCOMPARE(run_cli({"reference", "-o", "r.md"}, s.path()).status, 0);
+        QFile file(s.path() + "/r.md");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), run.out);
+    }
+
+    void pictures_are_drawn() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        const CliRun run =
+            run_cli({"render", "part.stl", "--view", "top", "--size", "160x120", "-o", "p.png"}, s.path());
+#ifdef FACETMILL_HAS_PICTURES
+        QVERIFY2(run.status == 0, run.err);
+        QFile file(s.path() + "/p.png");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray png = file.readAll();
+        QVERIFY(png.startsWith("\x89PNG\r\n\x1a\n"));
+        QCOMPARE(png.mid(16, 8), QByteArray("\0\0\0\xA0\0\0\0\x78", 8));
+        for (const char* bad : {"--view=sideways", "--size=0x5", "--size=big", "--show=part,soul"}) {
+            const CliRun refused = run_cli({"render", "part.stl", bad, "-o", "q.png"}, s.path());
+            QCOMPARE(refused.status, 2);
+            QCOMPARE(refused.code(), QByteArray("usage"));
+        }
+        QCOMPARE(run_cli({"render", "part.stl", "--show", "cl", "-o", "q.png"}, s.path()).status, 1);
+        QCOMPARE(s.files(), (QStringList{"p.png", "part.stl"}));
+#else
+        QCOMPARE(run.status, 1);
+        QCOMPARE(run.code(), QByteArray("unsupported_format"));
+        QCOMPARE(s.files(), QStringList{"part.stl"});
+#endif
+    }
+
+    void signals_leave_nothing_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QStringList>("outputs"); // of a run that was faster than the signal
+        QTest::newRow("plan") << QStringList{"plan", "job.facetmill", "-o", "out"} << QStringList{"out"};
+        QTest::newRow("drop") << QStringList{"drop",   "part.stl",  "--cutter", "bull:1,0.2",
+                                             "--grid", "1500x1500", "-o",       "z.txt"}
+                              << QStringList{"z.txt"};
+        QTest::newRow("sample") << QStringList{"sample", "complex", "--tolerance", "0.0001", "-o", "big.stl"}
+                                << QStringList{"big.stl"};
+    }
+    /// At any time: either the run ends as cancelled and the folder is as before, or it was done already.
+    void signals_leave_nothing() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QStringList, outputs);
+        Sandbox s;
+        QCOMPARE(run_cli({"sample", "concave", "--tolerance", "0.001", "-o", "part.stl"}, s.path()).status,
+                 0);
+        s.write("job.facetmill", changed("\"tolerance\": 0.1", "\"tolerance\": 0.0002")
+                                     .replace("6, \"corner_radius\": 3", "0.5, \"corner_radius\": 0.25"));
+        const QStringList before = s.files();
+        std::mt19937 rng(11);
+        int cancelled = 0;
+        for (int round = 0; round < 6; ++round) {
+            const int after = round == 0 ? 60 : 20 + int(rng() % 500);
+            const CliRun run = run_cli_and_signal(arguments, s.path(), round % 2 ? SIGTERM : SIGINT, after);
+            if (run.status == 0) {
+                for (const QString& o : outputs) {
+                    QDir(s.path() + "/" + o).removeRecursively();
+                    QFile::remove(s.path() + "/" + o);
+                }
+            } else {
+                ++cancelled;
+                QCOMPARE(run.status, 1);
+                QCOMPARE(run.err, QByteArray("facetmill-cli: cancelled\n"));
+                QVERIFY(run.out.isEmpty());
+            }
+            QCOMPARE(s.files(), before);
+        }
+        QVERIFY(cancelled > 0);
+    }
+};
+
+FACETMILL_TEST(TestCli)
+#include "test_cli.moc"
