@@ -33,9 +33,9 @@ void add_light(vtkRenderer* renderer, double x, double y, double z, double inten
 
 void add_lights(vtkRenderer* renderer) {
     renderer->AutomaticLightCreationOff();
-    add_light(renderer, -0.5, 0.6, 1.0, 0.62); // key, over the left shoulder
+    add_light(renderer, -0.6, 0.6, 1.0, 0.66); // key, over the left shoulder
     add_light(renderer, 0.0, 0.0, 1.0, 0.38);  // from the eye
-    add_light(renderer, 0.9, -0.3, 0.5, 0.20); // fill from the right
+    add_light(renderer, 0.9, -0.3, 0.5, 0.24); // fill from the right
 }
 
 } // namespace
