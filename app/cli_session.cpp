@@ -16,8 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto poll = std::chrono::milliseconds(10);
-constexpr auto patience = std::chrono::milliseconds(60);
+constexpr auto poll = std::chrono::milliseconds(5);
+constexpr auto patience = std::chrono::milliseconds(30);
 constexpr double terminal_interval = 0.1, line_interval = 10.0; // seconds
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 

@@ -12,7 +12,7 @@
 
 namespace facetmill::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the job. A job that has not ended 60 ms after that is
+/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the job. A job that has not ended 30 ms after that is
 /// ended with the process: temporary files are removed first, so nothing is left either way. Progress goes to
 /// stderr: one line that is rewritten on a terminal, a line every ten seconds elsewhere, so that a short job
 /// that fails writes one line.
