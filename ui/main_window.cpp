@@ -3,6 +3,7 @@
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
+#include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
@@ -71,7 +72,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 MainWindow::~MainWindow() {
-    // The view holds the graphics context's resources; it goes while the window still is one.
+    // The children go while the document they show is still there. An entry that was not finished goes with
+    // its field.
+    properties_->form()->disconnect();
+    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, log_dock_})
+        delete dock;
     delete takeCentralWidget();
 }
 
@@ -245,7 +250,6 @@ void MainWindow::update_title() {
                        ? QStringLiteral("Facetmill")
                        : QStringLiteral("%1%2 – Facetmill")
                              .arg(elided(name, 60), document_.modified() ? QStringLiteral("*") : QString()));
-    setWindowModified(document_.modified());
 }
 
 void MainWindow::update_actions() {

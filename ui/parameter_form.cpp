@@ -70,16 +70,23 @@ ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent) {
     layout_->addStretch(1);
 }
 
+ParameterForm::~ParameterForm() {
+    // A field that loses the focus because it goes must not report to rows that are gone.
+    for (const Row& row : rows_)
+        row.editor->disconnect(this);
+}
+
 void ParameterForm::set_parameters(const std::vector<const ParameterInfo*>& parameters, LengthUnit unit,
                                    const std::map<std::string, std::vector<FormChoice>>& choices,
                                    const std::vector<std::string>& hidden) {
     unit_ = unit;
+    for (const Row& row : rows_)
+        row.editor->disconnect(this);
     rows_.clear();
-    rows_.reserve(parameters.size()); // slots keep indices, help keeps pointers
     auto* old = body_;
     body_ = new QWidget(this);
     layout_->replaceWidget(old, body_);
-    old->hide();
+    old->setParent(nullptr);
     old->deleteLater(); // the edit that led here may come from one of its fields
     auto* column = new QVBoxLayout(body_);
     column->setContentsMargins(0, 0, 0, 0);
@@ -115,6 +122,7 @@ void ParameterForm::set_parameters(const std::vector<const ParameterInfo*>& para
     if (!any_advanced) advanced->hide();
     column->addWidget(fold);
     column->addWidget(advanced);
+    body_->show(); // at once: a layout would do so only from the event loop
     show_help(nullptr);
     emit validity_changed(true);
 }

@@ -21,6 +21,7 @@ class ParameterForm : public QWidget {
     Q_OBJECT
 public:
     explicit ParameterForm(QWidget* parent = nullptr);
+    ~ParameterForm() override;
 
     /// Builds the rows anew, for other parameters. `choices` puts a fixed set in place of free entry;
     /// `hidden` keys have no row. The descriptions are kept by reference: they stand in tables that live as

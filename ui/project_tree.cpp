@@ -9,7 +9,6 @@
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace facetmill::ui {

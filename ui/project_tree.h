@@ -4,13 +4,13 @@
 
 #include "ui/document.h"
 
+#include <QTreeWidget>
 #include <QWidget>
 
 #include <optional>
 
 class QAction;
 class QMenu;
-class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace facetmill::ui {
@@ -26,6 +26,7 @@ class ProjectTree : public QWidget {
     Q_OBJECT
 public:
     explicit ProjectTree(Document& document, QWidget* parent = nullptr);
+    ~ProjectTree() override { tree_->blockSignals(true); } // its items go one by one
 
     std::optional<TreeNode> selected() const;
     void select(const TreeNode& node);

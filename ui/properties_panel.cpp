@@ -68,6 +68,7 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     tool_box->addWidget(sketch_, 1);
     tool_box->addWidget(edit_tool_);
     column->addLayout(tool_box, 1);
+    column->addStretch(0);
 
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(content);

@@ -160,7 +160,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 
 void Viewport::place_overlays() {
     const int margin = 8;
-    cube_->move(width() - cube_->width() - margin, margin);
+    cube_->move(margin, margin); // the legend stands on the right
     cube_->setVisible(width() > 260 && height() > 200);
 }
 

@@ -1,0 +1,344 @@
+// The whole workbench under a virtual display, driven by mouse and keys: planning and editing.
+#include "tests/screenshot/window_support.h"
+#include "ui/parameter_form.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/report_view.h"
+#include "ui/tool_dialog.h"
+#include "ui/tool_sketch.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <cmath>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::OperationState;
+using ui::TreeNode;
+
+class TestWindow : public QObject, private WindowFixture {
+    Q_OBJECT
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void empty_window_says_how_to_begin() {
+        QVERIFY(w().findChild<QWidget*>(QStringLiteral("start_hint"))->isVisible());
+        QVERIFY(!action(w(), "plan")->isEnabled());
+        QVERIFY(!action(w(), "save")->isEnabled());
+        QVERIFY(!action(w(), "export")->isEnabled());
+        QVERIFY(!w().document().modified());
+        shot(w(), QStringLiteral("window-empty"));
+        w().resize(800, 600);
+        shot(w(), QStringLiteral("window-empty-small"));
+    }
+
+    void new_from_sample_then_plan() {
+        auto* sample = action(w(), "sample_concave");
+        QVERIFY(sample);
+        sample->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!w().findChild<QWidget*>(QStringLiteral("start_hint"))->isVisible());
+        QVERIFY(w().document().has_part());
+        QCOMPARE(w().document().unit(), LengthUnit::inch);
+        QVERIFY(w().document().modified()); // it exists nowhere yet
+        QVERIFY(w().windowTitle().startsWith(QStringLiteral("concave*")));
+        QCOMPARE(w().document().operation_count(), std::size_t(1));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral("Facets")));
+        shot(w(), QStringLiteral("window-sample"));
+
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.01"));
+        const QImage before = view_picture(w());
+        QTest::keyClick(&w(), Qt::Key_P, Qt::ControlModifier);
+        QVERIFY(w().job().running());
+        QCOMPARE(w().document().state(0), OperationState::planning);
+        QVERIFY(w().findChild<QProgressBar*>(QStringLiteral("progress"))->isVisible());
+        QVERIFY(action(w(), "cancel")->isEnabled());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(!w().findChild<QProgressBar*>(QStringLiteral("progress"))->isVisible());
+        QVERIFY(changed_pixels(before, view_picture(w())) > 5000); // the path is there
+        const QString report = w().report().toPlainText();
+        for (const char* word : {"Passes", "Step-over", "CC points", "CL points", "Cut length",
+                                 "Machining time", "Expected cusp", " in"})
+            QVERIFY2(report.contains(QLatin1String(word)), word);
+        shot(w(), QStringLiteral("window-planned"));
+    }
+
+    void parameters_are_checked_in_place() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QCOMPARE(first_operation(w()).tolerance, 0.02 * 25.4);
+        enter(w(), "tolerance", QStringLiteral("-1"));
+        QVERIFY2(error_under(w(), "tolerance").contains(QStringLiteral("above 0 in")),
+                 qPrintable(error_under(w(), "tolerance")));
+        QCOMPARE(first_operation(w()).tolerance, 0.02 * 25.4);
+        shot(w(), QStringLiteral("window-invalid"));
+        // A plan from a value that is not the one on the screen would be a wrong plan.
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(!w().busy());
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("not valid")));
+        enter(w(), "tolerance", QStringLiteral("0.03"));
+        QVERIFY(error_under(w(), "tolerance").isEmpty());
+        QCOMPARE(first_operation(w()).tolerance, 0.03 * 25.4);
+        enter(w(), "name", QStringLiteral("  "));
+        QVERIFY(!error_under(w(), "name").isEmpty());
+        QCOMPARE(first_operation(w()).name, std::string("Finish"));
+    }
+
+    void an_open_entry_counts_when_planning() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        type_over(field(w(), "tolerance"), QStringLiteral("0.025"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(first_operation(w()).tolerance, 0.025 * 25.4);
+        QCOMPARE(w().document().state(0), OperationState::planned);
+    }
+
+    void undo_redo_and_states() {
+        QVERIFY(open_and_plan());
+        enter(w(), "feed", QStringLiteral("55"));
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral("Out of date")));
+        QVERIFY(!w().document().complete_plan());
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(std::abs(first_operation(w()).feed - 55 * 25.4) > 1);
+        QCOMPARE(w().document().state(0), OperationState::planned); // the result fits again
+        QVERIFY(w().document().complete_plan() != nullptr);
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(first_operation(w()).feed, 55 * 25.4);
+        QCOMPARE(w().document().state(0), OperationState::stale);
+    }
+
+    void operations_and_tools_come_and_go() {
+        QVERIFY(open_and_plan());
+        auto& tree = w().tree();
+        tree.duplicate_action()->trigger();
+        QCOMPARE(w().document().operation_count(), std::size_t(2));
+        QCOMPARE(w().document().operation(1).common().name, std::string("Finish 2"));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QCOMPARE(w().document().state(1), OperationState::not_planned);
+        tree.select({TreeNode::Kind::operation, 1});
+        enter(w(), "name", QStringLiteral("Finish"));
+        QVERIFY(error_under(w(), "name").contains(QStringLiteral("Another operation")));
+        enter(w(), "name", QStringLiteral("Second"));
+        tree.up_action()->trigger();
+        QCOMPARE(w().document().operation(0).common().name, std::string("Second"));
+        QCOMPARE(w().document().state(1), OperationState::planned); // the result moved with it
+        tree.add_operation_menu()->actions().front()->trigger();
+        QCOMPARE(w().document().operation_count(), std::size_t(3));
+        QCOMPARE(tree.selected()->index, std::size_t(2));
+        tree.remove_action()->trigger();
+        QCOMPARE(w().document().operation_count(), std::size_t(2));
+
+        tree.select({TreeNode::Kind::tool, 0});
+        tree.remove_action()->trigger(); // an operation needs it
+        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("uses this tool")));
+        tree.duplicate_action()->trigger();
+        QCOMPARE(w().document().project().tools.size(), std::size_t(2));
+        QCOMPARE(w().document().project().tools[1].number, 2L);
+        tree.remove_action()->trigger();
+        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+        // All of it can be taken back.
+        while (w().document().undo_stack().canUndo())
+            w().document().undo_stack().undo();
+        QCOMPARE(w().document().operation_count(), std::size_t(1));
+        QVERIFY(wait_until_settled(w()));
+    }
+
+    void cancel_leaves_everything_as_it_was() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.00002")); // minutes of work
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(w().job().running());
+        int beats = 0;
+        qint64 longest = 0;
+        QElapsedTimer since, whole;
+        QTimer heart;
+        connect(&heart, &QTimer::timeout, this, [&] {
+            ++beats;
+            longest = std::max(longest, since.restart());
+        });
+        since.start();
+        heart.start(5);
+        QTest::qWait(400);
+        heart.stop();
+        QVERIFY(beats > 3); // the window lives
+        QVERIFY(w().job().running());
+        shot(w(), QStringLiteral("window-planning"));
+        whole.start();
+        QTest::keyClick(&w(), Qt::Key_Escape);
+        QVERIFY(w().job().cancelling());
+        QVERIFY(wait_until_settled(w()));
+        qInfo("longest pause of the window %lld ms; cancelled after %lld ms", longest, whole.elapsed());
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(!w().document().result(0));
+        QVERIFY(w().last_failure().isEmpty()); // giving up is no failure
+        QVERIFY(w().message_bar().message().isEmpty());
+        QVERIFY(action(w(), "plan")->isEnabled());
+        QVERIFY(!action(w(), "cancel")->isEnabled());
+        QVERIFY(w().findChild<QPlainTextEdit*>(QStringLiteral("log"))
+                    ->toPlainText()
+                    .contains(QStringLiteral("Cancelled")));
+        // And it can be planned after all.
+        enter(w(), "tolerance", QStringLiteral("0.03"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+    }
+
+    void a_failed_operation_says_why() {
+        QVERIFY(open_and_plan());
+        w().tree().select({TreeNode::Kind::part, 0});
+        enter(w(), "tessellation_tolerance1", QStringLiteral("1")); // leaves nothing of the tolerance
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::failed);
+        QVERIFY(!w().document().result(0)); // no old path beside a failure
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("tolerance")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(w().findChild<QPlainTextEdit*>(QStringLiteral("log"))
+                    ->toPlainText()
+                    .contains(w().message_bar().message().left(30)));
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral("Failed")));
+        shot(w(), QStringLiteral("window-failed"));
+    }
+
+    void a_missing_part_says_why() {
+        QVERIFY(open_part());
+        const QString file = QString::fromStdString(w().document().project().part_path().string());
+        QVERIFY(QFile::remove(file));
+        w().tree().select({TreeNode::Kind::part, 0});
+        enter(w(), "rotate2", QStringLiteral("90")); // the part is read again
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("surface.stl")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(!w().document().part_is_current());
+        QVERIFY(!w().document().complete_plan());
+    }
+
+    void units_switch_the_display_only() {
+        QVERIFY(open_and_plan());
+        const double tolerance = first_operation(w()).tolerance;
+        QCOMPARE(field(w(), "tolerance")->text(), QStringLiteral("0.02"));
+        auto* box = w().findChild<QComboBox*>(QStringLiteral("unit"));
+        QCOMPARE(box->currentIndex(), 1);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Up);
+        QCOMPARE(w().document().unit(), LengthUnit::mm);
+        QCOMPARE(field(w(), "tolerance")->text(), QStringLiteral("0.508"));
+        QCOMPARE(first_operation(w()).tolerance, tolerance);
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral(" mm")));
+        shot(w(), QStringLiteral("window-mm"));
+    }
+
+    void the_machine_is_chosen() {
+        QVERIFY(open_and_plan());
+        w().tree().select({TreeNode::Kind::machine, 0});
+        auto* box = w().properties().form()->findChild<QComboBox*>(QStringLiteral("machine"));
+        QVERIFY(box && box->count() >= 2);
+        const std::string before = w().document().project().machine;
+        box->setFocus();
+        QTest::keyClick(box, box->currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+        QVERIFY(w().document().project().machine != before);
+        QCOMPARE(w().document().state(0), OperationState::stale); // the machining time is another
+        shot(w(), QStringLiteral("window-machine"));
+    }
+
+    void tool_dialog() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::tool, 0});
+        shot(w(), QStringLiteral("window-tool"));
+        const Tool before = w().document().project().tools[0];
+        w().tree().edit_action()->trigger();
+        auto* dialog = w().findChild<ui::ToolDialog*>();
+        QVERIFY(dialog);
+        QVERIFY(activate(*dialog));
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        auto* sketch = dialog->findChild<ui::ToolSketch*>();
+        auto* form = dialog->findChild<ui::ParameterForm*>();
+        const auto line = [&](const char* name) { return form->findChild<QLineEdit*>(QLatin1String(name)); };
+        QVERIFY(ok->isEnabled());
+        QVERIFY(sketch->why_not().isEmpty());
+        shot(*dialog, QStringLiteral("dialog-tool"));
+
+        type_over(line("diameter"), QStringLiteral("-3"));
+        QVERIFY(!ok->isEnabled());
+        QVERIFY(!form->error("diameter").isEmpty());
+        type_over(line("diameter"), QStringLiteral("0.75"));
+        type_over(line("corner_radius"), QStringLiteral("5")); // larger than the tool
+        QVERIFY(!ok->isEnabled());
+        QVERIFY(!dialog->problem().isEmpty());
+        QVERIFY(!sketch->why_not().isEmpty());
+        shot(*dialog, QStringLiteral("dialog-tool-invalid"));
+        type_over(line("corner_radius"), QStringLiteral("0.1"));
+        QVERIFY2(ok->isEnabled(), qPrintable(dialog->problem()));
+        QVERIFY(sketch->why_not().isEmpty());
+        shot(*dialog, QStringLiteral("dialog-tool-bull"));
+
+        auto* shape = dialog->findChild<QComboBox*>(QStringLiteral("shape"));
+        for (int i = 1; i < shape->count(); ++i) {
+            shape->setCurrentIndex(i);
+            emit shape->activated(i);
+            QVERIFY2(dialog->problem().isEmpty(), qPrintable(shape->itemText(i) + dialog->problem()));
+            QVERIFY2(sketch->why_not().isEmpty(), qPrintable(shape->itemText(i)));
+            shot(*dialog, QStringLiteral("dialog-tool-shape%1").arg(i));
+        }
+        shape->setCurrentIndex(3);
+        emit shape->activated(3);
+
+        auto* holder = dialog->findChild<QTableWidget*>(QStringLiteral("holder"));
+        const int sections = holder->rowCount();
+        QTest::mouseClick(dialog->findChild<QToolButton*>(QStringLiteral("add_section")), Qt::LeftButton);
+        QCOMPARE(holder->rowCount(), sections + 1);
+        holder->item(sections, 0)->setText(QStringLiteral("x"));
+        QVERIFY(!ok->isEnabled());
+        holder->item(sections, 0)->setText(QStringLiteral("3"));
+        QVERIFY(ok->isEnabled());
+        QTest::mouseClick(ok, Qt::LeftButton);
+        const Tool after = w().document().project().tools[0];
+        QCOMPARE(after.diameter, 0.75 * 25.4);
+        QCOMPARE(after.corner_radius, 0.75 * 25.4 / 8);
+        QCOMPARE(after.holder.size(), std::size_t(sections + 1));
+        QCOMPARE(after.holder.back().diameter, 3 * 25.4);
+        QVERIFY(after.diameter != before.diameter);
+
+        // A new tool gets a free number, and not one that is taken.
+        w().tree().add_tool_action()->trigger();
+        QTRY_VERIFY(w().findChild<ui::ToolDialog*>() && w().findChild<ui::ToolDialog*>() != dialog);
+        dialog = w().findChild<ui::ToolDialog*>();
+        QCOMPARE(dialog->tool().number, 2L);
+        form = dialog->findChild<ui::ParameterForm*>();
+        type_over(line("number"), QStringLiteral("1"));
+        QVERIFY(dialog->problem().contains(QStringLiteral("another tool")));
+        dialog->reject();
+        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+    }
+};
+FACETMILL_TEST(TestWindow)
+
+#include "test_window.moc"

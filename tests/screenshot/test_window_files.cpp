@@ -1,0 +1,198 @@
+// Files in and out of the window: opening, asking, dropping, saving, exporting, and what is refused.
+#include "core/output/apt.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/part_dialog.h"
+#include "ui/project_tree.h"
+#include "ui/settings.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTest>
+
+#include <cmath>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::OperationState;
+using ui::TreeNode;
+
+class TestWindowFiles : public QObject, private WindowFixture {
+    Q_OBJECT
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void bad_files_are_refused() {
+        const QString folder = scratch_folder(QStringLiteral("bad"));
+        const auto write = [&](const char* name, const QByteArray& bytes) {
+            QFile f(folder + QChar('/') + QLatin1String(name));
+            if (!f.open(QIODevice::WriteOnly)) return QString();
+            f.write(bytes);
+            return f.fileName();
+        };
+        for (const QString& path :
+             {write("empty.stl", {}), write("text.stl", "hello"),
+              write("picture.stl", "\x89PNG\r\n\x1a\n0000"), folder + QStringLiteral("/missing.stl"), folder,
+              write("broken.facetmill", "{ \"facetmill\": 1, "),
+              write("wrong.facetmill", "{ \"facetmill\": 1, \"units\": \"in\", \"colour\": 3 }")}) {
+            w().message_bar().dismiss();
+            w().open_file(path);
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY2(!w().message_bar().message().isEmpty(), qPrintable(path));
+            QVERIFY(!w().message_bar().message().contains(QChar('\n')));
+            QVERIFY(!w().document().has_part());
+            QVERIFY(QApplication::activeModalWidget() == nullptr);
+        }
+        QVERIFY(ui::settings::recent_files().filter(QStringLiteral("/bad/")).isEmpty());
+    }
+
+    void the_unit_of_a_mesh_is_asked() {
+        const QString path = write_mesh(scratch_folder(QStringLiteral("ask")));
+        w().open_file(path);
+        QVERIFY(wait_until_settled(w()));
+        auto* dialog = w().findChild<ui::PartDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(!w().document().has_part());
+        QString all;
+        for (const auto* label : dialog->findChildren<QLabel*>())
+            all += label->text() + QChar('\n');
+        QVERIFY2(all.contains(QStringLiteral(" mm")) && all.contains(QStringLiteral(" in")), qPrintable(all));
+        shot(*dialog, QStringLiteral("dialog-unit"));
+        auto* inches = dialog->findChild<QRadioButton*>(QStringLiteral("unit_inch"));
+        QTest::mouseClick(inches, Qt::LeftButton, {}, QPoint(8, inches->height() / 2));
+        dialog->findChild<QCheckBox*>()->setChecked(true);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
+                          Qt::LeftButton);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().has_part());
+        QCOMPARE(w().document().unit(), LengthUnit::inch);
+        const double width_inch = w().document().part()->box.size().x();
+        // Asked not to ask again, it does not; and the size is 25.4 times that in millimetres.
+        w().document().undo_stack().setClean();
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(path);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(asked); // an unsaved project was there
+        QVERIFY(!w().findChild<ui::PartDialog*>());
+        QCOMPARE(w().document().part()->box.size().x(), width_inch);
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(path, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(std::abs(w().document().part()->box.size().x() * 25.4 - width_inch) < 1e-6 * width_inch);
+    }
+
+    void drag_and_drop() {
+        const QString path = write_mesh(scratch_folder(QStringLiteral("drop")));
+        ui::settings::remember_unit(path, LengthUnit::inch);
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        const QPoint at = w().viewport().mapTo(&w(), w().viewport().rect().center());
+        QDragEnterEvent enter_event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&w(), &enter_event);
+        QVERIFY(enter_event.isAccepted());
+        QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&w(), &drop);
+        QVERIFY(drop.isAccepted());
+        QTRY_VERIFY(w().busy() || w().document().has_part());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().has_part());
+        QCOMPARE(ui::settings::recent_files().value(0), path);
+        QMimeData text;
+        text.setText(QStringLiteral("no file"));
+        QDragEnterEvent refused(at, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+        refused.ignore();
+        QApplication::sendEvent(&w(), &refused);
+        QVERIFY(!refused.isAccepted());
+    }
+
+    void save_open_and_export() {
+        const QString folder = scratch_folder(QStringLiteral("job"));
+        action(w(), "sample_convex")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+
+        w().export_to(folder); // nothing is planned
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("Plan")));
+        QVERIFY(QDir(folder).isEmpty());
+
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().save_to(folder + QStringLiteral("/job.facetmill")));
+        QVERIFY(!w().document().modified());
+        QVERIFY(w().windowTitle().startsWith(QStringLiteral("job.facetmill –")));
+        QVERIFY(QFile::exists(folder + QStringLiteral("/convex.stl"))); // the sample came along
+        QCOMPARE(w().document().project().part.file, std::string("convex.stl"));
+        QCOMPARE(w().document().state(0), OperationState::planned); // saving makes nothing stale
+        QVERIFY(w().document().part_is_current());
+
+        w().export_to(folder + QStringLiteral("/out"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        const QStringList written = QDir(folder + QStringLiteral("/out")).entryList(QDir::Files);
+        QCOMPARE(written, QStringList({QStringLiteral("01-Finish.apt"), QStringLiteral("report.json")}));
+        const auto read =
+            read_apt((folder + QStringLiteral("/out/01-Finish.apt")).toStdString(), LengthUnit::inch, {});
+        QCOMPARE(read.program.motions.motions.size(),
+                 w().document().result(0)->program.motions.motions.size());
+
+        // Exported after a change, a program would not be that of the project.
+        enter(w(), "tolerance", QStringLiteral("0.03"));
+        QVERIFY(w().windowTitle().startsWith(QStringLiteral("job.facetmill* –")));
+        w().export_to(folder + QStringLiteral("/late"));
+        QVERIFY(!w().busy());
+        QVERIFY(!QFile::exists(folder + QStringLiteral("/late")));
+
+        QVERIFY(w().save_picture(folder + QStringLiteral("/view.png")));
+        QCOMPARE(QImage(folder + QStringLiteral("/view.png")).size(),
+                 w().viewport().size() * w().viewport().devicePixelRatioF());
+        QVERIFY(!w().save_picture(folder + QStringLiteral("/no/such/folder.png")));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("folder.png")));
+
+        bool asked = false;
+        answer_next(QMessageBox::Cancel, asked);
+        w().open_file(folder + QStringLiteral("/job.facetmill"));
+        QVERIFY(asked);
+        QCOMPARE(first_operation(w()).tolerance, 0.03 * 25.4); // nothing was thrown away
+        asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(folder + QStringLiteral("/job.facetmill"));
+        QVERIFY(asked);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(first_operation(w()).tolerance, 0.02 * 25.4);
+        QVERIFY(w().document().part_is_current());
+        QVERIFY(!w().document().modified());
+        // Writing into a place that cannot be.
+        QVERIFY(!w().save_to(folder + QStringLiteral("/nowhere/job.facetmill")));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("nowhere")));
+    }
+
+    void closing_asks_for_unsaved_changes() {
+        QVERIFY(open_part());
+        bool asked = false;
+        answer_next(QMessageBox::Cancel, asked);
+        w().close();
+        QVERIFY(asked);
+        QVERIFY(w().isVisible());
+        asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().close();
+        QVERIFY(asked);
+        QVERIFY(!w().isVisible());
+    }
+};
+FACETMILL_TEST(TestWindowFiles)
+
+#include "test_window_files.moc"

@@ -1,0 +1,300 @@
+// Forms made from parameter descriptions: what is typed, what is refused and what is handed over.
+#include "tests/screenshot/window_support.h"
+#include "ui/parameter_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+#include <QToolButton>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::ParameterForm;
+
+namespace {
+
+enum class Pattern { zigzag, one_way };
+
+struct Everything {
+    double length = 5;
+    double tilt = radians(10);
+    long count = 3;
+    bool flag = false;
+    Pattern pattern = Pattern::zigzag;
+    std::string label = "name";
+    NumberOrWord step{0, "adaptive"};
+    std::array<double, 2> limits{0, 10};
+    std::array<double, 3> shift{0, 0, 0};
+    double hidden_away = 1;
+};
+
+const ParameterTable<Everything>& everything() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        ParameterTable<Everything> t;
+        t.add(&Everything::length, {.key = "length",
+                                    .label = "Length",
+                                    .help = "A length.",
+                                    .quantity = Quantity::length,
+                                    .minimum = 0,
+                                    .maximum = 100,
+                                    .open_minimum = true});
+        t.add(&Everything::tilt, {.key = "tilt",
+                                  .label = "Tilt",
+                                  .help = "An angle.",
+                                  .quantity = Quantity::angle,
+                                  .minimum = 0,
+                                  .maximum = pi / 2});
+        t.add(&Everything::count, {.key = "count",
+                                   .label = "Count",
+                                   .help = "A number.",
+                                   .kind = K::integer,
+                                   .quantity = Quantity::count,
+                                   .minimum = 1,
+                                   .maximum = 9});
+        t.add(&Everything::flag, {.key = "flag", .label = "Flag", .help = "Yes or no.", .kind = K::boolean});
+        t.add_choice(
+            &Everything::pattern,
+            {.key = "pattern", .label = "Pattern", .help = "A choice.", .words = {"zigzag", "one_way"}});
+        t.add(&Everything::label, {.key = "label", .label = "Label", .help = "Text.", .kind = K::text});
+        t.add(&Everything::step, {.key = "step",
+                                  .label = "Step-over",
+                                  .help = "A number or a word.",
+                                  .kind = K::number_or_word,
+                                  .quantity = Quantity::length,
+                                  .minimum = 0,
+                                  .maximum = 50,
+                                  .open_minimum = true,
+                                  .words = {"adaptive"}});
+        t.add(&Everything::limits, {.key = "limits",
+                                    .label = "Limits",
+                                    .help = "Two numbers.",
+                                    .kind = K::pair,
+                                    .quantity = Quantity::length,
+                                    .minimum = -20,
+                                    .maximum = 20,
+                                    .ordered = true});
+        t.add(&Everything::shift, {.key = "shift",
+                                   .label = "Shift",
+                                   .help = "Three numbers.",
+                                   .kind = K::triple,
+                                   .quantity = Quantity::length});
+        t.add(&Everything::hidden_away,
+              {.key = "hidden_away", .label = "Rare", .help = "Rarely needed.", .advanced = true});
+        return t;
+    }();
+    return table;
+}
+
+/// A form over a struct, wired as the window does it: values that are handed over are set, then shown.
+struct Bench {
+    Everything values;
+    ParameterForm form;
+    LengthUnit unit = LengthUnit::mm;
+    int edits = 0;
+    std::string last_key;
+
+    explicit Bench(LengthUnit u = LengthUnit::mm) : unit(u) {
+        form.set_parameters(view().parameters(), unit);
+        form.set_values(view(), unit);
+        QObject::connect(&form, &ParameterForm::edited, &form,
+                         [this](const std::string& key, const ParameterValue& v) {
+                             ++edits;
+                             last_key = key;
+                             auto now = view();
+                             now.set(key, v);
+                             form.set_values(now, unit);
+                         });
+        form.resize(320, 480);
+        form.show();
+    }
+    ParameterView<Everything> view() { return {values, everything()}; }
+    QLineEdit* line(const char* name) {
+        if (auto* line = form.findChild<QLineEdit*>(QLatin1String(name))) return line;
+        return form.findChild<QComboBox*>(QLatin1String(name))->lineEdit();
+    }
+    void enter(const char* name, const QString& text) {
+        type_over(line(name), text);
+        QTest::keyClick(line(name), Qt::Key_Return);
+    }
+    QLabel* error(const char* key) {
+        return form.findChild<QLabel*>(QStringLiteral("error_") + QLatin1String(key));
+    }
+};
+
+} // namespace
+
+class TestParameterForm : public QObject {
+    Q_OBJECT
+private slots:
+    void every_kind_has_an_editor() {
+        Bench b;
+        QVERIFY(QTest::qWaitForWindowExposed(&b.form));
+        QCOMPARE(b.line("length")->text(), QStringLiteral("5"));
+        QCOMPARE(b.line("tilt")->text(), QStringLiteral("10"));
+        QCOMPARE(b.line("count")->text(), QStringLiteral("3"));
+        QCOMPARE(b.line("label")->text(), QStringLiteral("name"));
+        QCOMPARE(b.line("step")->text(), QStringLiteral("adaptive"));
+        QCOMPARE(b.line("limits1")->text(), QStringLiteral("10"));
+        QCOMPARE(b.line("shift2")->text(), QStringLiteral("0"));
+        QVERIFY(!b.form.findChild<QCheckBox*>(QStringLiteral("flag"))->isChecked());
+        QCOMPARE(b.form.findChild<QComboBox*>(QStringLiteral("pattern"))->count(), 2);
+        shot(b.form, QStringLiteral("form"));
+    }
+
+    void good_values_arrive() {
+        Bench b;
+        b.enter("length", QStringLiteral("7.25"));
+        QCOMPARE(b.values.length, 7.25);
+        b.enter("tilt", QStringLiteral("45"));
+        QCOMPARE(b.values.tilt, radians(45));
+        b.enter("count", QStringLiteral("4"));
+        QCOMPARE(b.values.count, 4L);
+        b.enter("step", QStringLiteral("1.5"));
+        QVERIFY(b.values.step.is_number() && b.values.step.number == 1.5);
+        b.enter("step", QStringLiteral("adaptive"));
+        QVERIFY(b.values.step.is("adaptive"));
+        b.enter("limits0", QStringLiteral("-3"));
+        QCOMPARE(b.values.limits, (std::array<double, 2>{-3, 10}));
+        b.enter("shift1", QStringLiteral("2"));
+        QCOMPARE(b.values.shift, (std::array<double, 3>{0, 2, 0}));
+        b.enter("label", QStringLiteral("Zweiter Schnitt"));
+        QCOMPARE(b.values.label, std::string("Zweiter Schnitt"));
+        QTest::mouseClick(b.form.findChild<QCheckBox*>(QStringLiteral("flag")), Qt::LeftButton, {},
+                          QPoint(8, 8));
+        QVERIFY(b.values.flag);
+        auto* pattern = b.form.findChild<QComboBox*>(QStringLiteral("pattern"));
+        pattern->setFocus();
+        QTest::keyClick(pattern, Qt::Key_Down);
+        QVERIFY(b.values.pattern == Pattern::one_way);
+        QVERIFY(b.form.valid());
+    }
+
+    void bad_values_are_refused_under_the_field_data() {
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("entry");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char* name, const char* field, const char* key, const char* entry,
+                            const char* message) {
+            QTest::newRow(name) << QString::fromLatin1(field) << QString::fromLatin1(key)
+                                << QString::fromLatin1(entry) << QString::fromLatin1(message);
+        };
+        row("negative", "length", "length", "-1", "above 0 mm");
+        row("zero", "length", "length", "0", "above 0 mm");
+        row("too large", "length", "length", "101", "100 mm");
+        row("word", "length", "length", "wide", "a number");
+        row("empty", "length", "length", "", "enter a number");
+        row("nan", "length", "length", "nan", "a number");
+        row("infinite", "length", "length", "inf", "a number");
+        row("overflow", "length", "length", "1e999", "a number");
+        row("comma", "length", "length", "0,5", "0.5");
+        row("angle", "tilt", "tilt", "91", "90");
+        row("fraction", "count", "count", "2.5", "whole number");
+        row("wrong word", "step", "step", "auto", "adaptive");
+        row("reversed", "limits0", "limits", "11", "below");
+        row("one of three", "shift1", "shift", "x", "three numbers");
+    }
+    void bad_values_are_refused_under_the_field() {
+        QFETCH(QString, field);
+        QFETCH(QString, key);
+        QFETCH(QString, entry);
+        QFETCH(QString, message);
+        Bench b;
+        const auto before = b.view().get(key.toStdString());
+        b.enter(qPrintable(field), entry);
+        QCOMPARE(b.edits, 0);
+        QVERIFY(b.view().get(key.toStdString()) == before);
+        QVERIFY(!b.form.valid());
+        QVERIFY(b.error(qPrintable(key))->isVisible());
+        QVERIFY2(b.error(qPrintable(key))->text().contains(message),
+                 qPrintable(b.error(qPrintable(key))->text()));
+        QVERIFY(!b.form.commit());
+        // Another value's change does not take the wrong entry away, and the wrong one still does not count.
+        b.enter("label", QStringLiteral("other"));
+        QCOMPARE(b.line(qPrintable(field))->text(), entry);
+        QVERIFY(!b.form.valid());
+        b.enter(qPrintable(field),
+                key == QLatin1String("limits") ? QStringLiteral("1") : QStringLiteral("2"));
+        QVERIFY(b.form.valid());
+        QVERIFY(!b.error(qPrintable(key))->isVisible());
+    }
+
+    void an_open_entry_is_committed() {
+        Bench b;
+        type_over(b.line("length"), QStringLiteral("9"));
+        QCOMPARE(b.values.length, 5.0);
+        QVERIFY(b.form.commit());
+        QCOMPARE(b.values.length, 9.0);
+    }
+
+    void untouched_values_keep_all_digits() {
+        Bench b(LengthUnit::inch);
+        b.values.length = 1.0 / 3;
+        b.form.set_values(b.view(), b.unit);
+        b.line("length")->setFocus();
+        QTest::keyClick(b.line("length"), Qt::Key_Return);
+        QVERIFY(b.form.commit());
+        QCOMPARE(b.edits, 0);
+        QCOMPARE(b.values.length, 1.0 / 3);
+    }
+
+    void units() {
+        Bench b;
+        b.values.length = 25.4;
+        b.form.set_values(b.view(), LengthUnit::mm);
+        QCOMPARE(b.line("length")->text(), QStringLiteral("25.4"));
+        b.unit = LengthUnit::inch;
+        b.form.set_values(b.view(), b.unit);
+        QCOMPARE(b.line("length")->text(), QStringLiteral("1"));
+        b.enter("length", QStringLiteral("2"));
+        QCOMPARE(b.values.length, 50.8);
+        b.enter("length", QStringLiteral("12.7 mm")); // the other unit, written out
+        QCOMPARE(b.values.length, 12.7);
+        QCOMPARE(b.line("length")->text(), QStringLiteral("0.5"));
+        b.enter("length", QStringLiteral("4"));
+        QVERIFY(!b.form.valid()); // 101.6 mm
+        QVERIFY2(b.error("length")->text().contains(QStringLiteral(" in")),
+                 qPrintable(b.error("length")->text()));
+    }
+
+    void reset_and_advanced() {
+        Bench b;
+        auto* reset = b.form.findChild<QToolButton*>(QStringLiteral("reset_length"));
+        QVERIFY(!reset->isVisible());
+        b.enter("length", QStringLiteral("6"));
+        QVERIFY(reset->isVisible());
+        QTest::mouseClick(reset, Qt::LeftButton);
+        QCOMPARE(b.values.length, 5.0);
+        QVERIFY(!reset->isVisible());
+        QVERIFY(!b.line("hidden_away")->isVisible());
+        QTest::mouseClick(b.form.findChild<QToolButton*>(QStringLiteral("advanced")), Qt::LeftButton);
+        QVERIFY(b.line("hidden_away")->isVisible());
+    }
+
+    void help_follows_the_focus() {
+        Bench b;
+        QVERIFY(activate(b.form));
+        b.line("tilt")->setFocus();
+        const QString help = b.form.findChild<QLabel*>(QStringLiteral("parameter_help"))->text();
+        QVERIFY2(help.contains(QStringLiteral("An angle.")) && help.contains(QStringLiteral("0 to 90")),
+                 qPrintable(help));
+    }
+
+    void live_forms_hand_over_while_typing() {
+        Bench b;
+        b.form.set_live(true);
+        type_over(b.line("length"), QStringLiteral("8.5"));
+        QCOMPARE(b.values.length, 8.5);
+        QCOMPARE(b.line("length")->text(), QStringLiteral("8.5"));
+        type_over(b.line("length"), QStringLiteral("0."));
+        QCOMPARE(b.values.length, 8.5);
+        QVERIFY(!b.form.valid());
+        QCOMPARE(b.line("length")->text(), QStringLiteral("0."));
+    }
+};
+FACETMILL_TEST(TestParameterForm)
+
+#include "test_window_forms.moc"

@@ -1,0 +1,198 @@
+// Background jobs: three endings, one door.
+#include "tests/support/test_runner.h"
+#include "ui/background_job.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <atomic>
+#include <stdexcept>
+
+using facetmill::Cancelled;
+using facetmill::Error;
+using facetmill::ErrorCode;
+using facetmill::Progress;
+using facetmill::ui::BackgroundJob;
+using facetmill::ui::JobEnd;
+
+namespace {
+
+/// Works until it is cancelled.
+void work_for_ever(const Progress& progress) {
+    for (;;) {
+        QThread::msleep(1);
+        progress.check();
+    }
+}
+
+struct Watched {
+    BackgroundJob job;
+    std::vector<JobEnd> ends;
+    int then_calls = 0;
+    bool in_own_thread = true;
+
+    Watched() {
+        QObject::connect(&job, &BackgroundJob::ended, &job, [this](const JobEnd& end) {
+            in_own_thread &= QThread::currentThread() == job.thread();
+            in_own_thread &= !job.running();
+            ends.push_back(end);
+        });
+    }
+    void start(BackgroundJob::Work work) {
+        job.start(QStringLiteral("Test"), std::move(work), [this](const JobEnd&) {
+            in_own_thread &= QThread::currentThread() == job.thread();
+            ++then_calls;
+        });
+    }
+};
+
+} // namespace
+
+class TestBackgroundJob : public QObject {
+    Q_OBJECT
+private slots:
+    void done() {
+        Watched w;
+        std::atomic<bool> elsewhere{false};
+        w.start([&](const Progress&) { elsewhere = QThread::currentThread() != w.job.thread(); });
+        QVERIFY(w.job.running());
+        QVERIFY(w.ends.empty()); // the end always comes from the event loop
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QVERIFY(elsewhere);
+        QVERIFY(w.ends[0].done());
+        QVERIFY(!w.job.running());
+        QCOMPARE(w.then_calls, 1);
+        QVERIFY(w.in_own_thread);
+        QTest::qWait(20);
+        QCOMPARE(w.ends.size(), std::size_t(1));
+    }
+
+    void cancelled() {
+        Watched w;
+        w.start(work_for_ever);
+        QTest::qWait(20);
+        w.job.cancel();
+        QVERIFY(w.job.cancelling());
+        QVERIFY(w.job.running()); // until the thread has ended
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
+        QVERIFY(w.ends[0].message.isEmpty());
+        QCOMPARE(w.then_calls, 1);
+        QVERIFY(w.in_own_thread);
+    }
+
+    void a_result_after_cancel_is_no_result() {
+        Watched w;
+        std::atomic<bool> go{false};
+        w.start([&](const Progress&) {
+            while (!go)
+                QThread::msleep(1); // never looks at the flag
+        });
+        w.job.cancel();
+        go = true;
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
+    }
+
+    void failed_data() {
+        QTest::addColumn<int>("what");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("error") << 0 << QStringLiteral("part.stl: broken (mend it)");
+        QTest::newRow("exception") << 1 << QStringLiteral("standard");
+        QTest::newRow("memory") << 2 << QStringLiteral("Not enough memory");
+        QTest::newRow("anything") << 3 << QStringLiteral("unknown exception");
+    }
+    void failed() {
+        QFETCH(int, what);
+        QFETCH(QString, message);
+        Watched w;
+        w.start([what](const Progress&) {
+            if (what == 0) throw Error(ErrorCode::syntax, "part.stl", "broken", "mend it");
+            if (what == 1) throw std::runtime_error("standard");
+            if (what == 2) throw std::bad_alloc();
+            throw 7;
+        });
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QCOMPARE(w.ends[0].how, JobEnd::How::failed);
+        QVERIFY2(w.ends[0].message.contains(message), qPrintable(w.ends[0].message));
+        QCOMPARE(w.then_calls, 1);
+        QVERIFY(w.in_own_thread);
+    }
+
+    void progress_is_polled() {
+        Watched w;
+        QSignalSpy progressed(&w.job, &BackgroundJob::progressed);
+        std::atomic<bool> go{false};
+        w.start([&](const Progress& p) {
+            p.part(0, 0.5, "Half").set(1);
+            while (!go)
+                QThread::msleep(1);
+        });
+        QTRY_VERIFY(!progressed.isEmpty() && progressed.last().at(0).toDouble() == 0.5);
+        QCOMPARE(progressed.last().at(1).toString(), QStringLiteral("Half"));
+        go = true;
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        const auto count = progressed.size();
+        QTest::qWait(120);
+        QCOMPARE(progressed.size(), count); // nobody polls a job that has ended
+    }
+
+    void a_new_job_displaces_the_running_one() {
+        Watched w;
+        w.start(work_for_ever);
+        int second = 0, third = 0;
+        JobEnd second_end, third_end;
+        w.job.start(
+            QStringLiteral("Second"), [&](const Progress&) { ++second; },
+            [&](const JobEnd& e) { second_end = e; });
+        w.job.start(
+            QStringLiteral("Third"), [&](const Progress&) { ++third; },
+            [&](const JobEnd& e) { third_end = e; });
+        QCOMPARE(second_end.how, JobEnd::How::cancelled); // it never ran, and that was told
+        QTRY_COMPARE(w.ends.size(), std::size_t(2));
+        QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
+        QVERIFY(w.ends[1].done());
+        QCOMPARE(second, 0);
+        QCOMPARE(third, 1);
+        QVERIFY(third_end.done());
+        QVERIFY(!w.job.running());
+    }
+
+    void a_job_may_start_the_next() {
+        Watched w;
+        int runs = 0;
+        w.job.start(
+            QStringLiteral("First"), [&](const Progress&) { ++runs; },
+            [&](const JobEnd&) { w.job.start(QStringLiteral("Next"), [&](const Progress&) { ++runs; }); });
+        QTRY_COMPARE(w.ends.size(), std::size_t(2));
+        QCOMPARE(runs, 2);
+    }
+
+    void destruction_cancels_and_waits() {
+        std::atomic<bool> ended{false};
+        int calls = 0;
+        {
+            BackgroundJob job;
+            job.start(
+                QStringLiteral("Test"),
+                [&](const Progress& p) {
+                    try {
+                        work_for_ever(p);
+                    } catch (const Cancelled&) {
+                        QThread::msleep(20); // the destructor waits for this too
+                        ended = true;
+                        throw;
+                    }
+                },
+                [&](const JobEnd&) { ++calls; });
+            QTest::qWait(10);
+        }
+        QVERIFY(ended);
+        QTest::qWait(20);
+        QCOMPARE(calls, 0); // nobody is left to be told
+    }
+};
+FACETMILL_TEST(TestBackgroundJob)
+
+#include "test_window_jobs.moc"

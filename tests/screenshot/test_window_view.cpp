@@ -1,0 +1,258 @@
+// The view and the looks of the window: layers, cameras, picking, themes, sizes.
+#include "tests/screenshot/window_support.h"
+#include "ui/layer_bar.h"
+#include "ui/project_tree.h"
+#include "ui/settings.h"
+#include "ui/tool_dialog.h"
+#include "ui/view_cube.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <cmath>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::MainWindow;
+using ui::TreeNode;
+using ui::ViewLayer;
+
+namespace {
+
+double angle_between(const Vec3& a, const Vec3& b) {
+    return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+}
+
+} // namespace
+
+class TestWindowView : public QObject, private WindowFixture {
+    Q_OBJECT
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void layers_change_the_picture() {
+        QVERIFY(open_and_plan());
+        w().viewport().set_view(StandardView::iso);
+        const QImage reference = view_picture(w());
+        for (const ViewLayer layer :
+             {ViewLayer::part, ViewLayer::edges, ViewLayer::stock, ViewLayer::cc, ViewLayer::cuts,
+              ViewLayer::links, ViewLayer::rapids, ViewLayer::tool}) {
+            auto* box = w().layers().box(layer);
+            QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+            const int changed = changed_pixels(reference, view_picture(w()));
+            QVERIFY2(changed > 10, qPrintable(box->objectName()));
+            QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+            QCOMPARE(changed_pixels(reference, view_picture(w())), 0);
+        }
+        w().layers().set_shown(ViewLayer::cuts, false); // the path lies over most of the part
+        const QImage smooth = view_picture(w());
+        for (const char* style : {"shade_flat", "shade_wire"}) {
+            action(w(), style)->trigger();
+            QVERIFY2(changed_pixels(smooth, view_picture(w()), 4) > 100, style);
+        }
+        shot(w(), QStringLiteral("window-wire"));
+        action(w(), "shade_smooth")->trigger();
+        w().layers().set_shown(ViewLayer::cuts, true);
+        QCOMPARE(changed_pixels(reference, view_picture(w())), 0);
+        w().layers().set_shown(ViewLayer::stock, true);
+        w().layers().set_shown(ViewLayer::edges, true);
+        w().layers().set_shown(ViewLayer::cc, true);
+        shot(w(), QStringLiteral("window-all-layers"));
+    }
+
+    void view_keys_and_cube() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        const struct {
+            Qt::Key key;
+            StandardView view;
+            Vec3 sight;
+        } expected[] = {
+            {Qt::Key_1, StandardView::front, {0, 1, 0}},  {Qt::Key_2, StandardView::top, {0, 0, -1}},
+            {Qt::Key_3, StandardView::right, {-1, 0, 0}}, {Qt::Key_4, StandardView::rear, {0, -1, 0}},
+            {Qt::Key_5, StandardView::bottom, {0, 0, 1}}, {Qt::Key_6, StandardView::left, {1, 0, 0}},
+        };
+        view.setFocus();
+        for (const auto& e : expected) {
+            QTest::keyClick(&view, e.key);
+            QVERIFY2(angle_between(view.sight(), e.sight) < 1e-6,
+                     qPrintable(QString::number(e.key - Qt::Key_0)));
+        }
+        QTest::keyClick(&view, Qt::Key_0);
+        const Vec3 iso = view.sight();
+        QVERIFY(iso.z() < -0.3 && std::abs(iso.x()) > 0.3 && std::abs(iso.y()) > 0.3);
+        // The three faces that the corner shows, each clicked where it is drawn.
+        for (const StandardView face : {StandardView::top, StandardView::front, StandardView::right}) {
+            QTest::keyClick(&view, Qt::Key_0);
+            const auto centre = view.view_cube()->face_centre(face);
+            QVERIFY(centre.has_value());
+            QTest::mouseClick(view.view_cube(), Qt::LeftButton, {}, centre->toPoint());
+            for (const auto& e : expected)
+                if (e.view == face) QVERIFY(angle_between(view.sight(), e.sight) < 1e-6);
+        }
+        QVERIFY(!view.view_cube()->face_centre(StandardView::left)); // it looks from the right now
+        QTest::mouseClick(view.view_cube(), Qt::LeftButton, {},
+                          view.view_cube()->face_centre(StandardView::iso)->toPoint());
+        QVERIFY(angle_between(view.sight(), iso) < 1e-6);
+        // Digits typed into a field are digits.
+        w().tree().select({TreeNode::Kind::operation, 0});
+        type_over(field(w(), "tolerance"), QStringLiteral("0.0123"));
+        QCOMPARE(field(w(), "tolerance")->text(), QStringLiteral("0.0123"));
+        QVERIFY(angle_between(view.sight(), iso) < 1e-6);
+    }
+
+    void mouse_turns_moves_and_zooms() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        view.set_view(StandardView::top);
+        const QPoint middle = view.rect().center();
+        const auto drag = [&](Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by) {
+            QTest::mousePress(&view, button, modifiers, middle);
+            for (int i = 1; i <= 4; ++i) {
+                QMouseEvent event(QEvent::MouseMove, middle + by * i / 4,
+                                  view.mapToGlobal(middle + by * i / 4), Qt::NoButton, button, modifiers);
+                QApplication::sendEvent(&view, &event);
+            }
+            QTest::mouseRelease(&view, button, modifiers, middle + by);
+        };
+        const Vec3 anchor = w().document().part()->box.center();
+        const Vec2 at = view.scene().display_of(anchor);
+        drag(Qt::LeftButton, {}, QPoint(60, 30));
+        QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) > 0.1);
+        view.set_view(StandardView::top);
+        drag(Qt::MiddleButton, {}, QPoint(50, -20));
+        Vec2 now = view.scene().display_of(anchor);
+        QVERIFY((now - at - Vec2(50, -20)).norm() < 1.5); // what was grabbed stays under the pointer
+        QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) < 1e-9);
+        drag(Qt::LeftButton, Qt::ShiftModifier, QPoint(-50, 20));
+        now = view.scene().display_of(anchor);
+        QVERIFY((now - at).norm() < 2);
+        // The wheel zooms about the pointer.
+        const QPoint corner = view.rect().topLeft() + QPoint(200, 150);
+        const auto under = view.scene().pick_part(middle.x(), middle.y());
+        QVERIFY(under.has_value());
+        QWheelEvent wheel(QPointF(middle), view.mapToGlobal(QPointF(middle)), {}, QPoint(0, 240),
+                          Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        const double before = (view.scene().display_of(under->point) - Vec2(corner.x(), corner.y())).norm();
+        const Box3 box = w().document().part()->box;
+        const double width_before =
+            (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+        QApplication::sendEvent(&view, &wheel);
+        QVERIFY((view.scene().display_of(under->point) - Vec2(middle.x(), middle.y())).norm() < 1.5);
+        QVERIFY(
+            std::abs((view.scene().display_of(under->point) - Vec2(corner.x(), corner.y())).norm() - before)
+            < 2);
+        const double width_after = (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+        QVERIFY(std::abs(width_after / width_before - 1.44) < 0.01);
+        QTest::mouseDClick(&view, Qt::LeftButton, {}, middle);
+        const double width_fit = (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+        QVERIFY(std::abs(width_fit / width_before - 1) < 0.01);
+    }
+
+    void a_click_on_the_path_shows_the_tool_there() {
+        QVERIFY(open_and_plan());
+        auto& view = w().viewport();
+        view.set_view(StandardView::top);
+        QVERIFY(view_picture(w()).width() > 0);
+        const auto result = w().document().result(0);
+        const auto& pass = result->path.passes[result->path.passes.size() / 2];
+        const std::size_t point = pass.cl.size() / 2;
+        const Vec2 at = view.scene().display_of(pass.cl[point].tip);
+        QSignalSpy picked(&view, &ui::Viewport::path_picked);
+        QTest::mouseClick(&view, Qt::LeftButton, {},
+                          QPoint(int(std::lround(at.x())), int(std::lround(at.y()))));
+        QCOMPARE(picked.size(), 1);
+        auto* readout = w().findChild<QLabel*>(QStringLiteral("readout"));
+        const QString first = readout->text();
+        QVERIFY2(first.startsWith(QStringLiteral("Finish")) && first.contains(QStringLiteral("pass")),
+                 qPrintable(first));
+        QVERIFY(view.scene().has(Layer::tool));
+        QTest::keyClick(&view, Qt::Key_Right);
+        const QString next = readout->text();
+        QVERIFY(next != first);
+        QTest::keyClick(&view, Qt::Key_Left);
+        QCOMPARE(readout->text(), first);
+        shot(w(), QStringLiteral("window-picked"));
+    }
+
+    void the_view_draws_only_on_demand() {
+        QVERIFY(open_part());
+        QTest::qWait(100);
+        const int frames = w().viewport().frames();
+        w().findChild<QLabel*>(QStringLiteral("activity"))->setText(QStringLiteral("something else"));
+        w().viewport().view_cube()->update();
+        w().viewport().update();
+        QTest::qWait(150);
+        QCOMPARE(w().viewport().frames(), frames);
+        w().viewport().refresh();
+        w().viewport().refresh();
+        QTest::qWait(150);
+        QCOMPARE(w().viewport().frames(), frames + 1);
+    }
+
+    void window_state_is_kept() {
+        w().resize(1010, 707);
+        w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
+        QTest::qWait(50);
+        w().close();
+        window_ = std::make_unique<MainWindow>();
+        window_->show();
+        QVERIFY(activate(*window_));
+        QCOMPARE(window_->size(), QSize(1010, 707));
+        QVERIFY(!window_->findChild<QWidget*>(QStringLiteral("log_dock"))->isVisible());
+        ui::settings::set_window({}, {});
+    }
+
+    void themes_and_sizes() {
+        QVERIFY(open_and_plan());
+        const QImage light = shot(w(), QStringLiteral("window-light"));
+        action(w(), "theme_dark")->trigger();
+        const QImage dark = shot(w(), QStringLiteral("window-dark"));
+        QVERIFY(qGray(dark.pixel(dark.width() - 20, dark.height() / 2)) + 80
+                < qGray(light.pixel(light.width() - 20, light.height() / 2)));
+        QCOMPARE(ui::settings::theme(), ui::Theme::dark);
+        w().tree().select({TreeNode::Kind::tool, 0});
+        w().tree().edit_action()->trigger();
+        shot(*w().findChild<ui::ToolDialog*>(), QStringLiteral("dialog-tool-dark"));
+        w().findChild<ui::ToolDialog*>()->reject();
+        w().tree().select({TreeNode::Kind::operation, 0});
+        w().resize(800, 600);
+        shot(w(), QStringLiteral("window-dark-small"));
+        QCOMPARE(w().size(), QSize(800, 600));
+        QVERIFY(w().viewport().width() >= 250);
+        QVERIFY(w().viewport().height() >= 200);
+        action(w(), "theme_light")->trigger();
+        shot(w(), QStringLiteral("window-light-small"));
+    }
+
+    void long_names_do_not_break_the_layout() {
+        const QString folder = scratch_folder(QStringLiteral("long"));
+        const QString name =
+            QStringLiteral("a_very_long_file_name_of_a_part_that_somebody_exported_").repeated(3);
+        w().open_file(write_mesh(folder, name + QStringLiteral(".stl")), LengthUnit::inch);
+        QVERIFY(wait_until_settled(w()));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "name",
+              QStringLiteral("Finish the upper side with the half inch ball, second setting, slowly")
+                  .repeated(2));
+        w().resize(800, 600);
+        QCOMPARE(w().size(), QSize(800, 600));
+        QVERIFY(w().windowTitle().size() < 100);
+        shot(w(), QStringLiteral("window-long-names"));
+        w().tree().select({TreeNode::Kind::part, 0});
+        shot(w(), QStringLiteral("window-long-names-part"));
+        QVERIFY(w().viewport().width() >= 250);
+    }
+};
+FACETMILL_TEST(TestWindowView)
+
+#include "test_window_view.moc"

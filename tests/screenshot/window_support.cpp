@@ -1,0 +1,135 @@
+#include "tests/screenshot/window_support.h"
+
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/sample.h"
+#include "ui/parameter_form.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+namespace facetmill::test {
+
+bool wait_until_settled(ui::MainWindow& window) {
+    QElapsedTimer timer;
+    timer.start();
+    // Ends of jobs start others: idle must hold for a few turns of the event loop.
+    for (int idle = 0; idle < 3; idle = window.busy() ? 0 : idle + 1) {
+        if (timer.elapsed() > 60000) return false;
+        QTest::qWait(20);
+    }
+    return true;
+}
+
+QImage shot(QWidget& widget, const QString& name) {
+    QTest::qWait(60);
+    const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    QDir().mkpath(QStringLiteral(FACETMILL_PICTURE_OUT));
+    image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/%1.png").arg(name));
+    return image;
+}
+
+QImage view_picture(ui::MainWindow& window) {
+    window.viewport().refresh();
+    return window.viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
+
+int changed_pixels(const QImage& a, const QImage& b, int least) {
+    if (a.size() != b.size()) return a.width() * a.height();
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            if (std::abs(qRed(p) - qRed(q)) > least || std::abs(qGreen(p) - qGreen(q)) > 24
+                || std::abs(qBlue(p) - qBlue(q)) > least)
+                ++count;
+        }
+    return count;
+}
+
+void type_over(QWidget* editor, const QString& text) {
+    editor->setFocus();
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(editor, Qt::Key_Delete);
+    QTest::keyClicks(editor, text);
+}
+
+bool activate(QWidget& window) {
+    if (!QTest::qWaitForWindowExposed(&window)) return false;
+    QApplication::setActiveWindow(&window);
+    return window.isActiveWindow();
+}
+
+QString write_mesh(const QString& folder, const QString& name) {
+    const auto mesh = make_sample("convex", 0.5, {});
+    const QString path = folder + QChar('/') + name;
+    save_stl(*mesh, path.toStdString(), LengthUnit::inch, {});
+    return path;
+}
+
+QAction* action(ui::MainWindow& window, const char* name) {
+    return window.findChild<QAction*>(QLatin1String(name));
+}
+
+QLineEdit* field(ui::MainWindow& window, const char* name) {
+    auto* form = window.properties().form();
+    if (auto* line = form->findChild<QLineEdit*>(QLatin1String(name))) return line;
+    auto* combo = form->findChild<QComboBox*>(QLatin1String(name));
+    return combo ? combo->lineEdit() : nullptr;
+}
+
+void enter(ui::MainWindow& window, const char* name, const QString& text) {
+    type_over(field(window, name), text);
+    QTest::keyClick(field(window, name), Qt::Key_Return);
+}
+
+QString error_under(ui::MainWindow& window, const char* key) {
+    auto* label =
+        window.properties().form()->findChild<QLabel*>(QStringLiteral("error_") + QLatin1String(key));
+    return label && label->isVisible() ? label->text() : QString();
+}
+
+const OperationCommon& first_operation(ui::MainWindow& window) {
+    return window.document().operation(0).common();
+}
+
+void answer_next(QMessageBox::StandardButton button, bool& asked) {
+    QTimer::singleShot(50, qApp, [button, &asked] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        asked = true;
+        box->button(button)->click();
+    });
+}
+
+bool WindowFixture::show_window() {
+    window_ = std::make_unique<ui::MainWindow>();
+    window_->resize(1280, 800);
+    window_->show();
+    return activate(*window_);
+}
+
+bool WindowFixture::open_part() {
+    w().open_file(write_mesh(scratch_folder(QStringLiteral("part"))), LengthUnit::inch);
+    return wait_until_settled(w()) && w().document().part_is_current();
+}
+
+bool WindowFixture::open_and_plan() {
+    if (!open_part()) return false;
+    w().tree().select({ui::TreeNode::Kind::operation, 0});
+    enter(w(), "tolerance", QStringLiteral("0.02"));
+    QTest::keyClick(&w(), Qt::Key_F5);
+    return wait_until_settled(w()) && w().document().state(0) == ui::OperationState::planned;
+}
+
+} // namespace facetmill::test

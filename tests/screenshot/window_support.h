@@ -1,0 +1,69 @@
+// Whole windows under a virtual display: what the window tests share.
+#pragma once
+
+#include "tests/support/test_runner.h"
+#include "ui/main_window.h"
+
+#include <QImage>
+#include <QMessageBox>
+#include <QString>
+#include <QWidget>
+
+#include <memory>
+
+class QAction;
+class QLineEdit;
+
+namespace facetmill::test {
+
+/// Waits until the window is through with its jobs and has drawn; false after a minute.
+bool wait_until_settled(ui::MainWindow& window);
+
+/// Saves a picture of a widget among the test's outputs, to be looked at, and returns it.
+QImage shot(QWidget& widget, const QString& name);
+
+/// What the 3D view shows, drawn anew.
+QImage view_picture(ui::MainWindow& window);
+
+/// Number of pixels that differ by more than `least` of 255 in a colour; all of them when the sizes differ.
+int changed_pixels(const QImage& a, const QImage& b, int least = 24);
+
+/// Waits for a window to be shown and makes it the active one: there is no window manager to do so.
+bool activate(QWidget& window);
+
+/// Clears an editor and types into it, key by key, without leaving it.
+void type_over(QWidget* editor, const QString& text);
+
+/// A folder for a test's files that is empty and goes with the program.
+QString scratch_folder(const QString& name);
+
+/// A coarse sample as an STL file in inches: planned in a moment.
+QString write_mesh(const QString& folder, const QString& name = QStringLiteral("surface.stl"));
+
+QAction* action(ui::MainWindow& window, const char* name);
+/// The line of a parameter in the window's form, of a combo box too.
+QLineEdit* field(ui::MainWindow& window, const char* name);
+/// Types over a parameter and presses Enter.
+void enter(ui::MainWindow& window, const char* name, const QString& text);
+/// What the form says under a field; empty when it says nothing.
+QString error_under(ui::MainWindow& window, const char* key);
+const OperationCommon& first_operation(ui::MainWindow& window);
+/// Answers the next message box by pressing one of its buttons; `asked` tells that there was one.
+void answer_next(QMessageBox::StandardButton button, bool& asked);
+
+/// A window per test.
+class WindowFixture {
+public:
+    bool show_window();
+    void close_window() { window_.reset(); }
+    ui::MainWindow& w() { return *window_; }
+    /// A coarse part with the default operation, in inches.
+    bool open_part();
+    /// The same, planned by F5 at a tolerance of 0.02 in.
+    bool open_and_plan();
+
+protected:
+    std::unique_ptr<ui::MainWindow> window_;
+};
+
+} // namespace facetmill::test
