@@ -263,10 +263,11 @@ Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Pr
 
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
-    const double height = std::max(context_.part_box.size().z(), cusp_allowed_);
     const bool uncut = result_.cusp_max == infinity;
-    // The material left can be no higher than the part where a pass misses it altogether.
-    result_.cusp_max = std::min(result_.cusp_max, height);
+    // Where a pass misses the part altogether, the stock stays as high as it was.
+    if (uncut)
+        result_.cusp_max = std::max({context_.stock_box.hi.z() - context_.part_box.lo.z(),
+                                     context_.part_box.size().z(), cusp_allowed_});
     if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
         warnings.push_back(
             "the step-over of " + length_text(settings_.stepover.number) + " leaves "

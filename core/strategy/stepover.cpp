@@ -200,10 +200,19 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
     const std::vector<Interval> domain_a = of_line(a), domain_b = of_line(b);
     std::vector<double> columns;
     std::vector<char> joins_next;
+    // Just inside the ends, so that there is something below. The ends of every row, because a corner of the
+    // part may be narrower than the grid.
+    const auto inset = [](const Interval& r) { return std::min(tolerance::border_inset, 0.1 * r.length()); };
+    for (const Interval& r : all)
+        for (const double u : {r.lo + inset(r), r.hi - inset(r)}) {
+            columns.push_back(u);
+            joins_next.push_back(false);
+        }
     for (const Interval& r : joined(std::move(all), in_.merge)) {
         const auto n = std::size_t(std::ceil(r.length() / grid_)) + 1;
+        const double from = r.lo + inset(r), length = r.length() - 2 * inset(r);
         for (std::size_t i = 0; i < n; ++i) {
-            columns.push_back(n == 1 ? r.lo : r.lo + r.length() * (double(i) / double(n - 1)));
+            columns.push_back(n == 1 ? from : from + length * (double(i) / double(n - 1)));
             joins_next.push_back(i + 1 < n);
         }
     }

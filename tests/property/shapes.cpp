@@ -100,16 +100,16 @@ std::vector<Shape> shapes() {
                    nowhere});
     all.push_back(
         {"cap",
-         height_field([](double x, double y) { return std::sqrt(900 - x * x - y * y); }, lo, hi, 80, 60),
+         height_field([](double x, double y) { return std::sqrt(900 - x * x - y * y); }, lo, hi, 40, 30),
          nowhere});
     all.push_back({"trough",
-                   height_field([](double x, double) { return -std::sqrt(900 - x * x); }, lo, hi, 160, 3),
+                   height_field([](double x, double) { return -std::sqrt(900 - x * x); }, lo, hi, 80, 3),
                    in_hollow});
     all.push_back({"ridge",
                    turned(height_field([](double x, double) { return -std::abs(x); }, lo, hi, 8, 3), 0.3),
                    nowhere});
     all.push_back({"saddle",
-                   height_field([](double x, double y) { return 0.01 * (x * x - y * y); }, lo, hi, 80, 60),
+                   height_field([](double x, double y) { return 0.01 * (x * x - y * y); }, lo, hi, 40, 30),
                    in_hollow});
     const auto beside_wall = [](const Vec3& p, const Tool& t) {
         return p.z() < 5 - 1e-9 && p.y() < CutterProfile(t.cutter()).radius_at(5) + 1e-6;

@@ -32,8 +32,8 @@ private slots:
     void cusps_between_straight_passes_have_their_known_height() {
         PathCheckOptions options;
         options.spacing = 0.05;
-        options.border = 1;
-        const Mesh strip = height_field([](double, double) { return 0.0; }, Vec2(-4, -4), Vec2(4, 4), 1, 1);
+        options.border = 0.3;
+        const Mesh strip = height_field([](double, double) { return 0.0; }, Vec2(-2, -2), Vec2(2, 2), 1, 1);
         const auto path = rows(1, 0);
         const double ball = 3 - std::sqrt(9 - 0.25); // radius 3, half a millimetre off
         PathCheckResult r = check_path(strip, AptCutter::ball(6, 50), path, options);
@@ -51,11 +51,13 @@ private slots:
 
     void a_gouge_is_found_with_its_depth_and_place() {
         PathCheckOptions options;
+        options.spacing = 0.1;
+        const Mesh patch = height_field([](double, double) { return 0.0; }, Vec2(0, -2), Vec2(4, 2), 1, 1);
         auto path = rows(1, 0);
         path.push_back({Vec3(3, 0, 5), Vec3(3, 0, -0.2), Vec3(3, 0, 5)});
         for (const AptCutter& cutter :
              {AptCutter::ball(6, 50), AptCutter::flat(6, 50), AptCutter::bull(6, 1, 50)}) {
-            const PathCheckResult r = check_path(level(), cutter, path, options);
+            const PathCheckResult r = check_path(patch, cutter, path, options);
             QVERIFY2(std::abs(r.gouge_max - 0.2) < 0.01, qPrintable(QString::number(r.gouge_max)));
             QVERIFY((r.gouge_at - Vec3(3, 0, 0)).norm() <= 3.1);
         }

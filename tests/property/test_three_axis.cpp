@@ -92,25 +92,51 @@ private slots:
         QFETCH(int, cutter);
         const Shape part = shapes()[std::size_t(shape)];
         const Tool tool = cutters()[std::size_t(cutter)].tool;
-        const double tolerance = 0.05, chord = tolerance / 20;
+        // Sharp rims leave so much that they are judged at a wider tolerance, to keep the number of passes
+        // down.
+        const double tolerance = tool.corner_radius < 1 ? 0.15 : 0.05, chord = tolerance / 20;
         const auto op = operation(kind.toStdString(), tolerance);
         const PlanContext context = context_of(part.mesh, tool);
         const StrategyResult path = op->plan(context, Progress());
         PathCheckOptions options;
-        options.spacing = 0.5;
+        options.spacing = 0.7;
         options.border = 0.5 * tool.diameter;
         options.no_cusp = [&](const Vec3& p) { return part.out_of_reach(p, tool); };
         const PathCheckResult result =
             check_path(part.mesh, tool.cutter(), tips(linked(path, context, *op)), options);
-        qInfo("planes %d cusp expected %.5f found max %.5f p99.9 %.5f gouge %.6f uncut %.5f steps %.3f..%.3f",
-              path.drive_planes, path.cusp_max, result.cusp_max, result.cusp_p999, result.gouge_max,
-              result.uncut_fraction, path.stepover_min, path.stepover_max);
         QVERIFY(result.samples > 1000);
         QVERIFY2(result.gouge_max <= chord, qPrintable(QString::number(result.gouge_max)));
         QVERIFY2(result.cusp_p999 <= 1.02 * tolerance, qPrintable(QString::number(result.cusp_p999)));
         QCOMPARE(result.uncut_fraction, 0.0);
-        for (const std::string& w : path.warnings)
-            qInfo("%s", w.c_str());
+    }
+
+    void a_benchmark_surface_is_cut_to_tolerance_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"concave", "convex", "complex"})
+            QTest::newRow(name) << name;
+    }
+
+    /// Lu's surfaces, ball of 0.5 in, at five times the tolerance of 0.002 in that they are checked at by
+    /// hand.
+    void a_benchmark_surface_is_cut_to_tolerance() {
+        QFETCH(QString, name);
+        const double inch = 25.4, tolerance = 0.01 * inch;
+        const auto part = make_sample(name.toStdString(), default_sample_tolerance, Progress());
+        const Tool tool = ball_tool(0.5 * inch);
+        const PlanContext context = context_of(*part, tool);
+        for (const std::string& kind : three_axis_kinds()) {
+            const auto op = operation(kind, tolerance);
+            PathCheckOptions options;
+            options.spacing = 2.5;
+            options.border = 0.25 * inch;
+            options.reach = 2;
+            const PathCheckResult result = check_path(
+                *part, tool.cutter(), tips(linked(op->plan(context, Progress()), context, *op)), options);
+            QVERIFY(result.cusp_samples > 5000);
+            QVERIFY2(result.gouge_max <= 0.05 * tolerance, qPrintable(QString::number(result.gouge_max)));
+            QVERIFY2(result.cusp_p999 <= 1.02 * tolerance, qPrintable(QString::number(result.cusp_p999)));
+            QCOMPARE(result.uncut_fraction, 0.0);
+        }
     }
 
     void threads_do_not_change_a_bit() {
@@ -204,8 +230,6 @@ private slots:
                 const StrategyResult path = op->plan(context, Progress());
                 const PathCheckResult result =
                     check_path(part, tool.cutter(), tips(linked(path, context, *op)), options);
-                qInfo("angle %.2f planes %d expected %.4f found %.4f uncut %.4f", angle, path.drive_planes,
-                      path.cusp_max, result.cusp_max, result.uncut_fraction);
                 QVERIFY(result.cusp_samples > 500);
                 QVERIFY2(result.cusp_max <= 0.052, qPrintable(QString::number(result.cusp_max)));
                 QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));

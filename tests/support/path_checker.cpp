@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 
 #include <map>
+#include <optional>
 
 namespace facetmill::test {
 
@@ -253,8 +254,8 @@ PathCheckResult check_path(const Mesh& part, const AptCutter& cutter, std::span<
     const Cells cells(pieces, 0.25 * moved.radius(), moved.radius() + options.reach + options.allowance);
     std::vector<Piece> border;
     if (options.border > 0) border = border_of(part, options);
-    const Cells border_cells(border.empty() ? pieces : border, std::max(options.border, 1e-3),
-                             options.border);
+    std::optional<Cells> border_cells;
+    if (!border.empty()) border_cells.emplace(border, options.border, options.border);
 
     std::vector<double> left(samples.size());
     std::vector<char> away(samples.size());
@@ -276,8 +277,8 @@ PathCheckResult check_path(const Mesh& part, const AptCutter& cutter, std::span<
             if (k != first) moved.lower(pieces[near[k]], p, s.normal, options.reach, best);
         left[i] = best;
         away[i] = s.judged && s.area > 0 && !(options.no_cusp && options.no_cusp(s.point));
-        if (!away[i] || border.empty()) return;
-        for (const std::uint32_t k : border_cells.near(s.point)) {
+        if (!away[i] || !border_cells) return;
+        for (const std::uint32_t k : border_cells->near(s.point)) {
             const Vec2 d = (border[k].to - border[k].from).head<2>(),
                        e = (s.point - border[k].from).head<2>();
             const double length2 = d.squaredNorm();

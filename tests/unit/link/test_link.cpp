@@ -1,0 +1,156 @@
+// Links and clearance moves: near passes on the surface, far ones over everything.
+#include "core/link/motion.h"
+#include "tests/property/shapes.h"
+#include "tests/support/path_checker.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+Pass pass(std::initializer_list<Vec3> tips) {
+    Pass p;
+    for (const Vec3& t : tips) {
+        p.cl.push_back({t, Vec3(0, 0, 1)});
+        p.cc.push_back({t, Vec3(0, 0, 1)});
+    }
+    return p;
+}
+
+std::string kinds_of(const ToolMotions& m) {
+    std::string text;
+    for (const Motion& motion : m.motions)
+        text += "racl^"[int(motion.kind)];
+    return text;
+}
+
+LinkOptions near_options(double distance) {
+    LinkOptions o;
+    o.clearance = 5;
+    o.link_distance = distance;
+    o.chord_tolerance = 0.002;
+    return o;
+}
+
+const Mesh& level() {
+    static const Mesh mesh =
+        height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
+    return mesh;
+}
+
+} // namespace
+
+class TestLink : public QObject {
+    Q_OBJECT
+private slots:
+    void near_passes_are_linked_and_far_ones_are_not() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() = 7;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 1, 0), Vec3(-10, 1, 0)}),
+                       pass({Vec3(10, 2, 0), Vec3(-10, 2, 0)})};
+        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+        QCOMPARE(kinds_of(m), std::string("raclc^rac^"));
+        QCOMPARE(m.clearance_z, 12.0); // above the stock
+        for (const Motion& motion : m.motions)
+            if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::retract)
+                QCOMPARE(motion.to.tip.z(), 12.0);
+        // Every point of every pass is met, in order.
+        std::vector<std::pair<Index, Index>> points;
+        for (const Motion& motion : m.motions)
+            if (motion.pass != no_index) {
+                points.emplace_back(motion.pass, motion.point);
+                QCOMPARE(motion.to.tip, path.passes[motion.pass].cl[motion.point].tip);
+            }
+        QCOMPARE(points.size(), std::size_t(6));
+        QVERIFY(std::is_sorted(points.begin(), points.end()));
+        // Rapids run level: up and down goes at feed.
+        for (std::size_t i = 1; i < m.motions.size(); ++i)
+            if (m.motions[i].kind == MotionKind::rapid)
+                QCOMPARE(m.motions[i].to.tip.z(), m.motions[i - 1].to.tip.z());
+    }
+
+    void a_link_climbs_over_what_stands_between() {
+        // A rib of height 2 along y = 3.
+        const Mesh m = height_field([](double, double y) { return std::abs(y - 3) < 0.5 ? 2.0 : 0.0; },
+                                    Vec2(-20, -15), Vec2(20, 15), 4, 300);
+        const Tool tool = ball_tool(4);
+        const PlanContext context = context_of(m, tool);
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, -1, 0), Vec3(10, -1, 0)}), pass({Vec3(10, 7, 0), Vec3(-10, 7, 0)})};
+        const ToolMotions motions = link_three_axis(path, context, 0, near_options(10), Progress());
+        double highest = -infinity;
+        TipLine line;
+        for (const Motion& motion : motions.motions) {
+            line.push_back(motion.to.tip);
+            if (motion.kind == MotionKind::link) highest = std::max(highest, motion.to.tip.z());
+            QVERIFY(motion.kind != MotionKind::rapid || &motion == &motions.motions.front());
+        }
+        QVERIFY2(std::abs(highest - 2) < 0.01, qPrintable(QString::number(highest)));
+        PathCheckOptions options;
+        options.spacing = 0.2;
+        const std::vector<TipLine> tips{line};
+        QVERIFY(check_path(m, tool.cutter(), tips, options).gouge_max <= 0.002);
+    }
+
+    void a_link_crosses_a_hole_level() {
+        const Mesh m =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 40, 30),
+                 [](const Vec3& p) { return std::abs(p.x()) > 5; });
+        const PlanContext context = context_of(m, ball_tool(6));
+        StrategyResult path;
+        path.passes = {pass({Vec3(-15, 0, 0), Vec3(-5, 0, 0)}), pass({Vec3(5, 0, 0), Vec3(15, 0, 0)})};
+        for (const Motion& motion : link_three_axis(path, context, 0, near_options(20), Progress()).motions)
+            QVERIFY(motion.to.tip.z() >= 0);
+    }
+
+    void an_allowance_stays_under_links() {
+        const PlanContext context = context_of(level(), ball_tool(6));
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0.4), Vec3(10, 0, 0.4)}),
+                       pass({Vec3(10, 4, 0.4), Vec3(-10, 4, 0.4)})};
+        const ToolMotions m = link_three_axis(path, context, 0.4, near_options(5), Progress());
+        for (const Motion& motion : m.motions)
+            QVERIFY(motion.to.tip.z() >= 0.4 - 1e-9);
+        // With more allowance than the passes were made with, the link rises off them.
+        double highest = 0;
+        for (const Motion& motion : link_three_axis(path, context, 0.6, near_options(5), Progress()).motions)
+            if (motion.kind == MotionKind::link) highest = std::max(highest, motion.to.tip.z());
+        QVERIFY(std::abs(highest - 0.6) < 1e-6);
+    }
+
+    void bad_options_and_cancel_are_honoured() {
+        const PlanContext context = context_of(level(), ball_tool(6));
+        StrategyResult path;
+        QVERIFY(link_three_axis(path, context, 0, near_options(1), Progress()).motions.empty());
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)})};
+        LinkOptions bad = near_options(1);
+        bad.clearance = 0;
+        QVERIFY_EXCEPTION_THROWN(link_three_axis(path, context, 0, bad, Progress()), Error);
+        bad = near_options(1);
+        bad.chord_tolerance = std::nan("");
+        QVERIFY_EXCEPTION_THROWN(link_three_axis(path, context, 0, bad, Progress()), Error);
+        Job job;
+        job.cancel();
+        QVERIFY_EXCEPTION_THROWN(link_three_axis(path, context, 0, near_options(1), Progress(job)),
+                                 Cancelled);
+    }
+
+    void default_links_reach_the_next_pass() {
+        const PlanContext context = context_of(level(), ball_tool(6));
+        auto op = make_operation("finish3");
+        const StrategyResult path = op->plan(context, Progress());
+        const LinkOptions options = default_link_options(path, context, op->common());
+        const ToolMotions m = link_three_axis(path, context, 0, options, Progress());
+        std::size_t rapids = 0;
+        for (const Motion& motion : m.motions)
+            rapids += motion.kind == MotionKind::rapid;
+        QCOMPARE(rapids, std::size_t(1));
+    }
+};
+
+FACETMILL_TEST(TestLink)
+#include "test_link.moc"

@@ -1,0 +1,255 @@
+// The operation as its users see it: parameters, passes, figures, refusals.
+#include "core/strategy/cutter_cover.h"
+#include "core/strategy/drive_frame.h"
+#include "core/strategy/finish3.h"
+#include "tests/property/shapes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+template <class Call>
+ErrorCode code_of(Call&& call, std::string* message = nullptr) {
+    try {
+        call();
+    } catch (const Error& e) {
+        if (message) *message = e.what();
+        return e.code();
+    }
+    return ErrorCode::internal;
+}
+
+StrategyResult planned(const Mesh& mesh, const Finish3Settings& settings, const Tool& tool = ball_tool(6)) {
+    return Finish3(settings).plan(context_of(mesh, tool), Progress());
+}
+
+const Mesh& level() {
+    static const Mesh mesh =
+        height_field([](double, double) { return 3.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
+    return mesh;
+}
+
+} // namespace
+
+class TestFinish3 : public QObject {
+    Q_OBJECT
+private slots:
+    void it_is_registered() {
+        const auto& kinds = operation_kinds();
+        QVERIFY(
+            std::is_sorted(kinds.begin(), kinds.end(),
+                           [](const OperationKind& a, const OperationKind& b) { return a.kind < b.kind; }));
+        const auto op = make_operation("finish3");
+        QCOMPARE(op->kind(), std::string_view("finish3"));
+        QVERIFY(op->three_axis());
+        std::string message;
+        QCOMPARE(code_of([] { make_operation("finish33"); }, &message), ErrorCode::out_of_range);
+        QVERIFY(message.find("did you mean 'finish3'") != std::string::npos);
+    }
+
+    void parameters_are_described_and_checked() {
+        auto op = make_operation("finish3");
+        std::set<std::string> keys;
+        for (const ParameterInfo* p : op->parameters()) {
+            keys.insert(p->key);
+            QVERIFY2(!p->label.empty() && !p->help.empty(), p->key.c_str());
+            QVERIFY2(op->get(p->key) == p->default_value, p->key.c_str());
+            op->set(p->key, p->default_value);
+        }
+        for (const char* key :
+             {"name", "tool", "tolerance", "allowance", "feed", "spindle", "clearance", "direction",
+              "stepover", "topology", "pattern", "chord_tolerance", "normal_limit"})
+            QVERIFY2(keys.count(key) == 1, key);
+        op->set("stepover", 0.7);
+        QCOMPARE(std::get<double>(op->get("stepover")), 0.7);
+        QCOMPARE(std::get<double>(op->clone()->get("stepover")), 0.7);
+        for (const auto& [key, value] :
+             std::vector<std::pair<std::string, ParameterValue>>{{"stepover", 0.0},
+                                                                 {"stepover", std::string("wide")},
+                                                                 {"tolerance", 0.0},
+                                                                 {"tolerance", -1.0},
+                                                                 {"tolerance", std::nan("")},
+                                                                 {"topology", std::string("spiral")},
+                                                                 {"pattern", std::string("x")},
+                                                                 {"normal_limit", 0.0},
+                                                                 {"chord_tolerance", infinity},
+                                                                 {"direction", std::string("z")}})
+            QCOMPARE(code_of([&] { op->set(key, value); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([&] { op->set("step_over", 1.0); }), ErrorCode::unknown_key);
+    }
+
+    void a_constant_step_is_kept() {
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const StrategyResult r = planned(level(), s);
+        QCOMPARE(r.drive_planes, 20);
+        QCOMPARE(r.passes.size(), std::size_t(20));
+        for (std::size_t i = 0; i < r.passes.size(); ++i) {
+            QCOMPARE(r.passes[i].drive, int(i));
+            QVERIFY(std::abs(r.passes[i].offset - (-14.25 + 1.5 * double(i))) < 1e-6);
+            // Zigzag, straight, from border to border, nothing between two points needed.
+            const auto& cl = r.passes[i].cl;
+            QCOMPARE(cl.size(), std::size_t(2));
+            const double from = i % 2 == 0 ? -20 : 20;
+            QVERIFY((cl.front().tip - Vec3(from, r.passes[i].offset, 3)).norm() < 1e-5);
+            QVERIFY((cl.back().tip - Vec3(-from, r.passes[i].offset, 3)).norm() < 1e-5);
+            QCOMPARE(cl.front().axis, Vec3(0, 0, 1));
+        }
+        QCOMPARE(r.stepover_min, 1.5);
+        QCOMPARE(r.stepover_max, 1.5);
+        const double cusp = 3 - std::sqrt(9 - 0.75 * 0.75);
+        QVERIFY2(std::abs(r.cusp_max - cusp) < 0.01 * cusp, qPrintable(QString::number(r.cusp_max)));
+        QCOMPARE(r.warnings.size(), std::size_t(1)); // more than the tolerance of 0.05
+        QVERIFY(r.warnings[0].find("step-over") != std::string::npos);
+
+        s.pattern = Finish3Settings::Pattern::oneway;
+        s.stepover = {1, ""};
+        const StrategyResult one = planned(level(), s);
+        QVERIFY(one.warnings.empty());
+        for (const Pass& p : one.passes)
+            QVERIFY(p.cl.front().tip.x() < p.cl.back().tip.x());
+    }
+
+    void any_direction_covers_the_part() {
+        Finish3Settings s;
+        for (const double angle : {0.3, -1.0, 2.5}) {
+            s.direction = {angle, ""};
+            const StrategyResult r = planned(level(), s);
+            QCOMPARE(r.direction, angle);
+            const DriveFrame frame(angle);
+            double lo = infinity, hi = -infinity;
+            for (const Vec3& v : level().vertices) {
+                lo = std::min(lo, frame.v(v));
+                hi = std::max(hi, frame.v(v));
+            }
+            QVERIFY(r.passes.front().offset - lo < 1.1 && hi - r.passes.back().offset < 1.1);
+            for (const Pass& p : r.passes)
+                for (const CutterLocation& c : p.cl)
+                    QVERIFY(std::abs(frame.v(c.tip) - p.offset) < 1e-9);
+        }
+    }
+
+    void an_adaptive_step_needs_fewer_passes_than_a_constant_one() {
+        // Level on one side, steep on the other.
+        const Mesh m = height_field([](double, double y) { return y < 0 ? 0 : 0.06 * y * y; }, Vec2(-10, -20),
+                                    Vec2(10, 20), 4, 160);
+        Finish3Settings s;
+        s.direction = {0, "x"};
+        const StrategyResult adaptive = planned(m, s);
+        QVERIFY(adaptive.cusp_max <= s.tolerance);
+        QVERIFY(adaptive.stepover_min < 0.7 * adaptive.stepover_max);
+        // As many planes at a constant distance leave more than the tolerance.
+        const double range = adaptive.passes.back().offset - adaptive.passes.front().offset;
+        s.stepover = {range / (adaptive.drive_planes - 1), ""};
+        QVERIFY(planned(m, s).cusp_max > 1.2 * s.tolerance);
+        // A constant step that keeps the tolerance makes many more.
+        s.stepover = {adaptive.stepover_min, ""};
+        QVERIFY(planned(m, s).drive_planes > 1.3 * adaptive.drive_planes);
+    }
+
+    void contacts_are_on_the_part_and_normals_turn_slowly() {
+        const Mesh m = height_field([](double x, double y) { return std::sqrt(900 - x * x - y * y); },
+                                    Vec2(-15, -10), Vec2(15, 10), 60, 40);
+        Finish3Settings s;
+        s.normal_limit = radians(2);
+        const StrategyResult r = planned(m, s);
+        const CutterCover cover(CutterProfile(ball_tool(6).cutter()), 0.001);
+        std::size_t turns = 0;
+        for (const Pass& p : r.passes) {
+            QCOMPARE(p.cc.size(), p.cl.size());
+            for (std::size_t i = 0; i < p.cc.size(); ++i) {
+                const CutterContact& c = p.cc[i];
+                QVERIFY(std::abs(c.point.norm() - 30) < 0.02);
+                QVERIFY((c.point + cover.tip_offset(c.normal) - p.cl[i].tip).norm() < 0.01);
+                if (i == 0) continue;
+                ++turns;
+                QVERIFY(std::acos(std::min(1.0, c.normal.dot(p.cc[i - 1].normal)))
+                        <= radians(2) + radians(1.5));
+            }
+        }
+        QVERIFY(turns > 100);
+    }
+
+    void a_hole_splits_passes() {
+        const Mesh m =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 40, 30),
+                 [](const Vec3& p) { return std::hypot(p.x(), p.y()) > 6; });
+        Finish3Settings s;
+        s.stepover = {1, ""};
+        const StrategyResult r = planned(m, s);
+        QVERIFY(r.passes.size() > std::size_t(r.drive_planes));
+        for (std::size_t i = 0; i + 1 < r.passes.size(); ++i)
+            QVERIFY(r.passes[i].drive <= r.passes[i + 1].drive);
+    }
+
+    void tessellation_tolerances_are_taken_off() {
+        Finish3Settings s;
+        PlanContext context = context_of(level(), ball_tool(6));
+        const StrategyResult plain = Finish3(s).plan(context, Progress());
+        context.tessellation_tolerance = {0.01, 0.02};
+        const StrategyResult safe = Finish3(s).plan(context, Progress());
+        // Lifted by the inner tolerance, and only what both leave of the tolerance for cusps.
+        QVERIFY(std::abs(safe.passes[0].cl[0].tip.z() - plain.passes[0].cl[0].tip.z() - 0.02) < 1e-6);
+        QVERIFY(safe.cusp_max <= 0.02);
+        QVERIFY(safe.drive_planes > plain.drive_planes);
+        context.tessellation_tolerance = {0.03, 0.03};
+        std::string message;
+        QCOMPARE(code_of([&] { Finish3(s).plan(context, Progress()); }, &message), ErrorCode::out_of_range);
+        QVERIFY(message.find("tessellation") != std::string::npos);
+    }
+
+    void nothing_to_cut_is_an_error_with_a_reason() {
+        Mesh wall;
+        wall.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 0, 10), Vec3(0, 0, 10)};
+        wall.facets = {{0, 1, 2}, {0, 2, 3}};
+        std::string message;
+        QCOMPARE(code_of([&] { planned(wall, {}); }, &message), ErrorCode::empty_result);
+        QVERIFY(message.find("upright") != std::string::npos);
+        Finish3Settings s;
+        s.stepover = {1e-5, ""};
+        QCOMPARE(code_of([&] { planned(level(), s); }), ErrorCode::limit_exceeded);
+    }
+
+    void steep_places_and_short_tools_are_reported() {
+        Tool tool = ball_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 12;
+        tool.shank_length = 30;
+        const auto has = [](const StrategyResult& r, const char* word) {
+            for (const auto& w : r.warnings)
+                if (w.find(word) != std::string::npos) return true;
+            return false;
+        };
+        Finish3Settings s;
+        s.stepover = {2, ""};
+        QVERIFY(has(planned(step(0, 12), s, tool), "shank"));
+        QVERIFY(!has(planned(step(0, 3), s, tool), "shank"));
+        QVERIFY(!has(planned(step(0, 12), s, ball_tool(6)), "shank"));
+        tool.shank_diameter = 6;
+        tool.holder = {{40, 20}};
+        tool.shank_length = 2;
+        QVERIFY(has(planned(step(0, 12), s, tool), "holder"));
+    }
+
+    void a_solid_is_passed_once() {
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const Mesh solid = box(Vec3(-20, -15, 0), Vec3(20, 15, 3));
+        const StrategyResult r = planned(solid, s);
+        QCOMPARE(r.passes.size(), std::size_t(20));
+        for (const Pass& p : r.passes)
+            for (const CutterLocation& c : p.cl)
+                QVERIFY(std::abs(c.tip.z() - 3) < 1e-6);
+    }
+};
+
+FACETMILL_TEST(TestFinish3)
+#include "test_finish3.moc"
