@@ -351,7 +351,9 @@ public:
         painter->translate(rect.x() + (rect.width() - side) / 2.0, rect.y() + (rect.height() - side) / 2.0);
         painter->scale(side / 24.0, side / 24.0);
         Sheet sheet(*painter, ink, accent);
-        draw(sheet, which_, signal_colours(palette));
+        SignalColours colours = signal_colours(palette);
+        if (selected) colours.quiet = colours.busy = ink; // rings would drown in the highlight
+        draw(sheet, which_, colours);
         painter->restore();
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {

@@ -5,6 +5,8 @@
 
 #include <QPlainTextEdit>
 
+#include <vector>
+
 namespace facetmill::ui {
 
 class LogView : public QPlainTextEdit {
@@ -14,6 +16,17 @@ public:
     void add(MessageBar::Kind kind, const QString& line);
     QSize sizeHint() const override { return {400, 80}; }
     QSize minimumSizeHint() const override { return {80, 40}; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Entry {
+        MessageBar::Kind kind;
+        QString time, line;
+    };
+    void append(const Entry& entry);
+    std::vector<Entry> entries_;
 };
 
 } // namespace facetmill::ui

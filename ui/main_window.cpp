@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
@@ -117,9 +118,8 @@ void MainWindow::build_status_bar() {
     cancel_button_->setDefaultAction(cancel_);
     cancel_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     cancel_button_->setIconSize(QSize(14, 14));
-    readout_ = new QLabel(this);
+    readout_ = new ElidedLabel(this);
     readout_->setObjectName(QStringLiteral("readout"));
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     unit_box_ = new QComboBox(this);
     unit_box_->setObjectName(QStringLiteral("unit"));
@@ -214,16 +214,16 @@ void MainWindow::connect_parts() {
     });
     connect(viewport_, &Viewport::hovered, this, [this](const std::optional<PartPick>& pick) {
         if (!pick) {
-            readout_->setText(readout_text_);
+            readout_->set_text(readout_text_);
             return;
         }
         const double mm = mm_per(document_.unit());
         const auto number = [&](double v) {
             return QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3);
         };
-        readout_->setText(QStringLiteral("x %1   y %2   z %3 %4")
-                              .arg(number(pick->point.x()), number(pick->point.y()), number(pick->point.z()),
-                                   text(unit_name(document_.unit()))));
+        readout_->set_text(QStringLiteral("x %1   y %2   z %3 %4")
+                               .arg(number(pick->point.x()), number(pick->point.y()), number(pick->point.z()),
+                                    text(unit_name(document_.unit()))));
     });
     connect(viewport_, &Viewport::menu_requested, this, [this](const QPoint& at) { view_menu_->popup(at); });
     connect(viewport_, &Viewport::unavailable, this, &MainWindow::fail, Qt::QueuedConnection);
@@ -235,13 +235,31 @@ void MainWindow::restore_window() {
     resizeDocks({project_dock_, properties_dock_}, {230, 420}, Qt::Vertical);
     resizeDocks({project_dock_, report_dock_}, {280, 250}, Qt::Horizontal);
     resizeDocks({log_dock_}, {96}, Qt::Vertical);
-    if (screen.width() < 1000) {
-        // A small screen: the report shares a place with the parameters.
-        tabifyDockWidget(properties_dock_, report_dock_);
-        properties_dock_->raise();
-    }
     restoreGeometry(settings::window_geometry());
     restoreState(settings::window_state());
+}
+
+void MainWindow::arrange_report() {
+    // In a narrow window the report stands behind the parameters, so that the view keeps room; in a wide one
+    // it goes back.
+    constexpr int narrow = 1000;
+    if (report_dock_->isFloating()) return;
+    if (width() < narrow && !report_dock_->isHidden()
+        && dockWidgetArea(report_dock_) == Qt::RightDockWidgetArea && !properties_dock_->isFloating()
+        && dockWidgetArea(properties_dock_) == Qt::LeftDockWidgetArea) {
+        tabifyDockWidget(properties_dock_, report_dock_);
+        properties_dock_->raise();
+        report_made_way_ = true;
+    } else if (width() >= narrow && report_made_way_) {
+        addDockWidget(Qt::RightDockWidgetArea, report_dock_);
+        resizeDocks({report_dock_}, {250}, Qt::Horizontal);
+        report_made_way_ = false;
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (report_dock_) arrange_report();
 }
 
 void MainWindow::update_title() {

@@ -25,6 +25,7 @@ class QToolButton;
 
 namespace facetmill::ui {
 
+class ElidedLabel;
 class LayerBar;
 class LogView;
 class ProjectTree;
@@ -78,6 +79,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct LoadedPart {
@@ -94,6 +96,7 @@ private:
     void update_title();
     void update_actions();
     void restore_window();
+    void arrange_report();
     void tell(MessageBar::Kind kind, const QString& message, bool in_bar = true);
     void fail(const QString& message);
     void ended(const JobEnd& end);
@@ -150,7 +153,8 @@ private:
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
-    QLabel *activity_ = nullptr, *readout_ = nullptr;
+    QLabel* activity_ = nullptr;
+    ElidedLabel* readout_ = nullptr;
     QToolButton* cancel_button_ = nullptr;
     QComboBox* unit_box_ = nullptr;
     QMenu *recent_menu_ = nullptr, *sample_menu_ = nullptr, *view_menu_ = nullptr;
@@ -165,6 +169,7 @@ private:
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
     bool settling_ = false;
+    bool report_made_way_ = false; ///< the report was put behind the parameters because the window is narrow
     // Last, so that they end first: their work uses the planner.
     BackgroundJob job_, display_job_;
 };

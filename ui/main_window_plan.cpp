@@ -1,14 +1,12 @@
 // Planning and showing what was planned.
 #include "ui/main_window.h"
 
-#include "ui/layer_bar.h"
+#include "ui/elided_label.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/viewport.h"
-
-#include <QLabel>
 
 #include <algorithm>
 
@@ -104,7 +102,13 @@ void MainWindow::plan(std::optional<std::size_t> only) {
                         progress.part(from + share * double(k), from + share * double(k + 1), name));
                     outcome.result = result->operations.at(0);
                 } catch (const Error& e) {
-                    outcome.failure = text(e.what()); // the other operations may still be planned
+                    // The other operations may still be planned. Names and places stay as they are.
+                    const LengthUnit unit = work->project.unit;
+                    const auto in_unit = [unit](const std::string& s) {
+                        return utf8(with_lengths_in(text(s), unit));
+                    };
+                    outcome.failure =
+                        text(Error(e.code(), e.where(), in_unit(e.message()), in_unit(e.remedy())).what());
                 }
                 work->outcomes.push_back(std::move(outcome));
             }
@@ -135,7 +139,8 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
                       duration_text(o.result->totals.time_seconds)),
              false);
         for (const std::string& warning : o.result->path.warnings)
-            tell(MessageBar::Kind::warning, name + QStringLiteral(": ") + text(warning), false);
+            tell(MessageBar::Kind::warning,
+                 name + QStringLiteral(": ") + with_lengths_in(text(warning), document_.unit()), false);
     }
     if (failures.isEmpty())
         last_failure_.clear();
@@ -240,16 +245,14 @@ void MainWindow::show_tool_at(const PathPick& pick) {
         readout += tr("   CL %1 %2").arg(place(pick.location.tip), text(unit_name(document_.unit())));
     }
     readout_text_ = readout;
-    readout_->setText(readout);
-    readout_->setToolTip(readout);
+    readout_->set_text(readout);
     viewport_->refresh();
 }
 
 void MainWindow::hide_tool() {
     tool_at_.reset();
     readout_text_.clear();
-    readout_->clear();
-    readout_->setToolTip({});
+    readout_->set_text({});
     viewport_->scene().set_tool(std::nullopt);
     viewport_->scene().set_tool_pose(std::nullopt);
     viewport_->scene().set_marker(std::nullopt);

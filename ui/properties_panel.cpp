@@ -1,6 +1,7 @@
 #include "ui/properties_panel.h"
 
 #include "core/setup/machine.h"
+#include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
 #include "ui/text.h"
@@ -43,13 +44,12 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 6, 0, 0);
     column->setSpacing(2);
-    title_ = new QLabel(content);
+    title_ = new ElidedLabel(content);
     title_->setObjectName(QStringLiteral("properties_title"));
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
     title_->setIndent(8);
-    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     hint_ = new QLabel(content);
     hint_->setWordWrap(true);
     hint_->setMargin(8);
@@ -164,8 +164,7 @@ void PropertiesPanel::refresh() {
                    ? tr("Add a tool below the tree; a double click edits one.")
                    : tr("Add an operation below the tree. They run from top to bottom.");
     }
-    title_->setText(title_->fontMetrics().elidedText(title, Qt::ElideMiddle, 400));
-    title_->setToolTip(title);
+    title_->set_text(title);
     title_->setVisible(!title.isEmpty());
     hint_->setText(hint);
     hint_->setVisible(!hint.isEmpty());

@@ -12,6 +12,7 @@ class QScrollArea;
 
 namespace facetmill::ui {
 
+class ElidedLabel;
 class ParameterForm;
 class ToolSketch;
 
@@ -36,7 +37,7 @@ private:
     Document& document_;
     std::optional<TreeNode> node_;
     QString shape_; ///< what the form was built for; another one builds it anew
-    QLabel* title_ = nullptr;
+    ElidedLabel* title_ = nullptr;
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;

@@ -146,7 +146,10 @@ QString ReportView::operation_html(std::size_t i) const {
     html += note(state_text(state), colour);
     if (state == OperationState::failed) return html + note(sentence(document_.failure(i)), signal.bad);
     const auto result = document_.result(i);
-    if (!result) return html + note(tr("Press Plan (F5) to plan it."), signal.quiet);
+    if (!result)
+        return state == OperationState::planning
+                   ? html
+                   : html + note(tr("Press Plan (F5) to plan it."), signal.quiet);
 
     const StrategyResult& path = result->path;
     Facts facts(palette());
@@ -173,7 +176,7 @@ QString ReportView::operation_html(std::size_t i) const {
     facts.add(tr("Planned in"), duration_text(result->seconds_planning));
     html += facts.html();
     for (const std::string& warning : path.warnings)
-        html += note(sentence(text(warning)), signal.attention);
+        html += note(sentence(with_lengths_in(text(warning), unit)), signal.attention);
     return html;
 }
 

@@ -1,5 +1,7 @@
 #include "ui/text.h"
 
+#include <QRegularExpression>
+
 #include <cmath>
 
 namespace facetmill::ui {
@@ -42,6 +44,22 @@ QString elided(const QString& text, int characters) {
     if (text.size() <= characters) return text;
     const int left = (characters - 1) / 2, right = characters - 1 - left;
     return text.left(left) + QChar(0x2026) + text.right(right);
+}
+
+QString with_lengths_in(const QString& message, LengthUnit unit) {
+    if (unit == LengthUnit::mm) return message;
+    static const QRegularExpression length(
+        QStringLiteral("(?<![\\w.])(-?\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?) mm(?![\\w/²])"));
+    QString result;
+    qsizetype from = 0;
+    for (auto it = length.globalMatch(message); it.hasNext();) {
+        const auto match = it.next();
+        result += message.mid(from, match.capturedStart() - from);
+        result += text(format_number(match.captured(1).toDouble() / mm_per(unit), 5)) + QChar(' ')
+                  + text(unit_name(unit));
+        from = match.capturedEnd();
+    }
+    return result + message.mid(from);
 }
 
 QString sentence(const QString& text) {

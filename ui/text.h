@@ -31,6 +31,9 @@ QString count_text(std::size_t n);
 QString duration_text(double seconds);
 /// `text` cut in the middle so that it has at most `characters` ones.
 QString elided(const QString& text, int characters);
+/// Messages of core name lengths in millimetres ("1.5 mm"); the same message with them in the unit of the
+/// project.
+QString with_lengths_in(const QString& message, LengthUnit unit);
 /// First letter in upper case: messages of core begin in lower case.
 QString sentence(const QString& text);
 

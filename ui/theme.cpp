@@ -2,8 +2,7 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <QToolTip>
 
 namespace facetmill::ui {
@@ -43,6 +42,19 @@ QPalette palette_of(const Shades& s) {
     p.setColor(QPalette::Disabled, QPalette::HighlightedText, s.disabled);
     return p;
 }
+
+constexpr char style_name[] = "facetmill";
+
+/// Fusion without the pictures on the buttons of dialogs, which belong to no theme of ours.
+class WorkbenchStyle : public QProxyStyle {
+public:
+    WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) { setObjectName(QLatin1String(style_name)); }
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override {
+        if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
 
 } // namespace
 
@@ -86,8 +98,8 @@ QPalette light_palette() {
 
 QPalette dark_palette() {
     return palette_of({.window = QColor(0x23282e),
-                       .base = QColor(0x1a1e23),
-                       .alternate = QColor(0x20252b),
+                       .base = QColor(0x2c333a),
+                       .alternate = QColor(0x30373f),
                        .button = QColor(0x2d343b),
                        .text = QColor(0xdde3e9),
                        .quiet = QColor(0x8794a1),
@@ -111,8 +123,7 @@ bool is_dark(const QPalette& palette) {
 void apply_theme(QApplication& app, Theme theme) {
     // Asked for once, before a palette of ours hides the desktop's.
     static const bool desktop_is_dark = is_dark(QApplication::palette());
-    if (app.style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (app.style()->objectName() != QLatin1String(style_name)) QApplication::setStyle(new WorkbenchStyle);
     const bool dark = theme == Theme::dark || (theme == Theme::system && desktop_is_dark);
     const QPalette palette = dark ? dark_palette() : light_palette();
     QApplication::setPalette(palette);

@@ -24,7 +24,10 @@ namespace facetmill::ui {
 
 namespace {
 
-enum Shape { custom, ball, flat, bull, tapered_ball, cone };
+/// In the order of the combo box; the first item is for tools that are none of the others.
+enum Shape { custom, ball, flat, bull, tapered_flat, tapered_ball, drill_point, cone };
+
+constexpr double usual_taper = 5.0 * (pi / 180.0);
 
 } // namespace
 
@@ -35,8 +38,9 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
 
     shape_ = new QComboBox(this);
     shape_->setObjectName(QStringLiteral("shape"));
-    shape_->addItems({tr("Choose a shape …"), tr("Ball end"), tr("Flat end"), tr("Bull nose"),
-                      tr("Tapered ball"), tr("Cone")});
+    // The names are those of Tool::shape_name.
+    shape_->addItems({tr("Special"), tr("Ball end"), tr("Flat end"), tr("Bull nose"), tr("Tapered flat"),
+                      tr("Tapered ball"), tr("Drill point"), tr("Cone")});
     shape_->setToolTip(tr("Sets corner radius and angles; every value can be changed afterwards."));
     connect(shape_, &QComboBox::activated, this, &ToolDialog::set_shape);
 
@@ -139,7 +143,6 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
 void ToolDialog::set_value(const std::string& key, const ParameterValue& value) {
     ParameterView<Tool> view(tool_, tool_parameters());
     view.set(key, value);
-    shape_->setCurrentIndex(custom);
     form_->set_values(view, unit_);
     validate();
 }
@@ -159,17 +162,22 @@ void ToolDialog::set_shape(int index) {
         tool_.corner_radius = tool_.diameter / 8;
         tool_.bottom_angle = tool_.taper_angle = 0;
         break;
+    case tapered_flat:
+        tool_.corner_radius = tool_.bottom_angle = 0;
+        tool_.taper_angle = usual_taper;
+        break;
     case tapered_ball:
         tool_.bottom_angle = 0;
-        tool_.taper_angle = radians(5);
+        tool_.taper_angle = usual_taper;
         // The diameter is measured where side and bottom would meet, so the ball that touches the tapered
         // side (e = 0) is a little larger than half of it.
         tool_.corner_radius = tool_.diameter / 2 * std::tan(pi / 4 + tool_.taper_angle / 2);
         break;
+    case drill_point:
     case cone:
-        tool_.corner_radius = 0;
-        tool_.bottom_angle = radians(45);
-        tool_.taper_angle = 0;
+        tool_.corner_radius = tool_.taper_angle = 0;
+        tool_.bottom_angle = pi / 4;
+        tool_.flute_length = tool_.diameter / 2 * (Shape(index) == cone ? 1.0 : 3.0);
         break;
     }
     form_->set_values(ParameterView<Tool>(tool_, tool_parameters()), unit_);
@@ -211,19 +219,33 @@ void ToolDialog::read_holder() {
 }
 
 QString ToolDialog::problem() const {
-    if (!form_->valid()) return tr("A value is not valid");
     if (!holder_problem_.isEmpty()) return holder_problem_;
-    if (std::find(taken_.begin(), taken_.end(), tool_.number) != taken_.end())
-        return tr("Number %1 belongs to another tool").arg(tool_.number);
-    try {
-        check_tool(tool_);
-    } catch (const Error& e) {
-        return sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy());
-    }
-    return {};
+    if (!check_message_.isEmpty()) return check_message_;
+    return form_->valid() ? QString() : tr("A value is not valid");
 }
 
 void ToolDialog::validate() {
+    if (validating_) return; // the form tells of every message that is shown under a field
+    validating_ = true;
+    if (!marked_.empty()) form_->set_error(marked_, {});
+    marked_.clear();
+    check_message_.clear();
+    if (std::find(taken_.begin(), taken_.end(), tool_.number) != taken_.end()) {
+        marked_ = "number";
+        check_message_ = tr("Number %1 belongs to another tool").arg(tool_.number);
+    } else {
+        try {
+            check_tool(tool_);
+        } catch (const Error& e) {
+            marked_ = e.where();
+            check_message_ =
+                with_lengths_in(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()), unit_);
+        }
+    }
+    if (!form_->error(marked_).isEmpty())
+        marked_.clear(); // the field already says what is wrong with it
+    else if (!marked_.empty())
+        form_->set_error(marked_, check_message_);
     const QString why = problem();
     problem_->setText(why);
     QPalette colours = palette();
@@ -231,6 +253,10 @@ void ToolDialog::validate() {
     problem_->setPalette(colours);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
     sketch_->set_tool(tool_, unit_);
+    const int shape = shape_->findText(text(tool_.shape_name()));
+    shape_->setCurrentIndex(std::max(shape, int(custom)));
+    shape_->setItemText(custom, shape < 0 ? text(tool_.shape_name()) : tr("Special"));
+    validating_ = false;
 }
 
 void ToolDialog::accept() {

@@ -44,8 +44,8 @@ private:
     QLabel* problem_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
     std::string marked_; ///< field that carries the message of the check of all values together
-    QString holder_problem_;
-    bool filling_ = false;
+    QString holder_problem_, check_message_;
+    bool filling_ = false, validating_ = false;
 };
 
 } // namespace facetmill::ui

@@ -79,7 +79,7 @@ void ToolSketch::set_tool(const Tool& tool, LengthUnit unit) {
         cutter_radius_ = profile.max_radius();
         has_tool_ = true;
     } catch (const Error& e) {
-        why_not_ = sentence(text(e.message()));
+        why_not_ = sentence(with_lengths_in(text(e.message()), unit_));
     }
     update();
 }

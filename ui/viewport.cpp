@@ -110,13 +110,10 @@ void Viewport::paintGL() {
     timer.start();
     const double ratio = devicePixelRatioF();
     const int width_px = int(std::lround(width() * ratio)), height_px = int(std::lround(height() * ratio));
+    const bool resized = w->GetSize()[0] != width_px || w->GetSize()[1] != height_px;
     w->SetSize(width_px, height_px);
     scene_.set_pixel_ratio(ratio);
-    if (first_fit_) {
-        // Only now the view has a size to fit into.
-        first_fit_ = false;
-        scene_.fit();
-    }
+    if (fitted_ && resized) scene_.fit();
     scene_.renderer()->ResetCameraClippingRange();
     auto* state = w->GetState();
     state->Reset();
@@ -135,12 +132,14 @@ void Viewport::refresh() {
 
 void Viewport::set_view(StandardView view) {
     scene_.set_view(view);
+    fitted_ = true;
     emit camera_changed();
     refresh();
 }
 
 void Viewport::fit() {
     scene_.fit();
+    fitted_ = true;
     emit camera_changed();
     refresh();
 }
@@ -165,6 +164,7 @@ void Viewport::place_overlays() {
 }
 
 void Viewport::turn(const QPointF& by) {
+    fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double side = std::max(1, std::min(width(), height()));
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
@@ -185,6 +185,7 @@ void Viewport::turn(const QPointF& by) {
 }
 
 void Viewport::move(const QPointF& by) {
+    fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
@@ -239,6 +240,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     case Drag::zoom: {
         const QPointF centre = device(press_);
         scene_.zoom_at(centre.x(), centre.y(), std::exp(-by.y() * 0.01));
+        fitted_ = false;
         emit camera_changed();
         refresh();
         break;
@@ -265,6 +267,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     const QPointF at = device(event->position());
     scene_.zoom_at(at.x(), at.y(), std::pow(1.2, steps));
+    fitted_ = false;
     emit camera_changed();
     refresh();
     event->accept();

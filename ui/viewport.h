@@ -85,7 +85,9 @@ private:
     struct Window;
     std::unique_ptr<Window> window_;
     ViewCube* cube_ = nullptr;
-    bool dirty_ = true, first_fit_ = true;
+    bool dirty_ = true;
+    bool fitted_ =
+        true; ///< nothing was moved or zoomed since the last fit: the picture keeps fitting the window
     Drag drag_ = Drag::none;
     bool dragged_ = false;
     QPointF press_, last_;
