@@ -187,6 +187,7 @@ void MainWindow::connect_parts() {
         activity_->setText(title);
         progress_->setValue(0);
         progress_->show();
+        viewport_->set_busy(true);
         cancel_button_->show();
         update_actions();
     });
@@ -327,6 +328,7 @@ void MainWindow::cancel() {
 }
 
 void MainWindow::ended(const JobEnd& end) {
+    viewport_->set_busy(false);
     progress_->hide();
     cancel_button_->hide();
     activity_->setText(tr("Ready"));

@@ -253,9 +253,11 @@ void ToolDialog::validate() {
     problem_->setPalette(colours);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
     sketch_->set_tool(tool_, unit_);
-    const int shape = shape_->findText(text(tool_.shape_name()));
+    const QString name = text(tool_.shape_name());
+    shape_->setItemText(custom, QString());
+    const int shape = shape_->findText(name);
+    shape_->setItemText(custom, shape < 0 ? name : tr("Special"));
     shape_->setCurrentIndex(std::max(shape, int(custom)));
-    shape_->setItemText(custom, shape < 0 ? text(tool_.shape_name()) : tr("Special"));
     validating_ = false;
 }
 

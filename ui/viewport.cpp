@@ -28,6 +28,9 @@ constexpr double click_slack = 4.0;
 /// Half a turn of the part for one travel over the shorter side of the view.
 constexpr double turn_per_side = pi;
 constexpr double pick_radius = 8.0;
+/// A full picture that takes longer is replaced by a coarse one while the view moves or a job runs.
+constexpr double slow_frame_ms = 40.0;
+constexpr int rest_ms = 250;
 
 Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
@@ -61,6 +64,9 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_u
     hover_timer_.setInterval(60);
     connect(&hover_timer_, &QTimer::timeout, this, &Viewport::hover);
     cube_->set_orientation(sight(), up());
+    rest_timer_.setSingleShot(true);
+    rest_timer_.setInterval(rest_ms);
+    connect(&rest_timer_, &QTimer::timeout, this, &Viewport::rested);
 }
 
 Viewport::~Viewport() {
@@ -114,6 +120,8 @@ void Viewport::paintGL() {
     w->SetSize(width_px, height_px);
     scene_.set_pixel_ratio(ratio);
     if (fitted_ && resized) scene_.fit();
+    coarse_ = (moving_ || busy_) && full_frame_ms_ > slow_frame_ms;
+    scene_.set_moving(coarse_);
     scene_.renderer()->ResetCameraClippingRange();
     auto* state = w->GetState();
     state->Reset();
@@ -123,6 +131,27 @@ void Viewport::paintGL() {
     state->Pop();
     ++frames_;
     last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+    // The first picture of all compiles shaders and says nothing about the later ones.
+    if (!coarse_ && frames_ > 1) full_frame_ms_ = last_frame_ms_;
+}
+
+void Viewport::set_busy(bool busy) {
+    busy_ = busy;
+    if (!busy && coarse_ && !moving_) refresh();
+}
+
+void Viewport::moving() {
+    moving_ = true;
+    rest_timer_.start();
+}
+
+void Viewport::rested() {
+    if (drag_ != Drag::none) {
+        rest_timer_.start(); // held still, but not let go
+        return;
+    }
+    moving_ = false;
+    if (coarse_ && !busy_) refresh();
 }
 
 void Viewport::refresh() {
@@ -164,6 +193,7 @@ void Viewport::place_overlays() {
 }
 
 void Viewport::turn(const QPointF& by) {
+    moving();
     fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double side = std::max(1, std::min(width(), height()));
@@ -185,6 +215,7 @@ void Viewport::turn(const QPointF& by) {
 }
 
 void Viewport::move(const QPointF& by) {
+    moving();
     fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
@@ -240,6 +271,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     case Drag::zoom: {
         const QPointF centre = device(press_);
         scene_.zoom_at(centre.x(), centre.y(), std::exp(-by.y() * 0.01));
+        moving();
         fitted_ = false;
         emit camera_changed();
         refresh();
@@ -267,6 +299,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     const QPointF at = device(event->position());
     scene_.zoom_at(at.x(), at.y(), std::pow(1.2, steps));
+    moving();
     fitted_ = false;
     emit camera_changed();
     refresh();

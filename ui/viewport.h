@@ -35,6 +35,9 @@ public:
     const Scene& scene() const { return scene_; }
     /// Draws soon. Many calls draw once.
     void refresh();
+    /// While something is busy in the background, a picture that takes long is drawn coarsely, so that the window keeps
+    /// answering; the full one follows afterwards. On fast graphics nothing changes.
+    void set_busy(bool busy);
     void set_view(StandardView view);
     /// Fits the view without a change of direction.
     void fit();
@@ -79,6 +82,9 @@ private:
     void move(const QPointF& by);
     void click(const QPointF& at);
     void hover();
+    /// The view is being moved: coarse pictures where full ones take long, until it rests.
+    void moving();
+    void rested();
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     Scene scene_;
@@ -92,7 +98,9 @@ private:
     bool dragged_ = false;
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
-    QTimer hover_timer_;
+    QTimer hover_timer_, rest_timer_;
+    bool busy_ = false, moving_ = false, coarse_ = false;
+    double full_frame_ms_ = 0; ///< of the last picture in full detail
     QPointF hover_at_;
     int frames_ = 0;
     double last_frame_ms_ = 0;
