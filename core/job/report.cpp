@@ -25,7 +25,7 @@ Json box_json(const Box3& box, double per) {
     return Json{{"low", numbers(box.lo, per)}, {"high", numbers(box.hi, per)}};
 }
 
-/// Removes a folder that this job made, when the job fails.
+/// Removes the folders that this job made and left empty: the job failed.
 class NewFolder {
 public:
     explicit NewFolder(const fs::path& path) {
@@ -43,10 +43,7 @@ public:
                         "name a folder that exists or can be made");
         }
     }
-    ~NewFolder() {
-        if (!keep_) remove();
-    }
-    void keep() { keep_ = true; }
+    ~NewFolder() { remove(); }
 
 private:
     void remove() {
@@ -55,7 +52,6 @@ private:
             fs::remove(p, ec); // only when empty
     }
     std::vector<fs::path> made_;
-    bool keep_ = false;
 };
 
 } // namespace
@@ -127,7 +123,7 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
                                  const Progress& progress) {
     if (result.operations.empty())
         throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
-    NewFolder made(folder);
+    const NewFolder made(folder);
     OutputSet files;
     std::vector<fs::path> paths;
     const double n = double(result.operations.size());
@@ -144,7 +140,6 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
     files.add(paths.back()).write(report_json(project, result));
     progress.check();
     files.commit();
-    made.keep();
     return paths;
 }
 
