@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QMessageBox>
 #include <QTimer>
 
 #include <cstdio>
@@ -86,7 +87,10 @@ Options read_options(int argc, char** argv) {
     };
     if (!parser.parse(arguments)) return usage(parser.errorText());
     if (parser.isSet(help)) {
-        std::fputs(qPrintable(parser.helpText()), stdout);
+        // Without an application object Qt does not know what the program is called.
+        std::fputs(qPrintable(parser.helpText().replace(QStringLiteral("<executable_name>"),
+                                                        QStringLiteral("facetmill"))),
+                   stdout);
         options.exit_status = 0;
         return options;
     }
@@ -112,6 +116,11 @@ Options read_options(int argc, char** argv) {
             return usage(QStringLiteral("--size: write it as 1280x800, from 200x200 to 10000x10000"));
         options.size = QSize(w, h);
     }
+    const bool mesh =
+        !options.file.isEmpty() && !options.file.endsWith(QStringLiteral(".facetmill"), Qt::CaseInsensitive);
+    if (mesh && !options.unit && (options.plan || !options.screenshot.isEmpty()))
+        return usage(
+            QStringLiteral("name the unit of the mesh by --units mm or --units in: nobody is there to ask"));
     options.theme = parser.value(theme);
     if (parser.isSet(theme) && options.theme != QLatin1String("system")
         && ui::theme_from_name(options.theme) == ui::Theme::system)
@@ -130,29 +139,22 @@ public:
 private:
     void next() {
         if (window_.busy()) return;
-        switch (step_) {
+        switch (step_++) {
         case 0:
-            step_ = 1;
-            if (!options_.file.isEmpty()) {
-                window_.open_file(options_.file, options_.unit);
-                return;
-            }
-            [[fallthrough]];
+            if (!options_.file.isEmpty()) window_.open_file(options_.file, options_.unit);
+            break;
         case 1:
-            step_ = 2;
-            if (options_.plan && window_.document().has_part() && window_.last_failure().isEmpty()) {
+            if (options_.plan && window_.document().has_part() && window_.last_failure().isEmpty())
                 window_.plan();
-                return;
-            }
-            [[fallthrough]];
+            break;
         case 2:
-            step_ = 3;
             // Layout and drawing take a few turns of the event loop.
             if (!options_.screenshot.isEmpty()) QTimer::singleShot(400, this, &Script::take_picture);
             return;
         default:
             return;
         }
+        if (!window_.busy()) QTimer::singleShot(0, this, &Script::next); // nothing to wait for
     }
     void take_picture() {
         bool good = window_.grab().save(options_.screenshot, "PNG");
@@ -185,6 +187,17 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(FACETMILL_VERSION));
     QApplication app(argc, argv);
     starting = false;
+    if (const QString why = ui::Viewport::why_unavailable(); !why.isEmpty()) {
+        std::fprintf(stderr, "facetmill: %s (install a graphics driver, or use facetmill-cli)\n",
+                     qPrintable(why));
+        if (options.screenshot.isEmpty() && QGuiApplication::platformName() != QLatin1String("offscreen"))
+            QMessageBox::critical(
+                nullptr, QStringLiteral("Facetmill"),
+                QStringLiteral("The 3D view cannot be shown: %1.\n\nInstall a graphics driver, or use "
+                               "facetmill-cli.")
+                    .arg(why));
+        return 1;
+    }
     ui::MainWindow window;
     if (!options.theme.isEmpty()) window.set_theme(ui::theme_from_name(options.theme));
     if (options.size.isValid()) window.resize(options.size);

@@ -67,6 +67,18 @@ void LayerBar::set_shown(ViewLayer layer, bool on) {
     box(layer)->setChecked(on);
 }
 
+QStringList LayerBar::shown_names() const {
+    QStringList names;
+    for (const Entry& e : entries)
+        if (shown(e.layer)) names << QLatin1String(e.name);
+    return names;
+}
+
+void LayerBar::set_shown_names(const QStringList& names) {
+    for (const Entry& e : entries)
+        set_shown(e.layer, names.contains(QLatin1String(e.name)));
+}
+
 void LayerBar::apply(Scene& scene) const {
     scene.set_visible(Layer::part, shown(ViewLayer::part));
     scene.set_visible(Layer::edges, shown(ViewLayer::edges));

@@ -24,6 +24,9 @@ public:
     bool shown(ViewLayer layer) const;
     void set_shown(ViewLayer layer, bool on);
     QCheckBox* box(ViewLayer layer) const;
+    /// The shown layers by name, for settings; names that are not known are passed over.
+    QStringList shown_names() const;
+    void set_shown_names(const QStringList& names);
     /// Hands all check marks to the scene.
     void apply(Scene& scene) const;
 

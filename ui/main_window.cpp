@@ -65,6 +65,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 
     Scene& scene = viewport_->scene();
     scene.set_visible(Layer::title, false); // the window has one
+    if (const auto names = settings::shown_layers()) layers_->set_shown_names(*names);
     layers_->apply(scene);
     set_theme(settings::theme());
     restore_window();
@@ -227,7 +228,6 @@ void MainWindow::connect_parts() {
                                     text(unit_name(document_.unit()))));
     });
     connect(viewport_, &Viewport::menu_requested, this, [this](const QPoint& at) { view_menu_->popup(at); });
-    connect(viewport_, &Viewport::unavailable, this, &MainWindow::fail, Qt::QueuedConnection);
 }
 
 void MainWindow::restore_window() {
@@ -361,6 +361,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     job_.cancel();
     settings::set_window(saveGeometry(), saveState());
+    settings::set_shown_layers(layers_->shown_names());
     event->accept();
 }
 

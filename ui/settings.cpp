@@ -73,6 +73,15 @@ void set_last_folder(const QString& folder) {
     QSettings().setValue(QStringLiteral("last_folder"), folder);
 }
 
+std::optional<QStringList> shown_layers() {
+    const QVariant value = QSettings().value(QStringLiteral("layers"));
+    return value.isValid() ? std::optional(value.toStringList()) : std::nullopt;
+}
+
+void set_shown_layers(const QStringList& names) {
+    QSettings().setValue(QStringLiteral("layers"), names);
+}
+
 QByteArray window_geometry() {
     return QSettings().value(QStringLiteral("window/geometry")).toByteArray();
 }

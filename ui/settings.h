@@ -28,6 +28,10 @@ void set_theme(Theme theme);
 QString last_folder();
 void set_last_folder(const QString& folder);
 
+/// Names of the layers that are shown; nothing before the first time.
+std::optional<QStringList> shown_layers();
+void set_shown_layers(const QStringList& names);
+
 QByteArray window_geometry();
 QByteArray window_state();
 void set_window(const QByteArray& geometry, const QByteArray& state);

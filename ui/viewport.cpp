@@ -3,6 +3,7 @@
 #include "ui/view_cube.h"
 
 #include <QMouseEvent>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
@@ -51,6 +52,19 @@ void Viewport::set_default_format() {
     QSurfaceFormat::setDefaultFormat(format);
 }
 
+QString Viewport::why_unavailable() {
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext context;
+    if (!context.create() || !context.makeCurrent(&surface)) return tr("the display offers no OpenGL");
+    const QSurfaceFormat got = context.format();
+    context.doneCurrent();
+    if (got.version() >= qMakePair(3, 2)) return {};
+    return tr("the display offers OpenGL %1.%2 only; 3.2 is needed")
+        .arg(got.majorVersion())
+        .arg(got.minorVersion());
+}
+
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_unique<Window>()) {
     // The picture is kept between frames: overlays and neighbours repaint without drawing the scene again.
     setUpdateBehavior(QOpenGLWidget::PartialUpdate);
@@ -91,14 +105,6 @@ void Viewport::initializeGL() {
     w->SetReadyForRendering(true);
     w->SetFrameBlitModeToBlitToCurrent();
     w->SetMultiSamples(0);
-    const QSurfaceFormat got = context()->format();
-    if (got.version() < qMakePair(3, 2)) {
-        emit unavailable(tr("The 3D view needs OpenGL 3.2; this display offers %1.%2")
-                             .arg(got.majorVersion())
-                             .arg(got.minorVersion()));
-        w->SetReadyForRendering(false);
-        return;
-    }
     w->OpenGLInit();
     scene_.attach(w);
     dirty_ = true;

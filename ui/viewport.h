@@ -27,6 +27,9 @@ class Viewport : public QOpenGLWidget {
 public:
     /// The surface format that VTK needs; set as the default before the application object is made.
     static void set_default_format();
+    /// Why the display cannot show a viewport; empty when it can. Asked once before the first window, because
+    /// Qt does not survive a window with a QOpenGLWidget where there is no OpenGL at all.
+    static QString why_unavailable();
 
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
@@ -35,8 +38,8 @@ public:
     const Scene& scene() const { return scene_; }
     /// Draws soon. Many calls draw once.
     void refresh();
-    /// While something is busy in the background, a picture that takes long is drawn coarsely, so that the window keeps
-    /// answering; the full one follows afterwards. On fast graphics nothing changes.
+    /// While something is busy in the background, a picture that takes long is drawn coarsely, so that the
+    /// window keeps answering; the full one follows afterwards. On fast graphics nothing changes.
     void set_busy(bool busy);
     void set_view(StandardView view);
     /// Fits the view without a change of direction.
@@ -59,8 +62,6 @@ signals:
     /// The point of the part under the resting pointer, or none.
     void hovered(const std::optional<facetmill::PartPick>& pick);
     void menu_requested(const QPoint& global);
-    /// No OpenGL 3.2: the view stays empty.
-    void unavailable(const QString& why);
 
 protected:
     void initializeGL() override;

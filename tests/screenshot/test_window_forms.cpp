@@ -1,6 +1,7 @@
 // Forms made from parameter descriptions: what is typed, what is refused and what is handed over.
 #include "tests/screenshot/window_support.h"
 #include "ui/parameter_form.h"
+#include "ui/text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -296,5 +297,31 @@ private slots:
     }
 };
 FACETMILL_TEST(TestParameterForm)
+
+class TestText : public QObject {
+    Q_OBJECT
+private slots:
+    void messages_speak_the_unit_of_the_project() {
+        const QString message =
+            QStringLiteral("the tip goes 25.4 mm below -12.7 mm at 100 mm/min in 5 mm² of T1.5 mm, 1e-03 mm");
+        QCOMPARE(ui::with_lengths_in(message, LengthUnit::mm), message);
+        QCOMPARE(ui::with_lengths_in(message, LengthUnit::inch),
+                 QStringLiteral(
+                     "the tip goes 1 in below -0.5 in at 100 mm/min in 5 mm² of T1.5 mm, 0.00003937 in"));
+    }
+    void durations_and_counts() {
+        QCOMPARE(ui::duration_text(0.44), QStringLiteral("0.4 s"));
+        QCOMPARE(ui::duration_text(9.96), QStringLiteral("10 s"));
+        QCOMPARE(ui::duration_text(59.4), QStringLiteral("59 s"));
+        QCOMPARE(ui::duration_text(59.6), QStringLiteral("1 min 00 s"));
+        QCOMPARE(ui::duration_text(3725), QStringLiteral("1 h 02 min"));
+        QCOMPARE(ui::count_text(7), QStringLiteral("7"));
+        QCOMPARE(ui::count_text(1234567).remove(QChar(0x202F)), QStringLiteral("1234567"));
+        QCOMPARE(ui::count_text(1234567).size(), 9);
+        QCOMPARE(ui::elided(QStringLiteral("abcdefghij"), 5), QStringLiteral("ab…ij"));
+        QCOMPARE(ui::elided(QStringLiteral("abcde"), 5), QStringLiteral("abcde"));
+    }
+};
+FACETMILL_TEST(TestText)
 
 #include "test_window_forms.moc"

@@ -202,6 +202,8 @@ private slots:
     void window_state_is_kept() {
         w().resize(1010, 707);
         w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
+        w().layers().set_shown(ViewLayer::stock, true);
+        w().layers().set_shown(ViewLayer::rapids, false);
         QTest::qWait(50);
         w().close();
         window_ = std::make_unique<MainWindow>();
@@ -209,6 +211,13 @@ private slots:
         QVERIFY(activate(*window_));
         QCOMPARE(window_->size(), QSize(1010, 707));
         QVERIFY(!window_->findChild<QWidget*>(QStringLiteral("log_dock"))->isVisible());
+        QVERIFY(window_->layers().shown(ViewLayer::stock));
+        QVERIFY(!window_->layers().shown(ViewLayer::rapids));
+        QVERIFY(window_->layers().shown(ViewLayer::cuts));
+        QVERIFY(window_->viewport().scene().visible(Layer::stock));
+        window_->layers().set_shown(ViewLayer::stock, false);
+        window_->layers().set_shown(ViewLayer::rapids, true);
+        ui::settings::set_shown_layers(window_->layers().shown_names());
         ui::settings::set_window({}, {});
     }
 
