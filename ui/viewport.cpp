@@ -84,6 +84,7 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_u
 }
 
 Viewport::~Viewport() {
+    if (context()) disconnect(context(), nullptr, this, nullptr); // it goes after this object's own part
     release();
 }
 
