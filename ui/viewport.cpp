@@ -194,8 +194,9 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 }
 
 void Viewport::place_overlays() {
-    const int margin = 8;
-    cube_->move(margin, margin); // the legend stands on the right
+    // Lower right, above the scale bar: the legend stands above, the axes on the left.
+    const int margin = 8, scale_bar = 52;
+    cube_->move(width() - cube_->width() - margin, height() - cube_->height() - scale_bar);
     cube_->setVisible(width() > 260 && height() > 200);
 }
 
