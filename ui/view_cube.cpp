@@ -9,6 +9,8 @@
 #include <QPainterPath>
 #include <QToolTip>
 
+#include <cmath>
+
 namespace facetmill::ui {
 
 namespace {
@@ -33,7 +35,8 @@ const std::array<Face, 6>& faces() {
 
 constexpr int side = 92;
 constexpr double half_edge = 25.0;
-const QRectF house(side - 20, side - 20, 18, 18);
+const QRectF house(side - 21, side - 21, 18, 18);
+constexpr double house_radius = 11.0;
 
 } // namespace
 
@@ -42,6 +45,14 @@ ViewCube::ViewCube(QWidget* parent) : QWidget(parent) {
     setFixedSize(side, side);
     setMouseTracking(true);
     setCursor(Qt::ArrowCursor);
+    // The corners of the square belong to the view below: a drag that begins there is one of the view.
+    const double reach = half_edge * std::sqrt(3.0) + 2;
+    const QPointF middle(side / 2.0, side / 2.0);
+    const auto disc = [](const QPointF& centre, double radius) {
+        const int r = int(std::ceil(radius));
+        return QRegion(int(centre.x()) - r, int(centre.y()) - r, 2 * r, 2 * r, QRegion::Ellipse);
+    };
+    setMask(disc(middle, reach) + disc(house.center(), house_radius + 1));
 }
 
 void ViewCube::set_orientation(const Vec3& sight, const Vec3& up) {
@@ -105,6 +116,11 @@ void ViewCube::paintEvent(QPaintEvent*) {
         p.drawText(QRectF(0, 0, 100, 100), Qt::AlignCenter, QLatin1String(f.label));
         p.restore();
     }
+    QColor ground = body;
+    ground.setAlpha(200);
+    p.setPen(Qt::NoPen);
+    p.setBrush(ground);
+    p.drawEllipse(house.center(), house_radius, house_radius);
     p.setPen(
         QPen(hover_ == StandardView::iso ? accent : ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     p.setBrush(Qt::NoBrush);
@@ -116,8 +132,6 @@ void ViewCube::paintEvent(QPaintEvent*) {
 
 void ViewCube::mousePressEvent(QMouseEvent* event) {
     pressed_ = face_at(event->position());
-    // Beside the cube the view below gets the press.
-    event->setAccepted(pressed_.has_value());
 }
 
 void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
@@ -134,7 +148,7 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ViewCube::mouseDoubleClickEvent(QMouseEvent* event) {
-    event->setAccepted(face_at(event->position()).has_value());
+    pressed_ = face_at(event->position()); // two quick clicks, not a fit of the view below
 }
 
 void ViewCube::leaveEvent(QEvent*) {

@@ -260,6 +260,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
+    if (event->buttons() == Qt::NoButton) drag_ = Drag::none; // the release went elsewhere
     if (drag_ == Drag::none) {
         hover_at_ = at;
         hover_timer_.start();

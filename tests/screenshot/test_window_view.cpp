@@ -103,6 +103,9 @@ private slots:
         QTest::mouseClick(view.view_cube(), Qt::LeftButton, {},
                           view.view_cube()->face_centre(StandardView::iso)->toPoint());
         QVERIFY(angle_between(view.sight(), iso) < 1e-6);
+        // Beside the cube the view is the view.
+        QCOMPARE(view.childAt(view.view_cube()->pos() + QPoint(2, 2)), nullptr);
+        QCOMPARE(view.childAt(view.view_cube()->geometry().center()), view.view_cube());
         // Digits typed into a field are digits.
         w().tree().select({TreeNode::Kind::operation, 0});
         type_over(field(w(), "tolerance"), QStringLiteral("0.0123"));
