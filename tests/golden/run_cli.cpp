@@ -21,6 +21,8 @@ CliRun finish(QProcess& process) {
         process.waitForFinished();
     } else if (process.exitStatus() == QProcess::NormalExit) {
         run.status = process.exitCode();
+    } else {
+        run.killed = process.exitCode() == SIGINT || process.exitCode() == SIGTERM; // not a crash
     }
     run.out = process.readAllStandardOutput();
     run.err = process.readAllStandardError();

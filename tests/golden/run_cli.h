@@ -9,7 +9,8 @@
 namespace facetmill::test {
 
 struct CliRun {
-    int status = -1; ///< exit status; -1 when it did not end by itself
+    int status = -1;     ///< exit status; -1 when it did not end by itself
+    bool killed = false; ///< ended by a signal's default action, as before the program has set its own
     QByteArray out, err;
     int err_lines() const { return int(err.count('\n')); }
     /// "truncated" of "facetmill-cli: error [truncated] ...".
