@@ -32,7 +32,7 @@ private slots:
     void cusps_between_straight_passes_have_their_known_height() {
         PathCheckOptions options;
         options.spacing = 0.05;
-        options.border = 0.3;
+        options.border = 0.5;
         const Mesh strip = height_field([](double, double) { return 0.0; }, Vec2(-2, -2), Vec2(2, 2), 1, 1);
         const auto path = rows(1, 0);
         const double ball = 3 - std::sqrt(9 - 0.25); // radius 3, half a millimetre off
