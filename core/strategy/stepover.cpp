@@ -12,6 +12,8 @@ constexpr std::size_t block_columns = 8;
 constexpr double wall_slope = 5;
 /// Accepted without a further try: share of the allowed cusp.
 constexpr double good_share = 0.96;
+/// Accepted after a few tries.
+constexpr double fair_share = 0.92;
 
 bool inside(const std::vector<Interval>& intervals, double u, double slack) {
     for (const Interval& i : intervals)
@@ -149,6 +151,18 @@ double StepOver::left_at(const DriveLine* a, const DriveLine* b, double u, const
     return std::min(entry(a, u, s.point, s.normal), entry(b, u, s.point, s.normal));
 }
 
+double StepOver::height_on(const DriveLine& line, double u) const {
+    for (const auto& run : line.runs) {
+        if (run.empty() || u < run.front().s || u > run.back().s) continue;
+        const auto after =
+            std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
+        if (after == run.end()) return run.back().z;
+        const LinePoint &p = *(after - 1), &q = *after;
+        return p.z + (q.z - p.z) * (u - p.s) / (q.s - p.s);
+    }
+    return field_.tip_z(in_.frame.xy(u, line.v));
+}
+
 double StepOver::wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from,
                       double z_to) const {
     // Halve towards the middle height: on a steep wall this ends at a contact halfway down, at a jump on its
@@ -221,13 +235,15 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
         columns.size(), block_columns, 0.0, progress,
         [&](std::size_t begin, std::size_t end) {
             double worst = 0;
+            Sample ahead; // the next column's middle row, found while looking for walls
+            std::size_t ahead_of = no_index;
             for (std::size_t c = begin; c < end; ++c) {
                 const double u = columns[c];
                 Sample s[rows];
                 double x[rows] = {}, y[rows] = {};
                 for (int i = 0; i < rows; ++i) {
                     if (!inside(domain[i], u, tolerance::contact_distance)) continue;
-                    s[i] = sample(u, v[i]);
+                    s[i] = i == 1 && ahead_of == c ? ahead : sample(u, v[i]);
                     if (!s[i].valid) continue;
                     const double ta = entry(a, u, s[i].point, s[i].normal);
                     const double tb = entry(b, u, s[i].point, s[i].normal);
@@ -278,7 +294,7 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                 const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line,
                                          int row) {
                     if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
-                    const double z = field_.tip_z(in_.frame.xy(u, line->v));
+                    const double z = height_on(*line, u);
                     if (std::abs(z - s[row].tip_z) > std::max(steep * std::abs(v[row] - line->v), in_.cusp))
                         worst =
                             std::max(worst, wall(a, b, Vec2(u, line->v), Vec2(u, v[row]), z, s[row].tip_z));
@@ -288,7 +304,9 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                 // A wall across the passes, between this column and the next.
                 if (s[1].valid && joins_next[c]
                     && inside(domain[1], columns[c + 1], tolerance::contact_distance)) {
-                    const double z = field_.tip_z(in_.frame.xy(columns[c + 1], v[1]));
+                    ahead = sample(columns[c + 1], v[1]);
+                    ahead_of = c + 1;
+                    const double z = ahead.valid ? ahead.tip_z : in_.floor;
                     if (std::abs(z - s[1].tip_z) > std::max(steep * (columns[c + 1] - u), in_.cusp))
                         worst = std::max(
                             worst, wall(a, b, Vec2(u, v[1]), Vec2(columns[c + 1], v[1]), s[1].tip_z, z));
@@ -329,8 +347,10 @@ StepOver::Step StepOver::next(const DriveLine* a, const Progress& progress) {
             if (step <= smallest_) break;
         }
         if (low > 0 && high < infinity && high - low <= 0.01 * high) break;
+        // A step is only as the root of the cusp: what is left to gain is small.
+        if (tries >= 2 && best.satisfied && best.cusp >= fair_share * in_.cusp) break;
         if (low == 0) {
-            step = std::clamp(wish, 0.1 * high, 0.9 * high);
+            step = std::clamp(wish, 0.1 * high, 0.99 * high);
             step = std::max(step, std::min(smallest_, 0.9 * high));
         } else if (high == infinity) {
             step = std::min(std::max(wish, 1.02 * low), cap);

@@ -77,6 +77,7 @@ private:
     };
     Sample sample(double u, double v) const;
     double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
+    double height_on(const DriveLine& line, double u) const;
     double left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const;
     double wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from, double z_to) const;
 
