@@ -1,5 +1,6 @@
 #include "core/gouge/facet_duties.h"
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/contact_blocks.h"
@@ -50,6 +51,9 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
     for (std::size_t f = 0; f < facets; ++f) {
         if (f % grain == 0) progress.check();
         const Facet& v = mesh.facets[f];
+        if (std::max({v[0], v[1], v[2]}) >= vertices)
+            throw Error(ErrorCode::internal, "facet " + std::to_string(f), "names a vertex that the mesh has not",
+                        "report the part");
         for (std::size_t k = 0; k < 3; ++k)
             ++first[std::min(v[k], v[(k + 1) % 3]) + 1];
     }
