@@ -65,6 +65,11 @@ public:
         }
         setFocusProxy(lines_.front());
     }
+    // A line that loses the focus because it goes must not report through an editor that is half gone.
+    ~LineEditor() override {
+        for (QLineEdit* line : lines_)
+            line->disconnect(this);
+    }
 
     void show_value(const ParameterValue& value, LengthUnit unit) override {
         touched_ = false;
@@ -133,6 +138,7 @@ public:
         row->addWidget(combo_);
         setFocusProxy(combo_);
     }
+    ~NumberOrWordEditor() override { combo_->lineEdit()->disconnect(this); }
     void show_value(const ParameterValue& value, LengthUnit unit) override {
         touched_ = false;
         if (const auto* d = std::get_if<double>(&value))
