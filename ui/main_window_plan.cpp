@@ -135,7 +135,7 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
              tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.")
                  .arg(name, duration_text(o.result->seconds_planning),
                       count_text(std::size_t(o.result->path.drive_planes)),
-                      length_text(o.result->totals.cut_length, document_.unit(), 5),
+                      shown_length(o.result->totals.cut_length, document_.unit(), 5),
                       duration_text(o.result->totals.time_seconds)),
              false);
         for (const std::string& warning : o.result->path.warnings)

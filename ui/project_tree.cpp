@@ -198,7 +198,7 @@ void ProjectTree::rebuild() {
         auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tools, tr("Tools"));
         for (std::size_t i = 0; i < project.tools.size(); ++i) {
             const Tool& t = project.tools[i];
-            const QString size = QStringLiteral("⌀ %1").arg(length_text(t.diameter, unit, 5));
+            const QString size = QStringLiteral("⌀ %1").arg(shown_length(t.diameter, unit, 5));
             add(tools, {TreeNode::Kind::tool, i}, Icon::tool, tr("T%1  %2").arg(t.number).arg(text(t.name)),
                 tr("T%1  %2\n%3, %4").arg(t.number).arg(text(t.name), text(t.shape_name()), size));
         }

@@ -155,21 +155,21 @@ QString ReportView::operation_html(std::size_t i) const {
     Facts facts(palette());
     facts.add(tr("Passes"), count_text(std::size_t(std::max(0, path.drive_planes))));
     facts.add(tr("Step-over"), path.stepover_min == path.stepover_max
-                                   ? length_text(path.stepover_min, unit, 4)
+                                   ? shown_length(path.stepover_min, unit, 4)
                                    : text(format_number(path.stepover_min / mm_per(unit), 4))
-                                         + QStringLiteral(" to ") + length_text(path.stepover_max, unit, 4));
+                                         + QStringLiteral(" to ") + shown_length(path.stepover_max, unit, 4));
     facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
     facts.add(tr("CC points"), count_text(result->cc_points));
     facts.add(tr("CL points"), count_text(result->cl_points));
-    facts.add(tr("Cut length"), length_text(result->totals.cut_length, unit, 5));
-    facts.add(tr("Rapid length"), length_text(result->totals.rapid_length, unit, 5));
+    facts.add(tr("Cut length"), shown_length(result->totals.cut_length, unit, 5));
+    facts.add(tr("Rapid length"), shown_length(result->totals.rapid_length, unit, 5));
     facts.add(tr("Machining time"), duration_text(result->totals.time_seconds));
     const double tolerance = operation.common().tolerance;
-    facts.add(tr("Expected cusp"), length_text(path.cusp_max, unit, 4),
+    facts.add(tr("Expected cusp"), shown_length(path.cusp_max, unit, 4),
               state == OperationState::planned && path.cusp_max > tolerance * (1 + 1e-9)
                   ? signal.attention.name()
                   : QString());
-    facts.add(tr("Tolerance"), length_text(tolerance, unit, 4));
+    facts.add(tr("Tolerance"), shown_length(tolerance, unit, 4));
     if (path.cleanup_points > 0)
         facts.add(tr("Left for clean-up"), tr("%1 CC points").arg(count_text(path.cleanup_points)),
                   signal.attention.name());

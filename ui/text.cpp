@@ -14,7 +14,7 @@ std::filesystem::path path_of(const QString& text) {
     return std::filesystem::path(text.toStdString());
 }
 
-QString length_text(double mm, LengthUnit unit, int digits) {
+QString shown_length(double mm, LengthUnit unit, int digits) {
     return text(format_number(mm / mm_per(unit), digits)) + QChar(0x00A0) + text(unit_name(unit));
 }
 

@@ -22,7 +22,7 @@ QString path_text(const std::filesystem::path& path);
 std::filesystem::path path_of(const QString& text);
 
 /// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
-QString length_text(double mm, LengthUnit unit, int digits = 5);
+QString shown_length(double mm, LengthUnit unit, int digits = 5);
 /// "10 × 8 × 2 in".
 QString size_text(const double (&mm)[3], LengthUnit unit, int digits = 5);
 /// "1 234 567" with narrow spaces.

@@ -199,7 +199,7 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
         const double middle = -(from + to) / 2 * scale;
         const bool room = last_text - middle > 13; // texts must not lie on each other
         dimension(p, QPointF(x, -from * scale), QPointF(x, -to * scale),
-                  room ? length_text(to - from, unit_, 5) : QString(), QPointF(6, 0), Qt::AlignLeft);
+                  room ? shown_length(to - from, unit_, 5) : QString(), QPointF(6, 0), Qt::AlignLeft);
         if (room) last_text = middle;
     };
     p.setPen(QPen(palette().color(QPalette::Text), 0.9));
@@ -207,7 +207,7 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
     length_mark(shank_from, holder_from);
     length_mark(holder_from, length);
     p.drawText(QRectF(-120, 8, 240, 18), Qt::AlignHCenter | Qt::AlignTop,
-               QStringLiteral("⌀ ") + length_text(2 * cutter_radius_, unit_, 5));
+               QStringLiteral("⌀ ") + shown_length(2 * cutter_radius_, unit_, 5));
     p.restore();
 }
 
@@ -247,7 +247,7 @@ void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
         return widest;
     }();
     dimension(p, QPointF(-radius_at_top * scale, top), QPointF(radius_at_top * scale, top),
-              QStringLiteral("⌀ ") + length_text(2 * radius_at_top, unit_, 5), QPointF(0, -11),
+              QStringLiteral("⌀ ") + shown_length(2 * radius_at_top, unit_, 5), QPointF(0, -11),
               Qt::AlignHCenter);
     for (const ProfilePiece& piece : pieces_) {
         if (piece.kind != ProfilePiece::Kind::arc || piece.radius * scale < 4) continue;
@@ -264,7 +264,7 @@ void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
             on + (on - centre) / std::max(1.0, std::hypot(on.x() - centre.x(), on.y() - centre.y())) * 16;
         p.drawLine(centre, out);
         p.drawText(QRectF(out.x() + 2, out.y() - 6, 100, 16), Qt::AlignLeft | Qt::AlignVCenter,
-                   QStringLiteral("r ") + length_text(piece.radius, unit_, 5));
+                   QStringLiteral("r ") + shown_length(piece.radius, unit_, 5));
     }
     QStringList angles;
     if (tool_.bottom_angle != 0)
