@@ -9,6 +9,7 @@
 // along its side does not lift it, and at exactly that radius it counts as under it.
 #pragma once
 
+#include "core/cutter/cutter.h"
 #include "core/gouge/contact_index.h"
 
 #include <span>
@@ -16,7 +17,7 @@
 
 namespace facetmill {
 
-class LowerSurface;
+struct SurfaceTable;
 
 /// Where the cutter would touch.
 struct AxialContact {
@@ -24,6 +25,13 @@ struct AxialContact {
     Index facet = no_index;    ///< a facet it touches
     Vec3 point = Vec3::Zero(); ///< the touched point of the mesh
     enum class Feature { none, vertex, edge, facet } feature = Feature::none;
+};
+
+/// Where the last lift came from. Lifts of neighbouring places that share one are found faster; the heights are
+/// the same. For one index and one thread at a time.
+class LiftHint {
+    friend class AxialLift;
+    std::uint32_t slot_ = 0xFFFFFFFFu;
 };
 
 /// One cutter over one mesh. Cheap to make; safe to use from many threads at once. Not-a-number for x or y
@@ -37,6 +45,7 @@ public:
 
     /// Tip height only.
     double tip_z(double x, double y) const;
+    double tip_z(double x, double y, LiftHint& hint) const;
     /// The same height, and where it comes from. With an allowance the touched point is that distance away
     /// from the cutter.
     AxialContact contact(double x, double y) const;
@@ -51,7 +60,7 @@ private:
     ContactIndexPtr index_;
     CutterProfile profile_;
     double allowance_;
-    std::shared_ptr<const LowerSurface> surface_;
+    std::shared_ptr<const SurfaceTable> surface_;
 };
 
 } // namespace facetmill

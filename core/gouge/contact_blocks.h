@@ -1,44 +1,49 @@
 // How the contact index lies in memory: facets in blocks of eight, coordinate by coordinate, under a tree
-// with eight children a node. Every vertex and edge that can be touched is owned by one facet that has it, so
-// that the leaf test of the facets meets each once.
+// with eight children a node. Every edge that can be touched is owned by one facet that has it. Plain data
+// only: the kernels are compiled for several instruction sets and must share no inline code.
 #pragma once
 
-#include "core/gouge/contact_index.h"
-
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace facetmill {
 
 inline constexpr std::size_t block_width = 8;
 
-/// What a facet of a block has to test beside, as bits: vertex k is corner k, edge k runs from corner k to k
-/// + 1.
+/// What a facet of a block has to test beside its inside, as bits: edge k runs from corner k to k + 1, both
+/// ends included.
 enum FacetDuty : std::uint8_t {
-    duty_vertex = 1, ///< << k
-    duty_edge = 8,   ///< << k
-    duty_plane = 64, ///< its projection along the axis has an area
+    duty_edge = 1,        ///< << k: by a cutter that comes down along Z
+    duty_edge_anyway = 8, ///< << k: by a cutter of any axis
+    duty_plane = 64,      ///< its projection along Z has an area
+    duty_upright = 7 * duty_edge + duty_plane, ///< anything for a cutter that comes down along Z
 };
 
-/// Eight facets; corners turned so that edge 0 is the longest seen along the axis. Unused lanes have no duty.
+/// Eight facets; corners turned so that edge 0 is the longest seen along Z. Unused lanes have no duty.
 struct alignas(64) FacetBlock {
     double x[3][block_width], y[3][block_width], z[3][block_width];
-    Index facet[block_width];
+    std::uint32_t facet[block_width];
     std::uint8_t duty[block_width];
     std::uint8_t turned[block_width]; ///< corner 0 of the block is this corner of the mesh's facet
 };
 
-/// Boxes of eight children, rounded outward. Unused lanes have zhi = -inf.
+/// Eight children: boxes, rounded outward, and a roof over each: no point of the child's facets is higher
+/// than the plane z = roof + slope_x (x - cx) + slope_y (y - cy). Relative to the index's origin. Unused
+/// lanes have hx < 0.
 struct alignas(64) TreeNode {
-    static constexpr Index leaf = 0x80000000u; ///< child is a block
-    float xlo[block_width], xhi[block_width], ylo[block_width], yhi[block_width], zhi[block_width];
-    Index child[block_width];
+    static constexpr std::uint32_t leaf = 0x80000000u; ///< child is a block
+    float cx[block_width], cy[block_width], cz[block_width]; ///< middles
+    float hx[block_width], hy[block_width], hz[block_width]; ///< half sizes
+    float roof[block_width], slope_x[block_width], slope_y[block_width];
+    std::uint32_t child[block_width];
 };
 
-struct ContactIndex::Impl {
-    std::vector<FacetBlock> blocks;
-    std::vector<TreeNode> nodes;   ///< root first; empty for a mesh without facets
-    double largest_coordinate = 0; ///< in x and y, of any corner
+/// What the kernels see of an index.
+struct IndexView {
+    const FacetBlock* blocks = nullptr;
+    const TreeNode* nodes = nullptr; ///< root first; null for a mesh without facets
+    double origin[3] = {0, 0, 0};
+    double half_size[3] = {0, 0, 0}; ///< of the mesh's box about the origin
 };
 
 } // namespace facetmill

@@ -3,7 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/gouge/contact_blocks.h"
+#include "core/gouge/contact_impl.h"
+#include "core/gouge/kernel_tolerances.h"
 #include "core/gouge/facet_duties.h"
 
 #include <cmath>
@@ -101,8 +102,8 @@ void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint
             block.x[k][lane] = p.x();
             block.y[k][lane] = p.y();
             block.z[k][lane] = p.z();
-            if (duty & (duty_vertex << source)) mine |= std::uint8_t(duty_vertex << k);
-            if (duty & (duty_edge << source)) mine |= std::uint8_t(duty_edge << k);
+            for (const unsigned bit : {duty_edge, duty_edge_anyway})
+                if (duty & (bit << source)) mine |= std::uint8_t(bit << k);
         }
         block.facet[lane] = f;
         block.duty[lane] = mine;
@@ -110,22 +111,101 @@ void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint
     }
 }
 
-void set_child(TreeNode& node, std::size_t lane, const Box3& box, Index child) {
-    node.xlo[lane] = round_down(box.lo.x());
-    node.xhi[lane] = round_up(box.hi.x());
-    node.ylo[lane] = round_down(box.lo.y());
-    node.yhi[lane] = round_up(box.hi.y());
-    node.zhi[lane] = round_up(box.hi.z());
-    node.child[lane] = child;
+/// A plane over a box: no higher than z + x (at.x - mx) + y (at.y - my), with (mx, my) the middle of the box.
+struct Roof {
+    double z = 0, x = 0, y = 0;
+};
+
+/// What a node knows of a child, relative to the index's origin.
+struct Cover {
+    Box3 box;
+    Roof roof;
+};
+
+/// The plane with these slopes over all points, or the level one where that is lower in the middle. Points
+/// (and `level`, the highest of them) relative to the middle.
+template <class HighestOver>
+Roof lower_roof(double slope_x, double slope_y, double level, HighestOver&& highest_over) {
+    const double steep = kernel::steepest_roof;
+    if (!(std::abs(slope_x) <= steep && std::abs(slope_y) <= steep)) return {level, 0, 0};
+    const double x = double(float(slope_x)), y = double(float(slope_y)), z = highest_over(x, y);
+    return z < level ? Roof{z, x, y} : Roof{level, 0, 0};
 }
 
-Box3 box_of(const FacetBlock& block) {
-    Box3 box;
+Cover cover_of(const FacetBlock& block, const Vec3& origin) {
+    Cover cover;
+    std::array<Vec3, 3 * block_width> points;
+    std::size_t n = 0;
     for (std::size_t lane = 0; lane < block_width; ++lane)
         if (block.facet[lane] != no_index)
-            for (std::size_t k = 0; k < 3; ++k)
-                box.add(Vec3(block.x[k][lane], block.y[k][lane], block.z[k][lane]));
-    return box;
+            for (std::size_t k = 0; k < 3; ++k) {
+                points[n] = Vec3(block.x[k][lane], block.y[k][lane], block.z[k][lane]) - origin;
+                cover.box.add(points[n++]);
+            }
+    const Vec3 middle = cover.box.center();
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < n; ++i)
+        mean += points[i] / double(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 d = points[i] - mean;
+        xx += d.x() * d.x();
+        xy += d.x() * d.y();
+        yy += d.y() * d.y();
+        xz += d.x() * d.z();
+        yz += d.y() * d.z();
+    }
+    const double det = xx * yy - xy * xy; // 0 gives no number, and that a level roof
+    cover.roof = lower_roof((xz * yy - yz * xy) / det, (yz * xx - xz * xy) / det, cover.box.hi.z(),
+                            [&](double sx, double sy) {
+                                double z = -infinity;
+                                for (std::size_t i = 0; i < n; ++i)
+                                    z = std::max(z, points[i].z() - sx * (points[i].x() - middle.x())
+                                                        - sy * (points[i].y() - middle.y()));
+                                return z;
+                            });
+    return cover;
+}
+
+Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
+    Cover cover;
+    double slope_x = 0, slope_y = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        cover.box.add(parts[i].box);
+        slope_x += parts[i].roof.x / double(n);
+        slope_y += parts[i].roof.y / double(n);
+    }
+    const Vec3 middle = cover.box.center();
+    cover.roof = lower_roof(slope_x, slope_y, cover.box.hi.z(), [&](double sx, double sy) {
+        double z = -infinity;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 at = parts[i].box.center(), half = 0.5 * parts[i].box.size();
+            const Roof& roof = parts[i].roof;
+            const double here = roof.z - sx * (at.x() - middle.x()) - sy * (at.y() - middle.y());
+            z = std::max(z, here + std::abs(roof.x - sx) * half.x() + std::abs(roof.y - sy) * half.y());
+        }
+        return z;
+    });
+    return cover;
+}
+
+void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child) {
+    const Vec3 middle = cover.box.center();
+    const auto half = [&](int k, float at) {
+        return round_up(std::max(cover.box.hi[k] - double(at), double(at) - cover.box.lo[k]));
+    };
+    node.cx[lane] = float(middle.x());
+    node.cy[lane] = float(middle.y());
+    node.cz[lane] = float(middle.z());
+    node.hx[lane] = half(0, node.cx[lane]);
+    node.hy[lane] = half(1, node.cy[lane]);
+    node.hz[lane] = half(2, node.cz[lane]);
+    const Roof& roof = cover.roof;
+    node.slope_x[lane] = float(roof.x); // they are floats
+    node.slope_y[lane] = float(roof.y);
+    node.roof[lane] = round_up(roof.z + roof.x * (double(node.cx[lane]) - middle.x())
+                               + roof.y * (double(node.cy[lane]) - middle.y()));
+    node.child[lane] = child;
 }
 
 std::vector<Item> middles(const Mesh& mesh, const Progress& progress) {
@@ -168,6 +248,15 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
                     "use a mesh of at most " + std::to_string(TreeNode::leaf / 3) + " facets");
     const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4));
     std::vector<Item> items = middles(*mesh_, progress.part(0.4, 0.5));
+    Box3 box;
+    for (std::size_t f = 0; f < mesh_->facet_count(); ++f)
+        for (int k = 0; k < 3; ++k)
+            box.add(mesh_->corner(f, k));
+    const Vec3 origin = box.center(), half = 0.5 * box.size();
+    for (int k = 0; k < 3; ++k) {
+        impl_->origin[std::size_t(k)] = origin[k];
+        impl_->half_size[std::size_t(k)] = half[k];
+    }
 
     // Top down, a level at a time: every range of a level is split by itself, then the children get their
     // places in the order of the ranges.
@@ -179,7 +268,8 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     impl_->nodes.resize(1);
     const std::size_t whole_blocks = (items.size() + block_width - 1) / block_width;
     impl_->blocks.resize(whole_blocks);
-    const Progress splitting = progress.part(0.5, 0.8), filling = progress.part(0.8, 1.0);
+    const Progress splitting = progress.part(0.5, 0.8), filling = progress.part(0.8, 0.9),
+                   covering = progress.part(0.9, 1.0);
     for (;;) {
         const std::vector<Range>& ranges = levels.back().ranges;
         std::vector<std::array<Range, block_width>> parts(ranges.size());
@@ -190,8 +280,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             TreeNode node{};
             for (std::size_t lane = 0; lane < block_width; ++lane) {
-                node.xlo[lane] = node.ylo[lane] = node.zhi[lane] = -std::numeric_limits<float>::infinity();
-                node.xhi[lane] = node.yhi[lane] = -std::numeric_limits<float>::infinity();
+                node.hx[lane] = node.hy[lane] = node.hz[lane] = -std::numeric_limits<float>::infinity();
                 node.child[lane] = no_index;
                 if (lane >= counts[i]) continue;
                 const Range& p = parts[i][lane];
@@ -212,23 +301,23 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
         fill_block(impl_->blocks[b], *mesh_, duties, items, b * block_width,
                    std::min(items.size(), (b + 1) * block_width));
     });
-    // Boxes bottom up: children of a node come after it.
-    std::vector<Box3> boxes(impl_->nodes.size());
+    // Boxes and roofs bottom up: children of a node come after it.
+    std::vector<Cover> block_covers(whole_blocks), covers(impl_->nodes.size());
+    parallel_for(whole_blocks, 2000, covering,
+                 [&](std::size_t b) { block_covers[b] = cover_of(impl_->blocks[b], origin); });
     for (std::size_t n = impl_->nodes.size(); n-- > 0;) {
         if (n % 4096 == 0) progress.check();
         TreeNode& node = impl_->nodes[n];
-        for (std::size_t lane = 0; lane < block_width && node.child[lane] != no_index; ++lane) {
-            const Index child = node.child[lane];
-            const Box3 box =
-                child & TreeNode::leaf ? box_of(impl_->blocks[child & ~TreeNode::leaf]) : boxes[child];
-            set_child(node, lane, box, child);
-            boxes[n].add(box);
+        std::array<Cover, block_width> parts;
+        std::size_t count = 0;
+        for (; count < block_width && node.child[count] != no_index; ++count) {
+            const Index child = node.child[count];
+            parts[count] = child & TreeNode::leaf ? block_covers[child & ~TreeNode::leaf] : covers[child];
+            set_child(node, count, parts[count], child);
         }
+        covers[n] = cover_of(parts, count);
     }
     impl_->nodes.shrink_to_fit();
-    const Box3& all = boxes[0];
-    impl_->largest_coordinate =
-        std::max({std::abs(all.lo.x()), std::abs(all.lo.y()), std::abs(all.hi.x()), std::abs(all.hi.y())});
 }
 
 } // namespace facetmill

@@ -1,4 +1,4 @@
-// Spatial index over a mesh for lifts along +Z. Built once, queried from any thread.
+// Spatial index over a mesh for lifts of cutters with any axis. Built once, queried from any thread.
 #pragma once
 
 #include "core/base/progress.h"

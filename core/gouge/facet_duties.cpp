@@ -73,7 +73,7 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
     }
 
     // Facets whose edges are decided in different blocks share a byte.
-    std::vector<std::atomic<std::uint8_t>> edges(facets), kept(vertices);
+    std::vector<std::atomic<std::uint8_t>> edges(facets);
     parallel_blocks(vertices, grain, progress.part(0.4, 0.9), [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             const auto from = halves.begin() + first[v], to = halves.begin() + first[v + 1];
@@ -84,15 +84,11 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
                 auto end_of_edge = h + 1;
                 while (end_of_edge != to && end_of_edge->high == h->high)
                     ++end_of_edge;
+                unsigned duty = duty_edge_anyway;
                 const bool degenerate = h->high == v; // a facet that names a vertex twice
-                if (degenerate)
-                    kept[v].store(1, std::memory_order_relaxed);
-                else if (!(end_of_edge - h == 2 && is_valley(mesh, h->half, (h + 1)->half))) {
-                    edges[h->half / 3].fetch_or(std::uint8_t(duty_edge << (h->half % 3)),
-                                                std::memory_order_relaxed);
-                    kept[v].store(1, std::memory_order_relaxed);
-                    kept[h->high].store(1, std::memory_order_relaxed);
-                }
+                if (degenerate || end_of_edge - h != 2 || !is_valley(mesh, h->half, (h + 1)->half))
+                    duty |= duty_edge;
+                edges[h->half / 3].fetch_or(std::uint8_t(duty << (h->half % 3)), std::memory_order_relaxed);
                 h = end_of_edge;
             }
         }
@@ -102,13 +98,6 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
     for (std::size_t f = 0; f < facets; ++f) {
         if (f % grain == 0) progress.check();
         duties[f] = edges[f].load(std::memory_order_relaxed);
-        const Facet& v = mesh.facets[f];
-        for (std::size_t k = 0; k < 3; ++k) {
-            auto& keep = kept[v[k]];
-            if (keep.load(std::memory_order_relaxed) == 0) continue;
-            duties[f] |= std::uint8_t(duty_vertex << k);
-            keep.store(0, std::memory_order_relaxed); // the first facet that has it owns it
-        }
         if (projected_area(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)) != 0)
             duties[f] |= duty_plane;
     }

@@ -1,4 +1,4 @@
-// Which vertices and edges of a mesh a cutter coming down along Z can touch, each given to one facet.
+// Which edges of a mesh a cutter can touch, each given to one facet.
 #pragma once
 
 #include "core/base/progress.h"
@@ -14,12 +14,13 @@ double projected_area(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// FacetDuty bits per facet, corners as in the mesh.
 ///
-/// An edge is left out when it is surely a valley: two facets, on different sides of it seen along Z, the one
-/// above the plane of the other. Were q, inside such an edge, the highest contact: the plane of one facet
-/// lies below the other facet, so the lift over that plane has a maximum at q too, and the plane's own
-/// contact is found there (or at another point as high, and going there the lift never falls). A vertex is
-/// left out when all its edges are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
-/// everything. Cancellation per 20 000 facets.
+/// Every edge is owned by one facet, for cutters of any axis. For a cutter that comes down along Z it is left
+/// out when it is surely a valley: two facets, on different sides of it seen along Z, the one above the plane
+/// of the other. Were q, inside such an edge, the highest contact: the plane of one facet lies below the other
+/// facet, so the lift over that plane has a maximum at q too, and the plane's own contact is found there (or
+/// at another point as high, and going there the lift never falls). A vertex belongs to its edges, so it is
+/// left out when they all are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
+/// everything; so does a facet that names a vertex twice. Cancellation per 20 000 facets.
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress);
 
 } // namespace facetmill

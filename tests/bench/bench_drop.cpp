@@ -1,17 +1,21 @@
 // Rate of axial lifts: ball, flat, bull and cone D 6 on a grid over height fields of 250 x 250 mm with
-// jittered vertices, with 1 and 2 threads, against a plain scan over all facets; build time and memory of the
-// index. Each shape is also compared with the brute-force reference at some points of the grid.
+// jittered vertices, with 1 and 2 threads, against our own scalar search from before the kernels used vectors
+// (scalar/) and against a plain scan over all facets (Lu 3.1); build time and memory of the index. All points
+// are compared with the scalar search, some with the brute-force reference.
 //
 //     bench_drop [GRID [FACETS ...]]      default: 500 20000 1000000
 #include "core/base/parallel.h"
-#include "core/gouge/axial_elements.h"
+#include "core/gouge/axial_kernel.h"
 #include "core/gouge/axial_lift.h"
+#include "tests/bench/scalar/axial_elements.h"
+#include "tests/bench/scalar/axial_lift.h"
 #include "tests/support/brute_lift.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <random>
 #include <vector>
 
@@ -44,6 +48,19 @@ std::shared_ptr<const Mesh> height_field(std::size_t facets) {
     return mesh;
 }
 
+/// Processor time of the whole program: for one thread, what the wall clock would show on an idle machine.
+template <class Call>
+double cpu_seconds(Call&& call) {
+    const auto now = [] {
+        timespec t{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+        return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+    };
+    const double start = now();
+    call();
+    return now() - start;
+}
+
 template <class Call>
 double seconds(Call&& call) {
     const auto start = std::chrono::steady_clock::now();
@@ -52,7 +69,8 @@ double seconds(Call&& call) {
 }
 
 /// Every corner, edge and facet of the mesh, one after another.
-double scan(const Mesh& mesh, const LowerSurface& surface, const Vec2& at) {
+double scan(const Mesh& mesh, const scalar::LowerSurface& surface, const Vec2& at) {
+    using namespace scalar;
     double best = -infinity;
     for (const Facet& f : mesh.facets) {
         Vec3 p[3];
@@ -77,8 +95,9 @@ void run(std::size_t facets, std::size_t grid) {
     std::printf("\n%zu facets: index built in %.3f s (1 thread), %.3f s (2 threads), %.1f bytes a facet\n",
                 mesh->facet_count(), build[0], build[1],
                 double(index->memory()) / double(mesh->facet_count()));
-    std::printf("%-6s %14s %14s %8s %14s %10s %14s\n", "cutter", "1 thread /s", "2 threads /s", "ratio",
-                "plain scan /s", "speed-up", "worst mm");
+    const auto scalar_index = std::make_shared<scalar::ContactIndex>(mesh, Progress());
+    std::printf("%-6s %14s %14s %8s %14s %8s %14s %10s %12s\n", "cutter", "1 thread /s*", "2 threads /s", "ratio",
+                "scalar /s", "speed-up", "plain scan /s", "speed-up", "worst mm");
     std::vector<Vec2> points;
     for (std::size_t j = 0; j < grid; ++j)
         for (std::size_t i = 0; i < grid; ++i)
@@ -91,15 +110,25 @@ void run(std::size_t facets, std::size_t grid) {
                                                          {"cone", AptCutter::cone(6, radians(45))}};
     for (const auto& [name, apt] : cutters) {
         const AxialLift lift(index, CutterProfile(apt));
-        double rate[2];
+        double wall[2], cpu[2];
+        lift.tip_z(std::span(points).first(points.size() / 10), std::span(heights).first(points.size() / 10), Progress());
         for (int threads = 1; threads <= 2; ++threads) {
             set_thread_count(threads);
-            rate[threads - 1] =
-                double(points.size()) / seconds([&] { lift.tip_z(points, heights, Progress()); });
+            wall[threads - 1] = seconds([&] {
+                cpu[threads - 1] = cpu_seconds([&] { lift.tip_z(points, heights, Progress()); });
+            });
         }
-        const LowerSurface surface{CutterProfile(apt)};
-        const std::size_t scanned = std::max<std::size_t>(2, 1'000'000 / mesh->facet_count());
+        const double rate = double(points.size()) / cpu[0];
+        std::vector<double> before(points.size());
+        set_thread_count(1);
+        const scalar::AxialLift scalar_lift(scalar_index, CutterProfile(apt));
+        const double scalar_rate =
+            double(points.size()) / cpu_seconds([&] { scalar_lift.tip_z(points, before, Progress()); });
         double worst = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (before[i] != heights[i]) worst = std::max(worst, std::abs(before[i] - heights[i]));
+        const scalar::LowerSurface surface{CutterProfile(apt)};
+        const std::size_t scanned = std::max<std::size_t>(2, 1'000'000 / mesh->facet_count());
         const auto compare = [&](std::size_t count, auto&& height_at) {
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = (2 * k + 1) * points.size() / (2 * count);
@@ -107,14 +136,15 @@ void run(std::size_t facets, std::size_t grid) {
                 if (other != heights[i]) worst = std::max(worst, std::abs(other - heights[i]));
             }
         };
-        const double scan_rate = double(scanned) / seconds([&] {
+        const double scan_rate = double(scanned) / cpu_seconds([&] {
                                      compare(scanned, [&](const Vec2& p) { return scan(*mesh, surface, p); });
                                  });
         const test::BruteCutter brute(apt);
         compare(300'000'000 / (mesh->facet_count() + 1'000'000),
                 [&](const Vec2& p) { return test::brute_lift(brute, *mesh, p.x(), p.y()); });
-        std::printf("%-6s %14.0f %14.0f %8.2f %14.2f %10.0f %14.2e\n", name, rate[0], rate[1],
-                    rate[1] / rate[0], scan_rate, rate[0] / scan_rate, worst);
+        std::printf("%-6s %14.0f %14.0f %8.2f %14.0f %8.1f %14.2f %10.0f %12.2e\n", name, rate,
+                    double(points.size()) / wall[1], wall[0] / wall[1], scalar_rate, rate / scalar_rate, scan_rate,
+                    rate / scan_rate, worst);
         std::fflush(stdout);
     }
 }
@@ -131,6 +161,9 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: bench_drop [GRID [FACETS ...]], each at least 2\n");
         return 2;
     }
+    std::printf("kernel: %s\n", axial_kernels().name);
     for (const std::size_t facets : sizes)
         run(facets, grid);
+    std::printf("\n* by processor time; so are the scalar search and the plain scan. 2 threads: by the clock, ratio of\n"
+                "clock times; meaningful on an idle machine only.\n");
 }

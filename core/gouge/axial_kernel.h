@@ -1,0 +1,41 @@
+// The search for the highest lift, compiled once for every instruction set. Plain data in and out.
+#pragma once
+
+#include "core/gouge/contact_blocks.h"
+#include "core/gouge/surface_table.h"
+
+namespace facetmill {
+
+inline constexpr std::uint32_t no_slot = 0xFFFFFFFFu;
+
+/// One cutter over one place.
+struct AxialQuery {
+    double place[3] = {0, 0, 0}; ///< origin of the cutter's frame
+    double frame[3][3] = {};     ///< rows: across, across, along the axis (upward); not read when upright
+    /// What is known: the lift is wanted only if it is higher. Along the axis from `place`.
+    double least = -__builtin_inf();
+    /// The search may end as soon as something higher than this is found.
+    double enough = __builtin_inf();
+    std::uint32_t hint = no_slot; ///< a facet that is likely to be touched; never changes the height
+};
+
+struct AxialAnswer {
+    double tip; ///< along the axis from `place`; query.least when nothing is higher
+    std::uint32_t slot = no_slot; ///< block * block_width + lane of the touched facet
+    int edge = -1;                ///< touched edge of the block's facet; -1: its inside
+    double point[3] = {0, 0, 0};  ///< touched point, in the cutter's frame
+};
+
+/// Axis along Z, and any axis.
+using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
+struct AxialKernels {
+    AxialKernel upright, tilted;
+    const char* name;
+};
+
+/// Those for this processor. The environment variable FACETMILL_KERNEL=baseline chooses the slowest.
+const AxialKernels& axial_kernels();
+/// All that this processor can run, the baseline first; all give the same bits.
+int axial_kernel_sets(const AxialKernels* (&sets)[4]);
+
+} // namespace facetmill

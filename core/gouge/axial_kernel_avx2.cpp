@@ -1,0 +1,9 @@
+// The kernels in AVX2. Compiled with -mavx2, run only where the processor has it.
+#include "core/gouge/axial_kernel_impl.h"
+
+namespace facetmill {
+
+extern const AxialKernels axial_kernels_avx2;
+const AxialKernels axial_kernels_avx2{simd::search<false>, simd::search<true>, "AVX2"};
+
+} // namespace facetmill

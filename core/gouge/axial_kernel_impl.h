@@ -1,0 +1,348 @@
+// Body of axial_kernel_*.cpp. The lift of a cutter over a mesh is the largest lift over its facets. A tree of
+// boxes finds the facets that matter, by bounds from the convexity of the cutter:
+//
+// The lift z - g(rho) over a point of a facet is a concave function where z is a plane, so its tangent plane
+// at one place bounds it everywhere. For a child of a node the tangent is that under the middle of what the
+// cutter covers of its box, and the plane is the roof of the child; the bound is wrong by second order in the
+// size of the box only. So hardly a block is opened but those where the cutter touches.
+//
+// Bounds are floats, widened above their rounding; lifts are doubles.
+#include "core/gouge/axial_elements.h"
+#include "core/gouge/axial_kernel.h"
+#include "core/gouge/kernel_tolerances.h"
+
+namespace facetmill::simd {
+
+namespace {
+
+struct Entry {
+    float bound;
+    std::uint32_t child;
+};
+
+template <bool tilted>
+struct Search {
+    const IndexView& index;
+    const SurfaceTable& surface;
+    const AxialQuery& query;
+    AxialAnswer& best;
+
+    float radius;          ///< of the cutter, widened
+    float slack;           ///< positions of boxes in the frame are wrong by less
+    float margin;          ///< bounds are wrong by less
+    float per_tangent;     ///< index of tangent = rho * this
+    float at[3];           ///< the index's origin from the place
+    float turn[3][3];      ///< the frame
+    double zero;           ///< bounds are relative to this height
+    float least;           ///< best.tip from `zero`
+    std::uint32_t skipped; ///< four lanes that have been tested already: its first slot
+
+    // Facets that wait for their test.
+    alignas(32) double x[3][4], y[3][4], z[3][4];
+    alignas(32) std::int64_t has_edge[3][4], has_plane[4];
+    std::uint32_t slot[4];
+    int waiting = 0;
+
+    FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
+        : index(i), surface(s), query(q), best(b) {
+        double away = 0, size = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double d = index.origin[k] - query.place[k];
+            if (k < 2 || tilted) away += d < 0 ? -d : d;
+            size += index.half_size[k];
+            at[k] = float(d);
+            for (int j = 0; j < 3; ++j)
+                turn[k][j] = float(query.frame[k][j]);
+        }
+        zero = tilted ? 0 : index.origin[2];
+        if (!tilted) at[2] = 0;
+        const double r = surface.max_radius, scale = away + size + r;
+        const double steep = kernel::steepest_roof + double(surface.steepest);
+        slack = float(kernel::float_noise * scale);
+        radius = float(r * (1 + kernel::float_noise)) + slack;
+        margin = float(kernel::float_noise * (1 + steep) * (tilted ? 4 : 1) * scale);
+        per_tangent = float(surface_tangents / r);
+        best.tip = query.least;
+        best.slot = no_slot;
+        skipped = no_slot;
+        set_least();
+    }
+
+    FACETMILL_MEMBER void set_least() { least = float(best.tip - zero); }
+
+    /// Tangents of g at a distance: at0 + slope * rho is no more than g.
+    FACETMILL_MEMBER void tangent(const Float8& rho, Float8& at0, Float8& slope) const {
+        const Int8 entry = truncated(smaller(rho * per_tangent, all(float(surface_tangents) - 1)));
+        const Int8 low = entry & 7;
+        const Int8 upper = entry > 7;
+        at0 = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
+        slope =
+            select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
+    }
+
+    /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
+    /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
+    FACETMILL_MEMBER Float8 bounds(const Float8& cx, const Float8& cy, const Float8& hx, const Float8& hy,
+                                   const Float8& top, const Float8& rx, const Float8& ry, const Float8& roof,
+                                   const Float8& px, const Float8& py) const {
+        const Float8 reach = all(radius);
+        const Float8 lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
+        const Float8 lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
+        const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
+                     near_y = larger(larger(lo_y, -hi_y), all(0.0f));
+        const Int8 reached = (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
+        const Float8 mx = 0.5f * (lo_x + hi_x), ex = 0.5f * (hi_x - lo_x);
+        const Float8 my = 0.5f * (lo_y + hi_y), ey = 0.5f * (hi_y - lo_y);
+        const Float8 rho = root(mx * mx + my * my);
+        Float8 at0, slope;
+        tangent(rho, at0, slope);
+        const Float8 share = slope / larger(rho, all(__FLT_MIN__));
+        const Float8 middle = roof + px * (mx - rx) + py * (my - ry) - (at0 + slope * rho);
+        const Float8 over = middle + magnitude(px - share * mx) * ex + magnitude(py - share * my) * ey;
+        return select(reached, smaller(over, top) + margin, all(-__builtin_inff()));
+    }
+
+    FACETMILL_MEMBER Float8 child_bounds(const TreeNode& node) const {
+        const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1], az = load(node.cz);
+        const Float8 hx = load(node.hx), hy = load(node.hy), hz = load(node.hz);
+        const Float8 roof = load(node.roof), px = load(node.slope_x), py = load(node.slope_y);
+        if constexpr (!tilted) {
+            return bounds(ax, ay, hx, hy, az + hz, ax, ay, roof, px, py); // unused lanes reach nowhere: hx < 0
+        } else {
+            const auto& m = turn;
+            const auto size = [](float v) { return v < 0 ? -v : v; };
+            const Float8 bz = az + at[2], rz = roof + at[2];
+            const Float8 cx = m[0][0] * ax + m[0][1] * ay + m[0][2] * bz;
+            const Float8 cy = m[1][0] * ax + m[1][1] * ay + m[1][2] * bz;
+            const Float8 cz = m[2][0] * ax + m[2][1] * ay + m[2][2] * bz;
+            const Float8 ex = size(m[0][0]) * hx + size(m[0][1]) * hy + size(m[0][2]) * hz;
+            const Float8 ey = size(m[1][0]) * hx + size(m[1][1]) * hy + size(m[1][2]) * hz;
+            const Float8 ez = size(m[2][0]) * hx + size(m[2][1]) * hy + size(m[2][2]) * hz;
+            // The roof's plane in the frame, where it is still a roof and not too steep.
+            const Float8 up = m[2][2] - m[2][0] * px - m[2][1] * py;
+            const Float8 nx = m[0][2] - m[0][0] * px - m[0][1] * py, ny = m[1][2] - m[1][0] * px - m[1][1] * py;
+            const Int8 roofed = larger(magnitude(nx), magnitude(ny)) <= float(kernel::steepest_roof) * up;
+            const Float8 zero8 = all(0.0f), per = 1.0f / select(roofed, up, all(1.0f));
+            const Float8 sx = select(roofed, -nx * per, zero8), sy = select(roofed, -ny * per, zero8);
+            const Float8 rx = m[0][0] * ax + m[0][1] * ay + m[0][2] * rz;
+            const Float8 ry = m[1][0] * ax + m[1][1] * ay + m[1][2] * rz;
+            const Float8 rh = m[2][0] * ax + m[2][1] * ay + m[2][2] * rz;
+            const Float8 top = cz + ez;
+            const Float8 b = bounds(cx, cy, ex, ey, top, rx, ry, select(roofed, rh, top), sx, sy);
+            return select(hx >= 0.0f, b, all(-__builtin_inff()));
+        }
+    }
+
+    /// Bounds of the lifts over the facets of a block.
+    FACETMILL_MEMBER Float8 facet_bounds(const FacetBlock& block) const {
+        Float8 px[3], py[3], pz[3];
+        for (int k = 0; k < 3; ++k) {
+            if constexpr (!tilted) {
+                px[k] = narrow(load(block.x[k]) - query.place[0], load(block.x[k] + 4) - query.place[0]);
+                py[k] = narrow(load(block.y[k]) - query.place[1], load(block.y[k] + 4) - query.place[1]);
+                pz[k] = narrow(load(block.z[k]) - zero, load(block.z[k] + 4) - zero);
+            } else {
+                const Float8 ax = narrow(load(block.x[k]) - query.place[0], load(block.x[k] + 4) - query.place[0]);
+                const Float8 ay = narrow(load(block.y[k]) - query.place[1], load(block.y[k] + 4) - query.place[1]);
+                const Float8 az = narrow(load(block.z[k]) - query.place[2], load(block.z[k] + 4) - query.place[2]);
+                px[k] = turn[0][0] * ax + turn[0][1] * ay + turn[0][2] * az;
+                py[k] = turn[1][0] * ax + turn[1][1] * ay + turn[1][2] * az;
+                pz[k] = turn[2][0] * ax + turn[2][1] * ay + turn[2][2] * az;
+            }
+        }
+        const Float8 lo_x = smaller(smaller(px[0], px[1]), px[2]), hi_x = larger(larger(px[0], px[1]), px[2]);
+        const Float8 lo_y = smaller(smaller(py[0], py[1]), py[2]), hi_y = larger(larger(py[0], py[1]), py[2]);
+        const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
+                     near_y = larger(larger(lo_y, -hi_y), all(0.0f));
+        const Int8 reached = near_x * near_x + near_y * near_y <= radius * radius;
+        const Float8 third = all(1.0f / 3);
+        const Float8 mx = third * (px[0] + px[1] + px[2]), my = third * (py[0] + py[1] + py[2]);
+        const Float8 rho = root(mx * mx + my * my);
+        Float8 at0, slope;
+        tangent(rho, at0, slope);
+        const Float8 share = slope / larger(rho, all(__FLT_MIN__));
+        const Float8 sx = share * mx, sy = share * my;
+        Float8 most = pz[0] - sx * px[0] - sy * py[0];
+        most = larger(most, pz[1] - sx * px[1] - sy * py[1]);
+        most = larger(most, pz[2] - sx * px[2] - sy * py[2]);
+        return select(reached, most - at0 + margin, all(-__builtin_inff()));
+    }
+
+    FACETMILL_MEMBER bool in_use(const FacetBlock& block, std::uint32_t lane) const {
+        return tilted ? block.facet[lane] != no_slot : block.duty[lane] & duty_upright;
+    }
+
+    FACETMILL_MEMBER void enqueue(std::uint32_t which) {
+        const FacetBlock& block = index.blocks[which / block_width];
+        const std::uint32_t lane = which % block_width;
+        const int w = waiting++;
+        slot[w] = which;
+        unsigned duty = block.duty[lane];
+        if constexpr (!tilted) {
+            for (int k = 0; k < 3; ++k) {
+                x[k][w] = block.x[k][lane] - query.place[0];
+                y[k][w] = block.y[k][lane] - query.place[1];
+                z[k][w] = block.z[k][lane];
+            }
+        } else {
+            const auto& m = query.frame;
+            double cx[3], cy[3], cz[3];
+            for (int k = 0; k < 3; ++k) {
+                const double ax = block.x[k][lane] - query.place[0], ay = block.y[k][lane] - query.place[1],
+                             az = block.z[k][lane] - query.place[2];
+                cx[k] = m[0][0] * ax + m[0][1] * ay + m[0][2] * az;
+                cy[k] = m[1][0] * ax + m[1][1] * ay + m[1][2] * az;
+                cz[k] = m[2][0] * ax + m[2][1] * ay + m[2][2] * az;
+            }
+            // The longest edge first, as the lift over the plane wants it.
+            int first = 0;
+            double longest = -1;
+            for (int k = 0; k < 3; ++k) {
+                const int n = k == 2 ? 0 : k + 1;
+                const double ex = cx[n] - cx[k], ey = cy[n] - cy[k], square = ex * ex + ey * ey;
+                if (square > longest) {
+                    longest = square;
+                    first = k;
+                }
+            }
+            unsigned edges = 0;
+            for (int k = 0; k < 3; ++k) {
+                const int from = (k + first) % 3;
+                x[k][w] = cx[from];
+                y[k][w] = cy[from];
+                z[k][w] = cz[from];
+                if (duty & (duty_edge_anyway << from)) edges |= 1u << k;
+            }
+            // The coordinates themselves carry rounding from being turned: a projection that it could have
+            // made has no area, and then its edges say everything.
+            const double left = (x[1][w] - x[0][w]) * (y[2][w] - y[0][w]),
+                         right = (y[1][w] - y[0][w]) * (x[2][w] - x[0][w]), area = left - right;
+            const double noise = kernel::area_roundings * 0.5 * __DBL_EPSILON__
+                                 * ((left < 0 ? -left : left) + (right < 0 ? -right : right));
+            duty = edges | (area > noise || area < -noise ? unsigned(duty_plane) : 0u);
+        }
+        for (int k = 0; k < 3; ++k)
+            has_edge[k][w] = duty & (duty_edge << k) ? -1 : 0;
+        has_plane[w] = duty & duty_plane ? -1 : 0;
+        if (waiting == double_lanes) test();
+    }
+
+    FACETMILL_MEMBER void consider(const Lift4& lift, int edge) {
+        unsigned higher = bits(lift.tip > best.tip);
+        for (; higher != 0; higher &= higher - 1) {
+            const int k = __builtin_ctz(higher);
+            if (!(lift.tip[k] > best.tip)) continue;
+            best.tip = lift.tip[k];
+            best.slot = slot[k];
+            best.edge = edge;
+            best.point[0] = lift.point.x[k];
+            best.point[1] = lift.point.y[k];
+            best.point[2] = lift.point.z[k];
+        }
+    }
+
+    /// All that wait.
+    FACETMILL_MEMBER void test() {
+        if (waiting == 0) return;
+        for (int w = waiting; w < double_lanes; ++w) {
+            for (int k = 0; k < 3; ++k) {
+                x[k][w] = x[k][0];
+                y[k][w] = y[k][0];
+                z[k][w] = z[k][0];
+                has_edge[k][w] = 0;
+            }
+            has_plane[w] = 0;
+        }
+        waiting = 0;
+        const Point4 p[3] = {{load(x[0]), load(y[0]), load(z[0])},
+                             {load(x[1]), load(y[1]), load(z[1])},
+                             {load(x[2]), load(y[2]), load(z[2])}};
+        const auto mask = [](const std::int64_t* m) __attribute__((always_inline)) {
+            Mask4 v;
+            __builtin_memcpy(&v, m, sizeof v);
+            return v;
+        };
+        const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, kernel::contact_roundings);
+        consider(plane.lift, -1);
+        const Mask4 outside = ~plane.inside;
+        if (bits(outside) != 0) {
+            for (int k = 0; k < 3; ++k) {
+                const Point4 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
+                const Mask4 border = plane.border & (plane.side[k] < 0.0);
+                const Mask4 asked =
+                    ((mask(has_edge[k]) & outside) | border) & (larger(a.z, b.z) > best.tip);
+                if (bits(asked) == 0) continue;
+                consider(edge_lift(surface, asked, a, b, select(border, plane.edge_slack, all(0.0))), k);
+            }
+        }
+        set_least();
+    }
+
+    FACETMILL_MEMBER void open_block(std::uint32_t which) {
+        unsigned lanes = bits(facet_bounds(index.blocks[which]) > least);
+        const std::uint32_t first = which * std::uint32_t(block_width);
+        if (skipped - first < block_width) lanes &= ~(0xFu << (skipped - first));
+        const FacetBlock& block = index.blocks[which];
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = std::uint32_t(__builtin_ctz(lanes));
+            if (in_use(block, lane)) enqueue(first + lane);
+        }
+    }
+
+    FACETMILL_MEMBER void run() {
+        if (query.hint != no_slot) {
+            // With its neighbours: a first guess that lets most of the tree be passed over.
+            skipped = query.hint & ~3u;
+            const FacetBlock& block = index.blocks[skipped / block_width];
+            for (std::uint32_t k = 0; k < 4; ++k)
+                if (in_use(block, (skipped + k) % std::uint32_t(block_width))) enqueue(skipped + k);
+            test();
+            if (best.tip > query.enough) return;
+        }
+        // Seven siblings wait on every level; with full nodes the tree is no deeper than the digits of the
+        // facet count in base 8.
+        Entry stack[block_width * 16];
+        int depth = 0;
+        stack[depth++] = {__builtin_inff(), 0};
+        while (depth > 0) {
+            const Entry top = stack[--depth];
+            if (!(top.bound > least)) continue;
+            if (top.child & TreeNode::leaf) {
+                open_block(top.child & ~TreeNode::leaf);
+                if (best.tip > query.enough) return;
+                continue;
+            }
+            const TreeNode& node = index.nodes[top.child];
+            const Float8 bound = child_bounds(node);
+            alignas(32) float value[block_width];
+            store(bound, value);
+            // The best child is the next.
+            int highest = -1;
+            float most = -__builtin_inff();
+            for (unsigned lanes = bits(bound > least); lanes != 0; lanes &= lanes - 1) {
+                const int lane = __builtin_ctz(lanes);
+                if (value[lane] > most) {
+                    most = value[lane];
+                    highest = depth;
+                }
+                stack[depth++] = {value[lane], node.child[lane]};
+            }
+            if (highest >= 0) {
+                const Entry e = stack[highest];
+                stack[highest] = stack[depth - 1];
+                stack[depth - 1] = e;
+            }
+        }
+        test();
+    }
+};
+
+template <bool tilted>
+void search(const IndexView& index, const SurfaceTable& surface, const AxialQuery& query, AxialAnswer& answer) {
+    Search<tilted> search(index, surface, query, answer);
+    if (index.nodes) search.run();
+}
+
+} // namespace
+
+} // namespace facetmill::simd

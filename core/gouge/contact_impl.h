@@ -1,0 +1,27 @@
+// The data behind a ContactIndex, for the files of this room.
+#pragma once
+
+#include "core/gouge/contact_blocks.h"
+#include "core/gouge/contact_index.h"
+
+#include <array>
+#include <vector>
+
+namespace facetmill {
+
+struct ContactIndex::Impl {
+    std::vector<FacetBlock> blocks;
+    std::vector<TreeNode> nodes; ///< root first; empty for a mesh without facets
+    std::array<double, 3> origin{}, half_size{};
+
+    IndexView view() const {
+        IndexView v{blocks.data(), nodes.empty() ? nullptr : nodes.data()};
+        for (std::size_t k = 0; k < 3; ++k) {
+            v.origin[k] = origin[k];
+            v.half_size[k] = half_size[k];
+        }
+        return v;
+    }
+};
+
+} // namespace facetmill

@@ -1,0 +1,139 @@
+// Four doubles or eight floats at once, by the compiler's vector extensions: one source for every instruction
+// set. Files that include this are compiled once per set (axial_kernel_*.cpp), so everything here has
+// internal linkage. Only IEEE operations, one rounding each: a lane gives the same bits whatever its place,
+// its neighbours and the instruction set.
+#pragma once
+
+#include <cstdint>
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
+#define FACETMILL_LANES [[gnu::always_inline]] static inline
+#define FACETMILL_MEMBER [[gnu::always_inline]] inline
+
+namespace facetmill::simd {
+
+inline constexpr int double_lanes = 4, float_lanes = 8;
+
+typedef double Double4 __attribute__((vector_size(32)));
+typedef std::int64_t Mask4 __attribute__((vector_size(32))); ///< -1 or 0
+typedef float Float8 __attribute__((vector_size(32)));
+typedef std::int32_t Int8 __attribute__((vector_size(32))); ///< as a mask -1 or 0
+
+FACETMILL_LANES Double4 all(double v) {
+    return Double4{v, v, v, v};
+}
+FACETMILL_LANES Float8 all(float v) {
+    return Float8{v, v, v, v, v, v, v, v};
+}
+FACETMILL_LANES Double4 load(const double* p) {
+    Double4 v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+FACETMILL_LANES Float8 load(const float* p) {
+    Float8 v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+FACETMILL_LANES void store(const Double4& v, double* p) {
+    __builtin_memcpy(p, &v, sizeof v);
+}
+FACETMILL_LANES void store(const Float8& v, float* p) {
+    __builtin_memcpy(p, &v, sizeof v);
+}
+
+/// a where the mask is set, else b.
+FACETMILL_LANES Double4 select(const Mask4& mask, const Double4& a, const Double4& b) {
+    return mask ? a : b;
+}
+FACETMILL_LANES Float8 select(const Int8& mask, const Float8& a, const Float8& b) {
+    return mask ? a : b;
+}
+/// The second where either is not a number.
+FACETMILL_LANES Double4 larger(const Double4& a, const Double4& b) {
+    return a > b ? a : b;
+}
+FACETMILL_LANES Float8 larger(const Float8& a, const Float8& b) {
+    return a > b ? a : b;
+}
+FACETMILL_LANES Double4 smaller(const Double4& a, const Double4& b) {
+    return a < b ? a : b;
+}
+FACETMILL_LANES Float8 smaller(const Float8& a, const Float8& b) {
+    return a < b ? a : b;
+}
+FACETMILL_LANES Double4 clamped(const Double4& v, const Double4& lo, const Double4& hi) {
+    return smaller(larger(v, lo), hi);
+}
+FACETMILL_LANES Double4 magnitude(const Double4& v) {
+    return Double4(Mask4(v) & 0x7FFFFFFFFFFFFFFF);
+}
+FACETMILL_LANES Float8 magnitude(const Float8& v) {
+    return Float8(Int8(v) & 0x7FFFFFFF);
+}
+
+#ifdef __AVX2__
+FACETMILL_LANES Double4 root(const Double4& v) {
+    return Double4(_mm256_sqrt_pd(__m256d(v)));
+}
+FACETMILL_LANES Float8 root(const Float8& v) {
+    return Float8(_mm256_sqrt_ps(__m256(v)));
+}
+/// Bit k is lane k.
+FACETMILL_LANES unsigned bits(const Mask4& mask) {
+    return unsigned(_mm256_movemask_pd(__m256d(mask)));
+}
+FACETMILL_LANES unsigned bits(const Int8& mask) {
+    return unsigned(_mm256_movemask_ps(__m256(mask)));
+}
+/// Entry 0 to 7 of a table of eight.
+FACETMILL_LANES Float8 pick(const Float8& table, const Int8& entry) {
+    return Float8(_mm256_permutevar8x32_ps(__m256(table), __m256i(entry)));
+}
+FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
+    return Float8(_mm256_set_m128(_mm256_cvtpd_ps(__m256d(high)), _mm256_cvtpd_ps(__m256d(low))));
+}
+#else
+FACETMILL_LANES Double4 root(const Double4& v) {
+    Double4 r;
+    for (int k = 0; k < double_lanes; ++k)
+        r[k] = __builtin_sqrt(v[k]);
+    return r;
+}
+FACETMILL_LANES Float8 root(const Float8& v) {
+    Float8 r;
+    for (int k = 0; k < float_lanes; ++k)
+        r[k] = __builtin_sqrtf(v[k]);
+    return r;
+}
+FACETMILL_LANES unsigned bits(const Mask4& mask) {
+    unsigned b = 0;
+    for (int k = 0; k < double_lanes; ++k)
+        b |= unsigned(mask[k] & 1) << k;
+    return b;
+}
+FACETMILL_LANES unsigned bits(const Int8& mask) {
+    unsigned b = 0;
+    for (int k = 0; k < float_lanes; ++k)
+        b |= unsigned(mask[k] & 1) << k;
+    return b;
+}
+FACETMILL_LANES Float8 pick(const Float8& table, const Int8& entry) {
+    Float8 r;
+    for (int k = 0; k < float_lanes; ++k)
+        r[k] = table[entry[k]];
+    return r;
+}
+FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
+    return Float8{float(low[0]),  float(low[1]),  float(low[2]),  float(low[3]),
+                  float(high[0]), float(high[1]), float(high[2]), float(high[3])};
+}
+#endif
+
+FACETMILL_LANES Int8 truncated(const Float8& v) {
+    return __builtin_convertvector(v, Int8);
+}
+
+} // namespace facetmill::simd

@@ -1,0 +1,57 @@
+// Axial lift: the lowest tip height at which a cutter with vertical axis over (x, y) does not cut into the
+// mesh, there and all the way up (Lu 3.5.4; Yau). Exact for every convex APT cutter against vertices, edges
+// and facets: within tolerance::lift_accuracy of a brute-force reference. The mesh is a sheet of facets,
+// either side of which may be up.
+//
+// Only the lower surface counts, up to the cutter's largest radius: what is above it inside that radius is
+// passed on the way down. So the part may reach above the cutter's height; shank and holder are other bodies,
+// asked for themselves. The cutter reaches to its largest radius and no farther: a part that it only passes
+// along its side does not lift it, and at exactly that radius it counts as under it.
+#pragma once
+
+#include "tests/bench/scalar/contact_index.h"
+
+#include <span>
+#include <vector>
+
+namespace facetmill::scalar {
+
+class LowerSurface;
+
+/// Where the cutter would touch.
+struct AxialContact {
+    double tip_z = -infinity;  ///< -inf: the cutter meets nothing on its way down
+    Index facet = no_index;    ///< a facet it touches
+    Vec3 point = Vec3::Zero(); ///< the touched point of the mesh
+    enum class Feature { none, vertex, edge, facet } feature = Feature::none;
+};
+
+/// One cutter over one mesh. Cheap to make; safe to use from many threads at once. Not-a-number for x or y
+/// gives not-a-number, with no contact.
+class AxialLift {
+public:
+    /// `allowance` >= 0 keeps that distance along the cutter's surface normal: the cutter is used grown by it
+    /// (CutterProfile::grown), and heights are those of the cutter's own tip. Throws Error(out_of_range) for
+    /// a negative allowance.
+    AxialLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance = 0);
+
+    /// Tip height only.
+    double tip_z(double x, double y) const;
+    /// The same height, and where it comes from. With an allowance the touched point is that distance away
+    /// from the cutter.
+    AxialContact contact(double x, double y) const;
+    /// Tip heights for many points, in parallel; the same bits as `tip_z` one by one. Throws Error(internal)
+    /// when the two spans differ in length. Cancellation per block of points.
+    void tip_z(std::span<const Vec2> points, std::span<double> heights, const Progress& progress) const;
+
+    /// The cutter as given, without the allowance.
+    const CutterProfile& profile() const { return profile_; }
+
+private:
+    ContactIndexPtr index_;
+    CutterProfile profile_;
+    double allowance_;
+    std::shared_ptr<const LowerSurface> surface_;
+};
+
+} // namespace facetmill::scalar

@@ -1,0 +1,234 @@
+#include "tests/bench/scalar/contact_index.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "tests/bench/scalar/contact_blocks.h"
+#include "tests/bench/scalar/facet_duties.h"
+
+#include <cmath>
+
+namespace facetmill::scalar {
+
+namespace {
+
+/// A facet on its way into a block: its middle, for splitting only.
+struct Item {
+    float at[3];
+    Index facet;
+};
+
+struct Range {
+    std::size_t begin, end;
+};
+
+float round_down(double v) {
+    const float f = float(v);
+    return double(f) > v ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float round_up(double v) {
+    return -round_down(-v);
+}
+
+/// Splits [begin, end) at `middle` across the widest extent of the middles. Equal keys are ordered by facet,
+/// so that the two halves do not depend on the algorithm.
+void split(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end) {
+    float lo[3], hi[3];
+    for (int k = 0; k < 3; ++k)
+        lo[k] = hi[k] = items[begin].at[k];
+    for (std::size_t i = begin; i < end; ++i)
+        for (int k = 0; k < 3; ++k) {
+            lo[k] = std::min(lo[k], items[i].at[k]);
+            hi[k] = std::max(hi[k], items[i].at[k]);
+        }
+    int widest = 0;
+    for (int k = 1; k < 3; ++k)
+        if (hi[k] - lo[k] > hi[widest] - lo[widest]) widest = k;
+    const auto at = [&](std::size_t i) { return items.begin() + std::ptrdiff_t(i); };
+    std::nth_element(at(begin), at(middle), at(end), [widest](const Item& a, const Item& b) {
+        return a.at[widest] != b.at[widest] ? a.at[widest] < b.at[widest] : a.facet < b.facet;
+    });
+}
+
+/// Parts of a node's range for its (up to eight) children: three rounds of halving, at whole blocks.
+std::size_t split_in_eight(std::vector<Item>& items, const Range& range,
+                           std::array<Range, block_width>& parts) {
+    std::size_t count = 1;
+    parts[0] = range;
+    for (int round = 0; round < 3; ++round) {
+        std::array<Range, block_width> halves;
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Range& p = parts[i];
+            const std::size_t blocks = (p.end - p.begin + block_width - 1) / block_width;
+            if (blocks < 2) {
+                halves[n++] = p;
+                continue;
+            }
+            const std::size_t middle = p.begin + blocks / 2 * block_width;
+            split(items, p.begin, middle, p.end);
+            halves[n++] = {p.begin, middle};
+            halves[n++] = {middle, p.end};
+        }
+        parts = halves;
+        count = n;
+    }
+    return count;
+}
+
+void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint8_t>& duties,
+                const std::vector<Item>& items, std::size_t begin, std::size_t end) {
+    block = {};
+    for (std::size_t lane = 0; lane < block_width; ++lane) {
+        block.facet[lane] = no_index;
+        if (begin + lane >= end) continue;
+        const Index f = items[begin + lane].facet;
+        double longest = -1;
+        std::size_t turned = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double length =
+                (mesh.corner(f, int((k + 1) % 3)) - mesh.corner(f, int(k))).head<2>().squaredNorm();
+            if (length > longest) {
+                longest = length;
+                turned = k;
+            }
+        }
+        const std::uint8_t duty = duties[f];
+        std::uint8_t mine = duty & duty_plane;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t source = (k + turned) % 3;
+            const Vec3& p = mesh.corner(f, int(source));
+            block.x[k][lane] = p.x();
+            block.y[k][lane] = p.y();
+            block.z[k][lane] = p.z();
+            if (duty & (duty_vertex << source)) mine |= std::uint8_t(duty_vertex << k);
+            if (duty & (duty_edge << source)) mine |= std::uint8_t(duty_edge << k);
+        }
+        block.facet[lane] = f;
+        block.duty[lane] = mine;
+        block.turned[lane] = std::uint8_t(turned);
+    }
+}
+
+void set_child(TreeNode& node, std::size_t lane, const Box3& box, Index child) {
+    node.xlo[lane] = round_down(box.lo.x());
+    node.xhi[lane] = round_up(box.hi.x());
+    node.ylo[lane] = round_down(box.lo.y());
+    node.yhi[lane] = round_up(box.hi.y());
+    node.zhi[lane] = round_up(box.hi.z());
+    node.child[lane] = child;
+}
+
+Box3 box_of(const FacetBlock& block) {
+    Box3 box;
+    for (std::size_t lane = 0; lane < block_width; ++lane)
+        if (block.facet[lane] != no_index)
+            for (std::size_t k = 0; k < 3; ++k)
+                box.add(Vec3(block.x[k][lane], block.y[k][lane], block.z[k][lane]));
+    return box;
+}
+
+std::vector<Item> middles(const Mesh& mesh, const Progress& progress) {
+    std::vector<Item> items(mesh.facet_count());
+    parallel_for(items.size(), 20000, progress, [&](std::size_t f) {
+        Box3 box;
+        for (int k = 0; k < 3; ++k) {
+            if (mesh.facets[f][std::size_t(k)] >= mesh.vertices.size())
+                throw Error(ErrorCode::internal, "facet " + std::to_string(f),
+                            "names a vertex that does not exist", "report this");
+            const Vec3& p = mesh.corner(f, k);
+            const auto good = [](double v) {
+                return std::abs(v) <= tolerance::largest_coordinate;
+            }; // not for nan
+            if (!good(p.x()) || !good(p.y()) || !good(p.z()))
+                throw Error(ErrorCode::non_finite, "facet " + std::to_string(f),
+                            "has a corner that is not finite or out of range",
+                            "check the mesh's units and numbers");
+            box.add(p);
+        }
+        const Vec3 middle = box.center();
+        items[f] = {{float(middle.x()), float(middle.y()), float(middle.z())}, Index(f)};
+    });
+    return items;
+}
+
+} // namespace
+
+ContactIndex::~ContactIndex() = default;
+
+std::size_t ContactIndex::memory() const {
+    return sizeof(Impl) + impl_->blocks.capacity() * sizeof(FacetBlock)
+           + impl_->nodes.capacity() * sizeof(TreeNode);
+}
+
+ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::move(mesh)), impl_(new Impl) {
+    if (mesh_->facet_count() == 0) return;
+    if (mesh_->facet_count() > std::size_t(TreeNode::leaf) / 3)
+        throw Error(ErrorCode::too_large, "mesh", "has more facets than the contact index can hold",
+                    "use a mesh of at most " + std::to_string(TreeNode::leaf / 3) + " facets");
+    const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4));
+    std::vector<Item> items = middles(*mesh_, progress.part(0.4, 0.5));
+
+    // Top down, a level at a time: every range of a level is split by itself, then the children get their
+    // places in the order of the ranges.
+    struct Level {
+        std::size_t first_node;
+        std::vector<Range> ranges;
+    };
+    std::vector<Level> levels{{0, {{0, items.size()}}}};
+    impl_->nodes.resize(1);
+    const std::size_t whole_blocks = (items.size() + block_width - 1) / block_width;
+    impl_->blocks.resize(whole_blocks);
+    const Progress splitting = progress.part(0.5, 0.8), filling = progress.part(0.8, 1.0);
+    for (;;) {
+        const std::vector<Range>& ranges = levels.back().ranges;
+        std::vector<std::array<Range, block_width>> parts(ranges.size());
+        std::vector<std::size_t> counts(ranges.size());
+        parallel_for(ranges.size(), 1, splitting,
+                     [&](std::size_t i) { counts[i] = split_in_eight(items, ranges[i], parts[i]); });
+        Level next{impl_->nodes.size(), {}};
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            TreeNode node{};
+            for (std::size_t lane = 0; lane < block_width; ++lane) {
+                node.xlo[lane] = node.ylo[lane] = node.zhi[lane] = -std::numeric_limits<float>::infinity();
+                node.xhi[lane] = node.yhi[lane] = -std::numeric_limits<float>::infinity();
+                node.child[lane] = no_index;
+                if (lane >= counts[i]) continue;
+                const Range& p = parts[i][lane];
+                if (p.end - p.begin <= block_width) {
+                    node.child[lane] = TreeNode::leaf | Index(p.begin / block_width);
+                } else {
+                    node.child[lane] = Index(next.first_node + next.ranges.size());
+                    next.ranges.push_back({p.begin, p.end});
+                }
+            }
+            impl_->nodes[levels.back().first_node + i] = node;
+        }
+        if (next.ranges.empty()) break;
+        impl_->nodes.resize(next.first_node + next.ranges.size());
+        levels.push_back(std::move(next));
+    }
+    parallel_for(whole_blocks, 2000, filling, [&](std::size_t b) {
+        fill_block(impl_->blocks[b], *mesh_, duties, items, b * block_width,
+                   std::min(items.size(), (b + 1) * block_width));
+    });
+    // Boxes bottom up: children of a node come after it.
+    std::vector<Box3> boxes(impl_->nodes.size());
+    for (std::size_t n = impl_->nodes.size(); n-- > 0;) {
+        if (n % 4096 == 0) progress.check();
+        TreeNode& node = impl_->nodes[n];
+        for (std::size_t lane = 0; lane < block_width && node.child[lane] != no_index; ++lane) {
+            const Index child = node.child[lane];
+            const Box3 box =
+                child & TreeNode::leaf ? box_of(impl_->blocks[child & ~TreeNode::leaf]) : boxes[child];
+            set_child(node, lane, box, child);
+            boxes[n].add(box);
+        }
+    }
+    impl_->nodes.shrink_to_fit();
+    const Box3& all = boxes[0];
+    impl_->largest_coordinate =
+        std::max({std::abs(all.lo.x()), std::abs(all.lo.y()), std::abs(all.hi.x()), std::abs(all.hi.y())});
+}
+
+} // namespace facetmill::scalar
