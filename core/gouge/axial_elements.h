@@ -120,8 +120,7 @@ FACETMILL_LANES Double4 line_contact(const SurfaceTable& surface, const Mask4& w
         const Mask4 inner = l <= p.rho0; // the line has left the piece's inner circle
         const Double4 s0 = leg(all(p.rho0), l);
         // s/rho at the start is 1 for a line through the axis.
-        const Mask4 at_start =
-            p.rho0 > 0 ? rise * p.rho0 <= p.slope0 * s0 * run : rise <= p.slope0 * run;
+        const Mask4 at_start = p.rho0 > 0 ? rise * p.rho0 <= p.slope0 * s0 * run : rise <= p.slope0 * run;
         const Mask4 ends = (inner & at_start) | (~inner & (rise == 0.0));
         Double4 inside;
         if (p.r != 0) {
@@ -225,7 +224,8 @@ FACETMILL_LANES PlaneLift4 plane_lift(const SurfaceTable& surface, const Mask4& 
     const Double4 z = a.z + t * uz + result.side[0] / area * (vz - t_c * uz);
     const Double4 lowest = smaller(smaller(a.z, b.z), c.z), highest = larger(larger(a.z, b.z), c.z);
     const Double4 z_in = clamped(z, lowest, highest);
-    result.lift.tip = select(within, z_in - height(surface, smaller(rho, all(surface.max_radius))), all(no_lift));
+    result.lift.tip =
+        select(within, z_in - height(surface, smaller(rho, all(surface.max_radius))), all(no_lift));
     result.lift.point = {qx, qy, z_in};
     return result;
 }

@@ -14,13 +14,14 @@ struct AxialQuery {
     double frame[3][3] = {};     ///< rows: across, across, along the axis (upward); not read when upright
     /// What is known: the lift is wanted only if it is higher. Along the axis from `place`.
     double least = -__builtin_inf();
-    /// The search may end as soon as something higher than this is found.
+    /// The search ends as soon as it is sure that something is higher than this; then the answer's tip is
+    /// between this and the lift, and its other members may say nothing.
     double enough = __builtin_inf();
     std::uint32_t hint = no_slot; ///< a facet that is likely to be touched; never changes the height
 };
 
 struct AxialAnswer {
-    double tip; ///< along the axis from `place`; query.least when nothing is higher
+    double tip;                   ///< along the axis from `place`; query.least when nothing is higher
     std::uint32_t slot = no_slot; ///< block * block_width + lane of the touched facet
     int edge = -1;                ///< touched edge of the block's facet; -1: its inside
     double point[3] = {0, 0, 0};  ///< touched point, in the cutter's frame

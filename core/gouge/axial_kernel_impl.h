@@ -17,7 +17,7 @@ namespace {
 
 struct Entry {
     float bound;
-    std::uint32_t child;
+    std::uint32_t child; ///< or slot
 };
 
 template <bool tilted>
@@ -27,20 +27,25 @@ struct Search {
     const AxialQuery& query;
     AxialAnswer& best;
 
-    float radius;          ///< of the cutter, widened
-    float slack;           ///< positions of boxes in the frame are wrong by less
-    float margin;          ///< bounds are wrong by less
-    float per_tangent;     ///< index of tangent = rho * this
-    float at[3];           ///< the index's origin from the place
-    float turn[3][3];      ///< the frame
-    double zero;           ///< bounds are relative to this height
-    float least;           ///< best.tip from `zero`
-    std::uint32_t skipped; ///< four lanes that have been tested already: its first slot
+    float rim;         ///< distances beyond this are at the rim
+    float inner;       ///< distances below this are surely within the cutter
+    float radius;      ///< of the cutter, widened
+    float slack;       ///< positions of boxes in the frame are wrong by less
+    float margin;      ///< bounds are wrong by less
+    float uncertain;   ///< how much a bound changes with a position, at most
+    float per_tangent; ///< index of tangent = rho * this
+    float at[3];       ///< the index's origin from the place
+    float turn[3][3];  ///< the frame
+    double zero;       ///< bounds are relative to this height
+    float sure;        ///< lower bounds of facets seen so far say that the answer is more, from `zero`
+    float least;       ///< no less than best.tip from `zero`, and no more than the answer
 
-    // Facets that wait for their test.
+    // Facets under test, and those that wait for it.
     alignas(32) double x[3][4], y[3][4], z[3][4];
     alignas(32) std::int64_t has_edge[3][4], has_plane[4];
     std::uint32_t slot[4];
+    static constexpr int most_waiting = 16;
+    Entry queue[most_waiting];
     int waiting = 0;
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
@@ -57,27 +62,66 @@ struct Search {
         zero = tilted ? 0 : index.origin[2];
         if (!tilted) at[2] = 0;
         const double r = surface.max_radius, scale = away + size + r;
-        const double steep = kernel::steepest_roof + double(surface.steepest);
+        const double steep = kernel::steepest_roof + kernel::steepest_tangent;
         slack = float(kernel::float_noise * scale);
+        inner = float(r * (1 - kernel::rim_share));
         radius = float(r * (1 + kernel::float_noise)) + slack;
+        rim = surface.has_rim ? float(r * (1 - kernel::rim_share)) : __builtin_inff();
         margin = float(kernel::float_noise * (1 + steep) * (tilted ? 4 : 1) * scale);
+        uncertain = float(4 * (1 + steep));
         per_tangent = float(surface_tangents / r);
         best.tip = query.least;
         best.slot = no_slot;
-        skipped = no_slot;
-        set_least();
+        least = sure = -__builtin_inff();
+        raise(best.tip);
     }
 
-    FACETMILL_MEMBER void set_least() { least = float(best.tip - zero); }
+    /// Rounded down: what is higher by the last digit of a double must not be passed over.
+    FACETMILL_MEMBER void raise(double tip) {
+        const double from_zero = tip - zero;
+        auto rounded = float(from_zero);
+        if (double(rounded) > from_zero) rounded = __builtin_nextafterf(rounded, -__builtin_inff());
+        least = rounded > least ? rounded : least;
+    }
 
-    /// Tangents of g at a distance: at0 + slope * rho is no more than g.
-    FACETMILL_MEMBER void tangent(const Float8& rho, Float8& at0, Float8& slope) const {
+    /// About where a plane touches the cutter; (ux, uy): uphill, as long as the sine of its slope.
+    FACETMILL_MEMBER void touched(const Float8& ux, const Float8& uy, Float8& x_out, Float8& y_out) const {
+        if (surface.guess_e == 0 && surface.guess_level == 0) { // a ball
+            x_out = ux * surface.guess_r;
+            y_out = uy * surface.guess_r;
+            return;
+        }
+        const Float8 square = ux * ux + uy * uy;
+        const Float8 scale =
+            select(square > surface.guess_level * surface.guess_level,
+                   surface.guess_e * rough_inverse_root(larger(square, all(__FLT_MIN__))) + surface.guess_r,
+                   all(0.0f));
+        x_out = ux * scale;
+        y_out = uy * scale;
+    }
+
+    /// A plane below g that is near it at (mx, my): level + sx x + sy y. At the rim, where g ends, the one of
+    /// those that is as steep there as the part's plane with slopes (px, py).
+    FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
+                                        const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
+        const Float8 square = mx * mx + my * my;
+        // A little short, so that no direction is longer than 1.
+        const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
+        const Float8 rho = square * per;
         const Int8 entry = truncated(smaller(rho * per_tangent, all(float(surface_tangents) - 1)));
         const Int8 low = entry & 7;
         const Int8 upper = entry > 7;
-        at0 = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
-        slope =
+        const Float8 ux = mx * per, uy = my * per;
+        level = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
+        Float8 slope =
             select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
+        const Int8 at_rim = rho >= rim;
+        const Float8 steep =
+            smaller(larger(px * ux + py * uy, all(surface.rim_slope)), all(float(kernel::steepest_tangent)));
+        slope = select(at_rim, steep, slope);
+        level = select(at_rim, surface.rim_height - steep * radius, level);
+        sx = slope * ux;
+        sy = slope * uy;
     }
 
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
@@ -90,15 +134,20 @@ struct Search {
         const Float8 lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
         const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
                      near_y = larger(larger(lo_y, -hi_y), all(0.0f));
-        const Int8 reached = (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
-        const Float8 mx = 0.5f * (lo_x + hi_x), ex = 0.5f * (hi_x - lo_x);
-        const Float8 my = 0.5f * (lo_y + hi_y), ey = 0.5f * (hi_y - lo_y);
-        const Float8 rho = root(mx * mx + my * my);
-        Float8 at0, slope;
-        tangent(rho, at0, slope);
-        const Float8 share = slope / larger(rho, all(__FLT_MIN__));
-        const Float8 middle = roof + px * (mx - rx) + py * (my - ry) - (at0 + slope * rho);
-        const Float8 over = middle + magnitude(px - share * mx) * ex + magnitude(py - share * my) * ey;
+        const Int8 reached =
+            (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
+        // The tangent plane of the lift over the roof is taken at the point of the box nearest to where the
+        // roof touches the cutter: there the lift is about highest.
+        const Float8 per = rough_inverse_root(1.0f + px * px + py * py);
+        Float8 mx, my;
+        touched(px * per, py * per, mx, my);
+        mx = smaller(larger(mx, lo_x), hi_x);
+        my = smaller(larger(my, lo_y), hi_y);
+        Float8 level, sx, sy;
+        tangent_plane(mx, my, px, py, level, sx, sy);
+        const Float8 gx = px - sx, gy = py - sy;
+        const Float8 over =
+            roof - px * rx - py * ry - level + larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
         return select(reached, smaller(over, top) + margin, all(-__builtin_inff()));
     }
 
@@ -107,7 +156,8 @@ struct Search {
         const Float8 hx = load(node.hx), hy = load(node.hy), hz = load(node.hz);
         const Float8 roof = load(node.roof), px = load(node.slope_x), py = load(node.slope_y);
         if constexpr (!tilted) {
-            return bounds(ax, ay, hx, hy, az + hz, ax, ay, roof, px, py); // unused lanes reach nowhere: hx < 0
+            return bounds(ax, ay, hx, hy, az + hz, ax, ay, roof, px,
+                          py); // unused lanes reach nowhere: hx < 0
         } else {
             const auto& m = turn;
             const auto size = [](float v) { return v < 0 ? -v : v; };
@@ -120,7 +170,8 @@ struct Search {
             const Float8 ez = size(m[2][0]) * hx + size(m[2][1]) * hy + size(m[2][2]) * hz;
             // The roof's plane in the frame, where it is still a roof and not too steep.
             const Float8 up = m[2][2] - m[2][0] * px - m[2][1] * py;
-            const Float8 nx = m[0][2] - m[0][0] * px - m[0][1] * py, ny = m[1][2] - m[1][0] * px - m[1][1] * py;
+            const Float8 nx = m[0][2] - m[0][0] * px - m[0][1] * py,
+                         ny = m[1][2] - m[1][0] * px - m[1][1] * py;
             const Int8 roofed = larger(magnitude(nx), magnitude(ny)) <= float(kernel::steepest_roof) * up;
             const Float8 zero8 = all(0.0f), per = 1.0f / select(roofed, up, all(1.0f));
             const Float8 sx = select(roofed, -nx * per, zero8), sy = select(roofed, -ny * per, zero8);
@@ -133,8 +184,25 @@ struct Search {
         }
     }
 
-    /// Bounds of the lifts over the facets of a block.
-    FACETMILL_MEMBER Float8 facet_bounds(const FacetBlock& block) const {
+    /// g in single precision; rho within the radius.
+    FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
+        Float8 g = all(0.0f);
+        for (int i = 0; i < surface.count; ++i) {
+            const SurfacePiece& p = surface.piece[i];
+            Float8 here;
+            if (p.r == 0) {
+                here = float(p.z0) + float(p.slope0) * (rho - float(p.rho0));
+            } else {
+                const Float8 out = rho - float(p.e);
+                here = float(p.f) - root(larger((float(p.r) - out) * (float(p.r) + out), all(0.0f)));
+            }
+            g = i == 0 ? here : select(rho > float(surface.piece[i - 1].rho1), here, g);
+        }
+        return g;
+    }
+
+    /// Bounds of the lifts over the facets of a block, from above and, by one of their points, from below.
+    FACETMILL_MEMBER Float8 facet_bounds(const FacetBlock& block, Float8& below) const {
         Float8 px[3], py[3], pz[3];
         for (int k = 0; k < 3; ++k) {
             if constexpr (!tilted) {
@@ -142,9 +210,12 @@ struct Search {
                 py[k] = narrow(load(block.y[k]) - query.place[1], load(block.y[k] + 4) - query.place[1]);
                 pz[k] = narrow(load(block.z[k]) - zero, load(block.z[k] + 4) - zero);
             } else {
-                const Float8 ax = narrow(load(block.x[k]) - query.place[0], load(block.x[k] + 4) - query.place[0]);
-                const Float8 ay = narrow(load(block.y[k]) - query.place[1], load(block.y[k] + 4) - query.place[1]);
-                const Float8 az = narrow(load(block.z[k]) - query.place[2], load(block.z[k] + 4) - query.place[2]);
+                const Float8 ax =
+                    narrow(load(block.x[k]) - query.place[0], load(block.x[k] + 4) - query.place[0]);
+                const Float8 ay =
+                    narrow(load(block.y[k]) - query.place[1], load(block.y[k] + 4) - query.place[1]);
+                const Float8 az =
+                    narrow(load(block.z[k]) - query.place[2], load(block.z[k] + 4) - query.place[2]);
                 px[k] = turn[0][0] * ax + turn[0][1] * ay + turn[0][2] * az;
                 py[k] = turn[1][0] * ax + turn[1][1] * ay + turn[1][2] * az;
                 pz[k] = turn[2][0] * ax + turn[2][1] * ay + turn[2][2] * az;
@@ -155,27 +226,52 @@ struct Search {
         const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
                      near_y = larger(larger(lo_y, -hi_y), all(0.0f));
         const Int8 reached = near_x * near_x + near_y * near_y <= radius * radius;
-        const Float8 third = all(1.0f / 3);
-        const Float8 mx = third * (px[0] + px[1] + px[2]), my = third * (py[0] + py[1] + py[2]);
-        const Float8 rho = root(mx * mx + my * my);
-        Float8 at0, slope;
-        tangent(rho, at0, slope);
-        const Float8 share = slope / larger(rho, all(__FLT_MIN__));
-        const Float8 sx = share * mx, sy = share * my;
+        // The tangent plane where the facet's plane touches, if that is about inside.
+        const Float8 ux = px[1] - px[0], uy = py[1] - py[0], uz = pz[1] - pz[0];
+        const Float8 vx = px[2] - px[0], vy = py[2] - py[0], vz = pz[2] - pz[0];
+        const Float8 nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+        const Float8 per = select(nz < 0.0f, all(1.0f), all(-1.0f))
+                           * rough_inverse_root(larger(nx * nx + ny * ny + nz * nz, all(__FLT_MIN__)));
+        const Float8 up =
+            -1.0f / nz; // not finite where there is no plane: then the rim is as steep as may be
+        Float8 mx, my;
+        touched(nx * per, ny * per, mx, my);
+        // The point of the facet with the same barycentric coordinates, those below 0 made 0.
+        const auto weight = [&](int i, int j) __attribute__((always_inline)) {
+            const Float8 w = (px[i] - mx) * (py[j] - my) - (px[j] - mx) * (py[i] - my);
+            return larger(select(nz < 0.0f, -w, w), all(0.0f));
+        };
+        const Float8 w0 = weight(1, 2), w1 = weight(2, 0), w2 = weight(0, 1);
+        const Float8 share = 1.0f / (w0 + w1 + w2);
+        const Float8 qx = share * (w0 * px[0] + w1 * px[1] + w2 * px[2]);
+        const Float8 qy = share * (w0 * py[0] + w1 * py[1] + w2 * py[2]);
+        const Float8 qz = share * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
+        const Float8 q_square = qx * qx + qy * qy;
+        mx = smaller(larger(mx, lo_x), hi_x);
+        my = smaller(larger(my, lo_y), hi_y);
+        Float8 level, sx, sy;
+        tangent_plane(mx, my, nx * up, ny * up, level, sx, sy);
         Float8 most = pz[0] - sx * px[0] - sy * py[0];
         most = larger(most, pz[1] - sx * px[1] - sy * py[1]);
         most = larger(most, pz[2] - sx * px[2] - sy * py[2]);
-        return select(reached, most - at0 + margin, all(-__builtin_inff()));
+        const Float8 size = larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y));
+        const Float8 highest_z = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
+        const Float8 noise = float(kernel::float_noise) * (highest_z + uncertain * (size + radius));
+        // Where the cutter's side is steep, its height at a rounded distance says nothing: stay inside.
+        const Float8 q_rho = root(q_square) + float(kernel::float_noise) * (size + radius);
+        below = select((q_rho < inner) & (q_square >= 0.0f),
+                       qz - (1 + float(kernel::float_noise)) * rough_height(q_rho) - noise,
+                       all(-__builtin_inff()));
+        return select(reached, most - level + noise, all(-__builtin_inff()));
     }
 
     FACETMILL_MEMBER bool in_use(const FacetBlock& block, std::uint32_t lane) const {
         return tilted ? block.facet[lane] != no_slot : block.duty[lane] & duty_upright;
     }
 
-    FACETMILL_MEMBER void enqueue(std::uint32_t which) {
+    FACETMILL_MEMBER void gather(std::uint32_t which, int w) {
         const FacetBlock& block = index.blocks[which / block_width];
         const std::uint32_t lane = which % block_width;
-        const int w = waiting++;
         slot[w] = which;
         unsigned duty = block.duty[lane];
         if constexpr (!tilted) {
@@ -224,7 +320,6 @@ struct Search {
         for (int k = 0; k < 3; ++k)
             has_edge[k][w] = duty & (duty_edge << k) ? -1 : 0;
         has_plane[w] = duty & duty_plane ? -1 : 0;
-        if (waiting == double_lanes) test();
     }
 
     FACETMILL_MEMBER void consider(const Lift4& lift, int edge) {
@@ -241,10 +336,26 @@ struct Search {
         }
     }
 
-    /// All that wait.
+    /// The four most promising of those that wait.
     FACETMILL_MEMBER void test() {
-        if (waiting == 0) return;
-        for (int w = waiting; w < double_lanes; ++w) {
+        int taken = 0;
+        for (; taken < double_lanes; ++taken) {
+            int most = -1;
+            float bound = least;
+            for (int i = 0; i < waiting; ++i)
+                if (queue[i].bound > bound) {
+                    bound = queue[i].bound;
+                    most = i;
+                }
+            if (most < 0) {
+                waiting = 0;
+                break;
+            }
+            gather(queue[most].child, taken);
+            queue[most] = queue[--waiting];
+        }
+        if (taken == 0) return;
+        for (int w = taken; w < double_lanes; ++w) {
             for (int k = 0; k < 3; ++k) {
                 x[k][w] = x[k][0];
                 y[k][w] = y[k][0];
@@ -253,7 +364,6 @@ struct Search {
             }
             has_plane[w] = 0;
         }
-        waiting = 0;
         const Point4 p[3] = {{load(x[0]), load(y[0]), load(z[0])},
                              {load(x[1]), load(y[1]), load(z[1])},
                              {load(x[2]), load(y[2]), load(z[2])}};
@@ -269,35 +379,46 @@ struct Search {
             for (int k = 0; k < 3; ++k) {
                 const Point4 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
                 const Mask4 border = plane.border & (plane.side[k] < 0.0);
-                const Mask4 asked =
-                    ((mask(has_edge[k]) & outside) | border) & (larger(a.z, b.z) > best.tip);
+                const Mask4 asked = ((mask(has_edge[k]) & outside) | border) & (larger(a.z, b.z) > best.tip);
                 if (bits(asked) == 0) continue;
                 consider(edge_lift(surface, asked, a, b, select(border, plane.edge_slack, all(0.0))), k);
             }
         }
-        set_least();
+        raise(best.tip);
     }
 
     FACETMILL_MEMBER void open_block(std::uint32_t which) {
-        unsigned lanes = bits(facet_bounds(index.blocks[which]) > least);
-        const std::uint32_t first = which * std::uint32_t(block_width);
-        if (skipped - first < block_width) lanes &= ~(0xFu << (skipped - first));
         const FacetBlock& block = index.blocks[which];
-        for (; lanes != 0; lanes &= lanes - 1) {
+        Float8 below;
+        const Float8 above = facet_bounds(block, below);
+        alignas(32) float bound[block_width];
+        store(below, bound);
+        for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
+            const int lane = __builtin_ctz(lanes);
+            if (bound[lane] > least) least = sure = bound[lane];
+        }
+        store(above, bound);
+        for (unsigned lanes = bits(above > least); lanes != 0; lanes &= lanes - 1) {
             const auto lane = std::uint32_t(__builtin_ctz(lanes));
-            if (in_use(block, lane)) enqueue(first + lane);
+            if (!in_use(block, lane)) continue;
+            if (waiting == most_waiting) test();
+            queue[waiting++] = {bound[lane], which * std::uint32_t(block_width) + lane};
         }
     }
 
+    /// What is surely there is more than was asked for.
+    FACETMILL_MEMBER bool is_enough() {
+        const double tip = double(sure) + zero;
+        if (tip > query.enough && tip > best.tip) best.tip = tip;
+        return best.tip > query.enough;
+    }
+
     FACETMILL_MEMBER void run() {
-        if (query.hint != no_slot) {
-            // With its neighbours: a first guess that lets most of the tree be passed over.
-            skipped = query.hint & ~3u;
-            const FacetBlock& block = index.blocks[skipped / block_width];
-            for (std::uint32_t k = 0; k < 4; ++k)
-                if (in_use(block, (skipped + k) % std::uint32_t(block_width))) enqueue(skipped + k);
-            test();
-            if (best.tip > query.enough) return;
+        std::uint32_t opened = no_slot;
+        if (query.hint != no_slot) { // a first guess that lets most of the tree be passed over
+            opened = query.hint / std::uint32_t(block_width);
+            open_block(opened);
+            if (is_enough()) return;
         }
         // Seven siblings wait on every level; with full nodes the tree is no deeper than the digits of the
         // facet count in base 8.
@@ -308,8 +429,9 @@ struct Search {
             const Entry top = stack[--depth];
             if (!(top.bound > least)) continue;
             if (top.child & TreeNode::leaf) {
-                open_block(top.child & ~TreeNode::leaf);
-                if (best.tip > query.enough) return;
+                const std::uint32_t block = top.child & ~TreeNode::leaf;
+                if (block != opened) open_block(block);
+                if (is_enough()) return;
                 continue;
             }
             const TreeNode& node = index.nodes[top.child];
@@ -333,12 +455,14 @@ struct Search {
                 stack[depth - 1] = e;
             }
         }
-        test();
+        while (waiting > 0)
+            test();
     }
 };
 
 template <bool tilted>
-void search(const IndexView& index, const SurfaceTable& surface, const AxialQuery& query, AxialAnswer& answer) {
+void search(const IndexView& index, const SurfaceTable& surface, const AxialQuery& query,
+            AxialAnswer& answer) {
     Search<tilted> search(index, surface, query, answer);
     if (index.nodes) search.run();
 }

@@ -27,8 +27,8 @@ struct AxialContact {
     enum class Feature { none, vertex, edge, facet } feature = Feature::none;
 };
 
-/// Where the last lift came from. Lifts of neighbouring places that share one are found faster; the heights are
-/// the same. For one index and one thread at a time.
+/// Where the last lift came from. Lifts of neighbouring places that share one are found faster; the heights
+/// are the same. For one index and one thread at a time.
 class LiftHint {
     friend class AxialLift;
     std::uint32_t slot_ = 0xFFFFFFFFu;

@@ -13,9 +13,9 @@ inline constexpr std::size_t block_width = 8;
 /// What a facet of a block has to test beside its inside, as bits: edge k runs from corner k to k + 1, both
 /// ends included.
 enum FacetDuty : std::uint8_t {
-    duty_edge = 1,        ///< << k: by a cutter that comes down along Z
-    duty_edge_anyway = 8, ///< << k: by a cutter of any axis
-    duty_plane = 64,      ///< its projection along Z has an area
+    duty_edge = 1,                             ///< << k: by a cutter that comes down along Z
+    duty_edge_anyway = 8,                      ///< << k: by a cutter of any axis
+    duty_plane = 64,                           ///< its projection along Z has an area
     duty_upright = 7 * duty_edge + duty_plane, ///< anything for a cutter that comes down along Z
 };
 
@@ -31,7 +31,7 @@ struct alignas(64) FacetBlock {
 /// than the plane z = roof + slope_x (x - cx) + slope_y (y - cy). Relative to the index's origin. Unused
 /// lanes have hx < 0.
 struct alignas(64) TreeNode {
-    static constexpr std::uint32_t leaf = 0x80000000u; ///< child is a block
+    static constexpr std::uint32_t leaf = 0x80000000u;       ///< child is a block
     float cx[block_width], cy[block_width], cz[block_width]; ///< middles
     float hx[block_width], hy[block_width], hz[block_width]; ///< half sizes
     float roof[block_width], slope_x[block_width], slope_y[block_width];

@@ -4,8 +4,8 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/contact_impl.h"
-#include "core/gouge/kernel_tolerances.h"
 #include "core/gouge/facet_duties.h"
+#include "core/gouge/kernel_tolerances.h"
 
 #include <cmath>
 

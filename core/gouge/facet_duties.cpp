@@ -52,8 +52,8 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
         if (f % grain == 0) progress.check();
         const Facet& v = mesh.facets[f];
         if (std::max({v[0], v[1], v[2]}) >= vertices)
-            throw Error(ErrorCode::internal, "facet " + std::to_string(f), "names a vertex that the mesh has not",
-                        "report the part");
+            throw Error(ErrorCode::internal, "facet " + std::to_string(f),
+                        "names a vertex that the mesh has not", "report the part");
         for (std::size_t k = 0; k < 3; ++k)
             ++first[std::min(v[k], v[(k + 1) % 3]) + 1];
     }

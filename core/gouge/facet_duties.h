@@ -16,10 +16,10 @@ double projected_area(const Vec3& a, const Vec3& b, const Vec3& c);
 ///
 /// Every edge is owned by one facet, for cutters of any axis. For a cutter that comes down along Z it is left
 /// out when it is surely a valley: two facets, on different sides of it seen along Z, the one above the plane
-/// of the other. Were q, inside such an edge, the highest contact: the plane of one facet lies below the other
-/// facet, so the lift over that plane has a maximum at q too, and the plane's own contact is found there (or
-/// at another point as high, and going there the lift never falls). A vertex belongs to its edges, so it is
-/// left out when they all are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
+/// of the other. Were q, inside such an edge, the highest contact: the plane of one facet lies below the
+/// other facet, so the lift over that plane has a maximum at q too, and the plane's own contact is found
+/// there (or at another point as high, and going there the lift never falls). A vertex belongs to its edges,
+/// so it is left out when they all are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
 /// everything; so does a facet that names a vertex twice. Cancellation per 20 000 facets.
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress);
 

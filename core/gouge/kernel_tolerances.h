@@ -1,5 +1,5 @@
-// The tolerances of the contact kernels, in plain numbers: the kernels share no inline code (contact_blocks.h).
-// tolerances.h refers here.
+// The tolerances of the contact kernels, in plain numbers: the kernels share no inline code
+// (contact_blocks.h). tolerances.h refers here.
 #pragma once
 
 namespace facetmill::kernel {
@@ -14,6 +14,8 @@ inline constexpr double area_roundings = 8;
 inline constexpr double float_noise = 4e-7;
 /// Support lines of a lower surface, for bounds, are no steeper.
 inline constexpr double steepest_tangent = 6;
+/// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
+inline constexpr double rim_share = 1e-3;
 /// Roofs over the children of a node are no steeper.
 inline constexpr double steepest_roof = 3;
 

@@ -9,6 +9,8 @@ namespace facetmill {
 
 namespace {
 
+constexpr float infinity_f = std::numeric_limits<float>::infinity();
+
 double slope_of(double angle, bool vertical) {
     return vertical ? infinity : std::tan(angle);
 }
@@ -50,9 +52,23 @@ void add_tangents(SurfaceTable& table) {
         const double touched = distance_of_slope(table, double(slope));
         const double at0 = height(table, touched) - double(slope) * touched;
         table.tangent_slope[i] = slope;
-        table.tangent_at0[i] = std::nextafterf(float(at0), -std::numeric_limits<float>::infinity());
-        table.steepest = std::max(table.steepest, slope);
+        table.tangent_at0[i] = std::nextafterf(float(at0), -infinity_f);
     }
+    table.rim_height = std::nextafterf(float(height(table, table.max_radius)), 0.0f);
+    const double slope = slope_at(table, table.max_radius); // of a vertical rim infinite, or no number
+    table.has_rim = slope < kernel::steepest_tangent;
+    table.rim_slope = table.has_rim ? std::nextafterf(float(slope), infinity_f) : 0;
+}
+
+void add_guess(SurfaceTable& table) {
+    const SurfacePiece& first = table.piece[0];
+    table.guess_level = float(first.slope0 / std::hypot(1.0, first.slope0));
+    table.guess_e = float(table.max_radius);
+    for (int i = 0; i < table.count; ++i)
+        if (table.piece[i].r != 0) {
+            table.guess_e = float(table.piece[i].e);
+            table.guess_r = float(table.piece[i].r);
+        }
 }
 
 } // namespace
@@ -81,17 +97,7 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
         table.piece[table.count++] = q;
     }
     add_tangents(table);
-    return table;
-}
-
-SurfaceTable flat_surface(double radius) {
-    if (!(radius > 0) || !std::isfinite(radius))
-        throw Error(ErrorCode::out_of_range, "radius", "is not a positive number", "enter a positive diameter");
-    SurfaceTable table;
-    table.max_radius = radius;
-    table.piece[0].rho1 = radius;
-    table.count = 1;
-    add_tangents(table);
+    add_guess(table);
     return table;
 }
 

@@ -12,8 +12,4 @@ namespace facetmill {
 
 SurfaceTable lower_surface(const CutterProfile& profile);
 
-/// The flat bottom of a cylinder: what a shank or a section of a holder meets a mesh with. Throws
-/// Error(out_of_range) for a radius that is not finite and positive.
-SurfaceTable flat_surface(double radius);
-
 } // namespace facetmill

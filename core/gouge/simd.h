@@ -132,6 +132,17 @@ FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
 }
 #endif
 
+/// About 1 / sqrt(v), wrong by less than rough_share of it; not the same bits on every processor: for bounds
+/// only.
+inline constexpr float rough_share = 4e-4f;
+FACETMILL_LANES Float8 rough_inverse_root(const Float8& v) {
+#ifdef __AVX2__
+    return Float8(_mm256_rsqrt_ps(__m256(v)));
+#else
+    return 1.0f / root(v);
+#endif
+}
+
 FACETMILL_LANES Int8 truncated(const Float8& v) {
     return __builtin_convertvector(v, Int8);
 }

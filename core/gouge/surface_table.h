@@ -21,7 +21,12 @@ struct SurfaceTable {
     /// rho = (i + 0.5) max_radius / surface_tangents the two are close.
     alignas(32) float tangent_at0[surface_tangents] = {};
     alignas(32) float tangent_slope[surface_tangents] = {};
-    float steepest = 0; ///< of the tangents
+    /// At max_radius, where g ends and any steeper line is below it: its height and slope.
+    bool has_rim = false; ///< the slope there is no steeper than lines may be
+    float rim_height = 0, rim_slope = 0;
+    /// About where a plane touches whose normal makes an angle with this sine with the axis: at the axis up
+    /// to guess_level, else at guess_e + guess_r * sine. Only for choosing where bounds are good.
+    float guess_e = 0, guess_r = 0, guess_level = 0;
 };
 
 } // namespace facetmill

@@ -96,8 +96,8 @@ void run(std::size_t facets, std::size_t grid) {
                 mesh->facet_count(), build[0], build[1],
                 double(index->memory()) / double(mesh->facet_count()));
     const auto scalar_index = std::make_shared<scalar::ContactIndex>(mesh, Progress());
-    std::printf("%-6s %14s %14s %8s %14s %8s %14s %10s %12s\n", "cutter", "1 thread /s*", "2 threads /s", "ratio",
-                "scalar /s", "speed-up", "plain scan /s", "speed-up", "worst mm");
+    std::printf("%-6s %14s %14s %8s %14s %8s %14s %10s %12s\n", "cutter", "1 thread /s*", "2 threads /s",
+                "ratio", "scalar /s", "speed-up", "plain scan /s", "speed-up", "worst mm");
     std::vector<Vec2> points;
     for (std::size_t j = 0; j < grid; ++j)
         for (std::size_t i = 0; i < grid; ++i)
@@ -111,12 +111,12 @@ void run(std::size_t facets, std::size_t grid) {
     for (const auto& [name, apt] : cutters) {
         const AxialLift lift(index, CutterProfile(apt));
         double wall[2], cpu[2];
-        lift.tip_z(std::span(points).first(points.size() / 10), std::span(heights).first(points.size() / 10), Progress());
+        lift.tip_z(std::span(points).first(points.size() / 10), std::span(heights).first(points.size() / 10),
+                   Progress());
         for (int threads = 1; threads <= 2; ++threads) {
             set_thread_count(threads);
-            wall[threads - 1] = seconds([&] {
-                cpu[threads - 1] = cpu_seconds([&] { lift.tip_z(points, heights, Progress()); });
-            });
+            wall[threads - 1] = seconds(
+                [&] { cpu[threads - 1] = cpu_seconds([&] { lift.tip_z(points, heights, Progress()); }); });
         }
         const double rate = double(points.size()) / cpu[0];
         std::vector<double> before(points.size());
@@ -143,8 +143,8 @@ void run(std::size_t facets, std::size_t grid) {
         compare(300'000'000 / (mesh->facet_count() + 1'000'000),
                 [&](const Vec2& p) { return test::brute_lift(brute, *mesh, p.x(), p.y()); });
         std::printf("%-6s %14.0f %14.0f %8.2f %14.0f %8.1f %14.2f %10.0f %12.2e\n", name, rate,
-                    double(points.size()) / wall[1], wall[0] / wall[1], scalar_rate, rate / scalar_rate, scan_rate,
-                    rate / scan_rate, worst);
+                    double(points.size()) / wall[1], wall[0] / wall[1], scalar_rate, rate / scalar_rate,
+                    scan_rate, rate / scan_rate, worst);
         std::fflush(stdout);
     }
 }
@@ -164,6 +164,7 @@ int main(int argc, char** argv) {
     std::printf("kernel: %s\n", axial_kernels().name);
     for (const std::size_t facets : sizes)
         run(facets, grid);
-    std::printf("\n* by processor time; so are the scalar search and the plain scan. 2 threads: by the clock, ratio of\n"
+    std::printf("\n* by processor time; so are the scalar search and the plain scan. 2 threads: by the "
+                "clock, ratio of\n"
                 "clock times; meaningful on an idle machine only.\n");
 }

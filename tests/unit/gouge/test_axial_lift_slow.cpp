@@ -11,15 +11,15 @@ class TestAxialLiftSlow : public QObject {
 private slots:
     void single_facets_data() {
         QTest::addColumn<int>("part");
-        for (int part = 1; part <= 10; ++part)
+        for (int part = 10; part < 110; ++part)
             QTest::addRow("%d", part) << part;
     }
     void single_facets() {
         QFETCH(int, part);
-        const std::uint64_t begin = std::uint64_t(part) * 100'000;
-        const LiftCheck check = check_lift_cases(begin, begin + 100'000);
+        const std::uint64_t begin = std::uint64_t(part) * 10'000;
+        const LiftCheck check = check_lift_cases(begin, begin + 10'000);
         QVERIFY2(check.first_failure.isEmpty(), qPrintable(check.first_failure));
-        QVERIFY(check.touched > 80'000);
+        QVERIFY(check.touched > 8'000);
     }
 };
 

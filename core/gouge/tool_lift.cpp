@@ -1,0 +1,217 @@
+#include "core/gouge/tool_lift.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/gouge/axial_kernel.h"
+#include "core/gouge/contact_impl.h"
+#include "core/gouge/lower_surface.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+struct ToolLift::Body {
+    SurfaceTable surface;
+    double offset; ///< of its lowest point above the tip
+    ToolBody kind;
+    int section;
+};
+
+namespace {
+
+/// Two unit vectors that make a right-handed frame with the axis; steady while the axis turns away from -Z.
+void across(const Vec3& axis, double (&frame)[3][3]) {
+    const double sign = axis.z() >= 0 ? 1 : -1, a = -1 / (sign + axis.z()), b = axis.x() * axis.y() * a;
+    const Vec3 u(1 + sign * axis.x() * axis.x() * a, sign * b, -sign * axis.x());
+    const Vec3 v(b, sign + axis.y() * axis.y() * a, -axis.y());
+    for (int k = 0; k < 3; ++k) {
+        frame[0][k] = u[k];
+        frame[1][k] = v[k];
+        frame[2][k] = axis[k];
+    }
+}
+
+double rim_height(const SurfaceTable& surface) {
+    const SurfacePiece& p = surface.piece[surface.count - 1];
+    if (p.r == 0) return p.z0 + p.slope0 * (p.rho1 - p.rho0);
+    const double out = p.rho1 - p.e;
+    return p.f - std::sqrt(std::max(0.0, (p.r - out) * (p.r + out)));
+}
+
+void check_pose(const ToolPose& pose) {
+    const double largest = tolerance::largest_program_coordinate;
+    if (!(pose.tip.cwiseAbs().maxCoeff() <= largest)
+        || !(std::abs(pose.axis.norm() - 1) <= tolerance::unit_axis))
+        throw Error(ErrorCode::internal, "ToolLift",
+                    "was asked for a pose that is not finite or has no unit axis", "report this");
+}
+
+} // namespace
+
+const char* tool_body_name(ToolBody body) {
+    switch (body) {
+    case ToolBody::cutter:
+        return "cutter";
+    case ToolBody::shank:
+        return "shank";
+    case ToolBody::holder:
+        return "holder";
+    case ToolBody::none:
+        break;
+    }
+    return "none";
+}
+
+const char* block_cause_name(BlockCause cause) {
+    switch (cause) {
+    case BlockCause::local:
+        return "local";
+    case BlockCause::global:
+        return "global";
+    case BlockCause::shank:
+        return "shank";
+    case BlockCause::holder:
+        return "holder";
+    case BlockCause::none:
+        break;
+    }
+    return "none";
+}
+
+ToolLift::~ToolLift() = default;
+
+ToolLift::ToolLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance)
+    : index_(std::move(index)), cutter_(cutter) {
+    add(cutter_, 0, allowance, ToolBody::cutter, -1);
+}
+
+ToolLift::ToolLift(ContactIndexPtr index, const Tool& tool, const ToolClearance& clearance)
+    : index_(std::move(index)), cutter_((check_tool(tool), CutterProfile(tool.cutter()))) {
+    add(cutter_, 0, clearance.cutter, ToolBody::cutter, -1);
+    double height = tool.flute_length;
+    const auto cylinder = [&](double diameter, double length, double distance, ToolBody kind, int section) {
+        add(CutterProfile(AptCutter::flat(diameter, length)), height, distance, kind, section);
+        height += length;
+    };
+    if (tool.shank_length > 0)
+        cylinder(tool.shank_diameter, tool.shank_length, clearance.shank, ToolBody::shank, -1);
+    for (std::size_t i = 0; i < tool.holder.size(); ++i)
+        cylinder(tool.holder[i].diameter, tool.holder[i].length, clearance.holder, ToolBody::holder, int(i));
+}
+
+void ToolLift::add(const CutterProfile& profile, double offset, double clearance, ToolBody kind,
+                   int section) {
+    Body body{lower_surface(profile.grown(clearance)), offset - clearance, kind, section};
+    for (const Body& below : bodies_)
+        if (body.surface.max_radius <= below.surface.max_radius
+            && body.offset >= below.offset + rim_height(below.surface))
+            return;
+    if (bodies_.size() == most_bodies)
+        throw Error(ErrorCode::out_of_range, "holder", "has too many sections",
+                    "at most " + std::to_string(most_bodies - 2));
+    bodies_.push_back(body);
+}
+
+double ToolLift::search(const ToolPose& pose, double least, double enough, Hint& hint,
+                        ToolContact* contact) const {
+    check_pose(pose);
+    AxialQuery query;
+    across(pose.axis, query.frame);
+    query.least = least;
+    query.enough = enough;
+    const IndexView view = index_->impl().view();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = bodies_[b];
+        const Vec3 place = pose.tip + body.offset * pose.axis;
+        for (int k = 0; k < 3; ++k)
+            query.place[k] = place[k];
+        query.hint = hint.slot_[b];
+        AxialAnswer answer;
+        axial_kernels().tilted(view, body.surface, query, answer);
+        if (answer.slot != no_slot) hint.slot_[b] = answer.slot;
+        if (!(answer.tip > query.least)) continue;
+        query.least = answer.tip;
+        if (contact && answer.slot != no_slot) {
+            contact->lift = answer.tip;
+            contact->body = body.kind;
+            contact->section = body.section;
+            contact->facet =
+                index_->impl().blocks[answer.slot / block_width].facet[answer.slot % block_width];
+            contact->point = place;
+            for (int k = 0; k < 3; ++k)
+                for (int j = 0; j < 3; ++j)
+                    contact->point[k] += query.frame[j][k] * answer.point[j];
+        }
+        if (query.least > enough) break;
+    }
+    return query.least;
+}
+
+double ToolLift::lift(const ToolPose& pose, Hint& hint) const {
+    return search(pose, -infinity, infinity, hint, nullptr);
+}
+
+double ToolLift::lift(const ToolPose& pose) const {
+    Hint none;
+    return lift(pose, none);
+}
+
+ToolContact ToolLift::contact(const ToolPose& pose) const {
+    Hint none;
+    ToolContact contact;
+    search(pose, -infinity, infinity, none, &contact);
+    return contact;
+}
+
+bool ToolLift::is_deeper(const ToolPose& pose, double depth, Hint& hint) const {
+    return search(pose, depth, depth, hint, nullptr) > depth;
+}
+
+void ToolLift::lift(std::span<const ToolPose> poses, std::span<double> lifts,
+                    const Progress& progress) const {
+    if (poses.size() != lifts.size())
+        throw Error(ErrorCode::internal, "ToolLift", "as many lifts as poses are needed", "report this");
+    constexpr std::size_t poses_per_block = 128;
+    parallel_blocks(poses.size(), poses_per_block, progress, [&](std::size_t begin, std::size_t end) {
+        Hint hint;
+        for (std::size_t i = begin; i < end; ++i)
+            lifts[i] = lift(poses[i], hint);
+    });
+}
+
+Vec3 tip_at_contact(const CutterProfile& cutter, const Vec3& point, const Vec3& normal, const Vec3& axis) {
+    const double up = normal.dot(axis);
+    const Vec3 across_axis = normal - up * axis;
+    const double horizontal = across_axis.norm();
+    if (!(up > 0)) throw Error(ErrorCode::out_of_range, "axis", "points into the part", "tilt the tool less");
+    // The outermost point of the profile that is no steeper than the plane.
+    const double angle = std::atan2(horizontal, up);
+    Vec2 at = Vec2::Zero();
+    for (const ProfilePiece& p : cutter.lower_pieces()) {
+        if (p.angle_at_start() > angle + tolerance::cutter_angle) break;
+        if (p.kind == ProfilePiece::Kind::arc && p.angle_at_end() > angle)
+            at = p.centre + p.radius * Vec2(std::sin(angle), -std::cos(angle));
+        else
+            at = p.to;
+    }
+    const Vec3 away = horizontal > 0 ? Vec3(across_axis / horizontal) : Vec3(Vec3::Zero());
+    return point + at.x() * away - at.y() * axis;
+}
+
+BlockCause block_cause(const ToolContact& contact, const Vec3& contact_point, double local_radius) {
+    switch (contact.body) {
+    case ToolBody::cutter:
+        return (contact.point - contact_point).norm() <= local_radius ? BlockCause::local
+                                                                      : BlockCause::global;
+    case ToolBody::shank:
+        return BlockCause::shank;
+    case ToolBody::holder:
+        return BlockCause::holder;
+    case ToolBody::none:
+        break;
+    }
+    return BlockCause::none;
+}
+
+} // namespace facetmill
