@@ -63,7 +63,8 @@ endfunction()
 # with FACETMILL_TEST (tests/support/test_runner.h).
 function(facetmill_test name)
     cmake_parse_arguments(ARG "" "ROOM;TIMEOUT" "SOURCES;LABELS" ${ARGN})
-    add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/support/test_runner.cpp)
+    add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/support/test_runner.cpp
+        ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     facetmill_link_core(${name} ${ARG_ROOM})
     target_link_libraries(${name} PRIVATE Qt6::Core Qt6::Test)

@@ -1,6 +1,5 @@
 #include "tests/support/test_runner.h"
 
-#include <QCoreApplication>
 #include <QTest>
 
 #include <cstdio>
@@ -25,14 +24,7 @@ bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> m
     return true;
 }
 
-std::string data_path(const std::string& relative) { return std::string(FACETMILL_TEST_DATA) + "/" + relative; }
-
-} // namespace facetmill::test
-
-// `program [ClassName] [QtTest arguments]`: one class only when its name comes first.
-int main(int argc, char** argv) {
-    QCoreApplication app(argc, argv);
-    using facetmill::test::entries;
+int run_tests(int argc, char** argv) {
     const char* only = nullptr;
     if (argc > 1 && argv[1][0] != '-') {
         for (const auto& e : entries())
@@ -56,3 +48,7 @@ int main(int argc, char** argv) {
     }
     return failed == 0 ? 0 : 1;
 }
+
+std::string data_path(const std::string& relative) { return std::string(FACETMILL_TEST_DATA) + "/" + relative; }
+
+} // namespace facetmill::test

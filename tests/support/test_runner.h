@@ -14,6 +14,10 @@ namespace facetmill::test {
 
 bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> make);
 
+/// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first. The exit status
+/// of the program.
+int run_tests(int argc, char** argv);
+
 /// Path of a file or folder below tests/.
 std::string data_path(const std::string& relative);
 
