@@ -1,5 +1,6 @@
 #include "ui/background_job.h"
 
+#include "core/base/parallel.h"
 #include "ui/text.h"
 
 #include <new>
@@ -69,6 +70,7 @@ void BackgroundJob::launch(std::shared_ptr<Run> run) {
     emit started(current_->title);
     timer_.start();
     thread_ = std::thread([this, r = current_] {
+        lower_thread_priority();
         r->end = run_guarded(r->work, r->job);
         // Whatever the work captured is freed here: giving back a large mesh would hold up the window.
         r->work = nullptr;

@@ -5,20 +5,35 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
 
 namespace facetmill {
 
 namespace {
 std::atomic<int> configured_threads{0};
-}
+thread_local bool low_priority = false;
+} // namespace
 
 void set_thread_count(int threads) { configured_threads = threads < 0 ? 0 : threads; }
 
 int thread_count() {
     const int n = configured_threads;
     return n > 0 ? n : tbb::info::default_concurrency();
+}
+
+void lower_thread_priority() {
+    if (low_priority) return;
+    low_priority = true;
+#ifdef __linux__
+    constexpr int nice = 3; // half of a normal thread's share where there is not enough for both
+    setpriority(PRIO_PROCESS, 0, std::max(nice, getpriority(PRIO_PROCESS, 0))); // 0: the calling thread alone
+#endif
 }
 
 namespace detail {
@@ -35,11 +50,13 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body
     std::exception_ptr first;
     std::mutex first_mutex;
     std::atomic<bool> stop{false};
+    const bool lower = low_priority;
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, blocks, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
+                if (lower) lower_thread_priority();
                 for (std::size_t b = range.begin(); b != range.end() && !stop; ++b) {
                     try {
                         body(b);

@@ -17,6 +17,10 @@ namespace facetmill {
 void set_thread_count(int threads);
 int thread_count();
 
+/// The calling thread gives way to others from now on, and so do the workers of the loops it calls: for long jobs beside
+/// a window that has to answer. There is no way back for a thread. Does nothing on systems without priorities of threads.
+void lower_thread_priority();
+
 namespace detail {
 void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body);
 }

@@ -1,4 +1,5 @@
 // Background jobs: three endings, one door.
+#include "core/base/parallel.h"
 #include "tests/support/test_runner.h"
 #include "ui/background_job.h"
 
@@ -8,6 +9,10 @@
 
 #include <atomic>
 #include <stdexcept>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
 
 using facetmill::Cancelled;
 using facetmill::Error;
@@ -118,6 +123,27 @@ private slots:
         QVERIFY2(w.ends[0].message.contains(message), qPrintable(w.ends[0].message));
         QCOMPARE(w.then_calls, 1);
         QVERIFY(w.in_own_thread);
+    }
+
+    void the_window_goes_first() {
+#ifdef __linux__
+        const int own = getpriority(PRIO_PROCESS, 0);
+        if (own >= 15) QSKIP("this process gives way to everything already");
+        Watched w;
+        std::atomic<int> least{100};
+        w.start([&](const Progress& p) {
+            facetmill::parallel_for(200, 1, p, [&](std::size_t) {
+                int now = least;
+                const int nice = getpriority(PRIO_PROCESS, 0); // of the thread that got this index
+                while (nice < now && !least.compare_exchange_weak(now, nice)) {
+                }
+                QThread::usleep(200);
+            });
+        });
+        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QVERIFY2(least > own, qPrintable(QString::number(least)));
+        QCOMPARE(getpriority(PRIO_PROCESS, 0), own);
+#endif
     }
 
     void progress_is_polled() {
