@@ -188,7 +188,6 @@ void MainWindow::connect_parts() {
         activity_->setText(title);
         progress_->setValue(0);
         progress_->show();
-        viewport_->set_busy(true);
         cancel_button_->show();
         update_actions();
     });
@@ -205,6 +204,7 @@ void MainWindow::connect_parts() {
         check_settled();
     });
 
+    connect(viewport_, &Viewport::drawn, this, &MainWindow::check_settled);
     connect(viewport_, &Viewport::path_picked, this, &MainWindow::show_tool_at);
     connect(viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
         viewport_->scene().set_marker(Marker{pick.point, pick.normal});
@@ -328,7 +328,6 @@ void MainWindow::cancel() {
 }
 
 void MainWindow::ended(const JobEnd& end) {
-    viewport_->set_busy(false);
     progress_->hide();
     cancel_button_->hide();
     activity_->setText(tr("Ready"));
@@ -341,7 +340,7 @@ void MainWindow::ended(const JobEnd& end) {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || display_job_.running();
+    return job_.running() || display_job_.running() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

@@ -321,7 +321,7 @@ void MainWindow::picture_with_dialog() {
 }
 
 bool MainWindow::save_picture(const QString& path) {
-    const QImage picture = viewport_->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage picture = viewport_->full_picture();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) {
         fail(tr("%1: the picture cannot be written (%2)").arg(path, file.errorString()));

@@ -47,6 +47,7 @@ void MainWindow::reload_part() {
 
 void MainWindow::show_part(const LoadedPart& loaded, bool new_view) {
     viewport_->scene().set_part(loaded.display);
+    viewport_->content_changed();
     document_.set_part(loaded.part, loaded.key);
     show_stock();
     if (new_view)
@@ -186,8 +187,8 @@ void MainWindow::refresh_paths() {
         [this, display, results](const JobEnd& end) {
             if (!end.done() || results != shown_results_) return;
             viewport_->scene().set_path(*display);
+            viewport_->content_changed();
             show_start_of_path();
-            viewport_->refresh();
         });
 }
 

@@ -7,6 +7,7 @@
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
+#include <QWindow>
 
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -15,6 +16,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cmath>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -29,8 +31,11 @@ constexpr double click_slack = 4.0;
 /// Half a turn of the part for one travel over the shorter side of the view.
 constexpr double turn_per_side = pi;
 constexpr double pick_radius = 8.0;
-/// A full picture that takes longer is replaced by a coarse one while the view moves or a job runs.
+/// A full picture that takes longer is replaced by a coarse one until nothing changes any more.
 constexpr double slow_frame_ms = 40.0;
+/// Coarseness 1 is the scene's preview without smoothing; 2 has half the pixels a side besides, 3 a third.
+constexpr int coarsest = 3;
+constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
 constexpr int rest_ms = 250;
 
 Vec3 vec(const double* v) {
@@ -81,6 +86,12 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_u
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(rest_ms);
     connect(&rest_timer_, &QTimer::timeout, this, &Viewport::rested);
+    step_timer_.setSingleShot(true);
+    step_timer_.setInterval(0);
+    connect(&step_timer_, &QTimer::timeout, this, &Viewport::draw_step);
+    pace_timer_.setSingleShot(true);
+    pace_timer_.setInterval(0);
+    connect(&pace_timer_, &QTimer::timeout, this, [this] { update(); });
 }
 
 Viewport::~Viewport() {
@@ -90,6 +101,8 @@ Viewport::~Viewport() {
 
 void Viewport::release() {
     if (!context()) return;
+    stop_steps();
+    present_ = false;
     makeCurrent();
     scene_.detach();
     window_->vtk->Finalize();
@@ -115,41 +128,74 @@ void Viewport::resizeGL(int, int) {
     dirty_ = true;
 }
 
+bool Viewport::slow() const {
+    return full_frame_ms_ < 0 ? scene_.has_preview() : full_frame_ms_ > slow_frame_ms;
+}
+
 void Viewport::paintGL() {
     auto* w = window_->vtk.Get();
-    if (!dirty_ || !w->GetReadyForRendering()) return;
+    if (!w->GetReadyForRendering()) return;
+    if (std::exchange(present_, false)) show_steps();
+    if (!dirty_) return;
     dirty_ = false;
-    QElapsedTimer timer;
-    timer.start();
     const double ratio = devicePixelRatioF();
-    const int width_px = int(std::lround(width() * ratio)), height_px = int(std::lround(height() * ratio));
-    const bool resized = w->GetSize()[0] != width_px || w->GetSize()[1] != height_px;
-    w->SetSize(width_px, height_px);
+    const QSize size(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
+    const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
+    w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(ratio);
     if (fitted_ && resized) scene_.fit();
-    coarse_ = (moving_ || busy_) && full_frame_ms_ > slow_frame_ms;
-    scene_.set_moving(coarse_);
-    scene_.renderer()->ResetCameraClippingRange();
+    coarse_ = !std::exchange(whole_, false) && slow();
+    QElapsedTimer timer;
+    timer.start();
+    // New content compiles shaders in its first picture, which says nothing about the later ones; those for
+    // fewer pixels are compiled with it, lest they hold up the first turn.
+    const bool first = full_frame_ms_ < 0;
+    if (coarse_ && first) draw(2);
+    draw(coarse_ ? coarseness_ : 0);
+    ++frames_;
+    last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+    if (coarse_) {
+        if (first)
+            coarseness_ = 1;
+        else if (last_frame_ms_ > dear_frame_ms)
+            coarseness_ = std::min(coarseness_ + 1, coarsest);
+        else if (last_frame_ms_ < cheap_frame_ms)
+            coarseness_ = std::max(coarseness_ - 1, 1);
+        rest_timer_.start();
+    } else {
+        // The first picture of all compiles shaders and says nothing about the later ones.
+        if (frames_ > 1) full_frame_ms_ = last_frame_ms_;
+        emit drawn();
+    }
+}
+
+void Viewport::draw(int coarseness) {
+    auto* w = window_->vtk.Get();
+    const int width_px = w->GetSize()[0], height_px = w->GetSize()[1], part = std::max(1, coarseness);
+    const double ratio = devicePixelRatioF();
+    scene_.set_moving(coarseness > 0);
+    scene_.set_antialiasing(coarseness == 0);
     auto* state = w->GetState();
     state->Reset();
     state->Push();
     state->ResetFramebufferBindings();
-    w->Render();
+    if (part == 1) {
+        w->Render();
+    } else {
+        // Fewer pixels, drawn larger. Afterwards the window has its size again: picking counts in its pixels.
+        const int w_px = std::max(1, width_px / part), h_px = std::max(1, height_px / part);
+        w->SetSize(w_px, h_px);
+        scene_.set_pixel_ratio(ratio / part);
+        w->SetFrameBlitModeToNoBlit();
+        w->Render();
+        state->ResetFramebufferBindings();
+        w->BlitDisplayFramebuffer(0, 0, 0, w_px, h_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
+                                  GL_LINEAR);
+        w->SetFrameBlitModeToBlitToCurrent();
+        w->SetSize(width_px, height_px);
+        scene_.set_pixel_ratio(ratio);
+    }
     state->Pop();
-    ++frames_;
-    last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
-    // The first picture of all compiles shaders and says nothing about the later ones.
-    if (!coarse_ && frames_ > 1) full_frame_ms_ = last_frame_ms_;
-}
-
-void Viewport::set_busy(bool busy) {
-    busy_ = busy;
-    if (!busy && coarse_ && !moving_) refresh();
-}
-
-void Viewport::moving() {
-    moving_ = true;
-    rest_timer_.start();
 }
 
 void Viewport::rested() {
@@ -157,13 +203,90 @@ void Viewport::rested() {
         rest_timer_.start(); // held still, but not let go
         return;
     }
-    moving_ = false;
-    if (coarse_ && !busy_) refresh();
+    if (!coarse_ || dirty_ || !window_->vtk->GetReadyForRendering()) return;
+    scene_.set_moving(false);
+    scene_.set_antialiasing(true);
+    steps_ = scene_.begin_steps();
+    step_ = 0;
+    step_ms_ = 0;
+    step_timer_.start();
+}
+
+void Viewport::draw_step() {
+    if (!step_) return;
+    makeCurrent();
+    QElapsedTimer timer;
+    timer.start();
+    auto* w = window_->vtk.Get();
+    auto* state = w->GetState();
+    state->Reset();
+    state->Push();
+    state->ResetFramebufferBindings();
+    w->SetFrameBlitModeToNoBlit();
+    scene_.set_step(*step_);
+    w->Render();
+    w->SetFrameBlitModeToBlitToCurrent();
+    state->Pop();
+    step_ms_ += double(timer.nsecsElapsed()) * 1e-6;
+    doneCurrent();
+    if (++*step_ < steps_) {
+        step_timer_.start();
+        return;
+    }
+    stop_steps();
+    full_frame_ms_ = last_frame_ms_ = step_ms_;
+    coarse_ = false;
+    present_ = true;
+    ++frames_;
+    update();
+    emit drawn();
+}
+
+void Viewport::show_steps() {
+    auto* w = window_->vtk.Get();
+    auto* state = w->GetState();
+    state->Reset();
+    state->Push();
+    state->ResetFramebufferBindings();
+    const int* size = w->GetSize();
+    w->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
+                              GL_NEAREST);
+    state->Pop();
+}
+
+void Viewport::stop_steps() {
+    if (!step_) return;
+    step_.reset();
+    step_timer_.stop();
+    scene_.end_steps();
+}
+
+bool Viewport::finished() const {
+    const QWindow* shown = isVisible() ? window()->windowHandle() : nullptr;
+    return !coarse_ && !step_ && !(dirty_ && shown && shown->isExposed());
+}
+
+void Viewport::content_changed() {
+    full_frame_ms_ = -1;
+    refresh();
 }
 
 void Viewport::refresh() {
+    stop_steps();
+    present_ = false;
     dirty_ = true;
-    update();
+    // Pictures that take a while come by way of a timer, so that other timers and events get their turn in
+    // between.
+    if (!slow())
+        update();
+    else if (!pace_timer_.isActive())
+        pace_timer_.start();
+}
+
+QImage Viewport::full_picture() {
+    refresh();
+    whole_ = true;
+    return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }
 
 void Viewport::set_view(StandardView view) {
@@ -201,7 +324,6 @@ void Viewport::place_overlays() {
 }
 
 void Viewport::turn(const QPointF& by) {
-    moving();
     fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double side = std::max(1, std::min(width(), height()));
@@ -223,7 +345,6 @@ void Viewport::turn(const QPointF& by) {
 }
 
 void Viewport::move(const QPointF& by) {
-    moving();
     fitted_ = false;
     vtkCamera* camera = scene_.camera();
     const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
@@ -280,7 +401,6 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     case Drag::zoom: {
         const QPointF centre = device(press_);
         scene_.zoom_at(centre.x(), centre.y(), std::exp(-by.y() * 0.01));
-        moving();
         fitted_ = false;
         emit camera_changed();
         refresh();
@@ -308,7 +428,6 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     const QPointF at = device(event->position());
     scene_.zoom_at(at.x(), at.y(), std::pow(1.2, steps));
-    moving();
     fitted_ = false;
     emit camera_changed();
     refresh();

@@ -1,7 +1,9 @@
 // The 3D view: a QOpenGLWidget around a vtkGenericOpenGLRenderWindow that shows a Scene. VTK is built against
 // another Qt than ours on some systems, so its own widget is not used anywhere.
 //
-// It draws only when something changed (`refresh`); between changes Qt composes the picture it has. Mouse:
+// It draws only when something changed (`refresh`); between changes Qt composes the picture it has. Where a
+// full picture takes long, a coarse one is drawn at once, and when nothing has changed for a moment the full
+// one follows in steps, between which the window answers. Mouse:
 // left turns, middle or Shift+left moves, right or the wheel zooms about the pointer, a click picks, a double
 // click fits.
 #pragma once
@@ -38,9 +40,12 @@ public:
     const Scene& scene() const { return scene_; }
     /// Draws soon. Many calls draw once.
     void refresh();
-    /// While something is busy in the background, a picture that takes long is drawn coarsely, so that the
-    /// window keeps answering; the full one follows afterwards. On fast graphics nothing changes.
-    void set_busy(bool busy);
+    /// The part or the paths are others: how long a picture takes is not known any more. Draws soon.
+    void content_changed();
+    /// False while a picture is due, or a coarse one stands for a full one that follows.
+    bool finished() const;
+    /// A full picture, drawn now however long it takes.
+    QImage full_picture();
     void set_view(StandardView view);
     /// Fits the view without a change of direction.
     void fit();
@@ -54,6 +59,8 @@ public:
     double last_frame_ms() const { return last_frame_ms_; }
 
 signals:
+    /// The full picture is there.
+    void drawn();
     void camera_changed();
     /// A click that met a CC or CL, the part, nothing.
     void path_picked(const facetmill::PathPick& pick);
@@ -83,9 +90,12 @@ private:
     void move(const QPointF& by);
     void click(const QPointF& at);
     void hover();
-    /// The view is being moved: coarse pictures where full ones take long, until it rests.
-    void moving();
+    bool slow() const;
+    void draw(int coarseness);
     void rested();
+    void draw_step();
+    void show_steps();
+    void stop_steps();
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     Scene scene_;
@@ -99,9 +109,15 @@ private:
     bool dragged_ = false;
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
-    QTimer hover_timer_, rest_timer_;
-    bool busy_ = false, moving_ = false, coarse_ = false;
-    double full_frame_ms_ = 0; ///< of the last picture in full detail
+    QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_;
+    bool coarse_ = false;             ///< what is shown is a coarse picture
+    bool whole_ = false;              ///< the next picture is a full one in any case
+    int coarseness_ = 1;              ///< of the next coarse picture: what the last ones took decides
+    double full_frame_ms_ = -1;       ///< of the last picture in full detail; below 0: not known
+    std::optional<std::size_t> step_; ///< of the full picture that is being drawn
+    std::size_t steps_ = 0;
+    double step_ms_ = 0;   ///< what the steps took until now
+    bool present_ = false; ///< the steps are through, but not on the screen
     QPointF hover_at_;
     int frames_ = 0;
     double last_frame_ms_ = 0;

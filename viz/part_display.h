@@ -39,7 +39,7 @@ using PartDisplayPtr = std::shared_ptr<const PartDisplay>;
 inline constexpr double crease_angle = 30.0 * (pi / 180.0);
 
 /// Parts of more facets have a preview.
-inline constexpr std::size_t largest_part_without_preview = 150'000;
+inline constexpr std::size_t largest_part_without_preview = 50'000;
 
 /// Joins the vertices in each cell of a grid of about 100 cells a side, those that face one way (of six) in
 /// each cell, so that edges stay edges. About 10 ms per 100 000 facets.

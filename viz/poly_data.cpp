@@ -7,6 +7,7 @@
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace facetmill {
@@ -15,11 +16,16 @@ namespace {
 
 // VTK takes the pointer as not const and, with `save` 1, neither writes to it nor frees it.
 template <class Array, class Value>
-vtkNew<Array> borrowed(const std::vector<Value>& values, int components) {
+vtkNew<Array> borrowed(const Value* values, std::size_t n, int components) {
     vtkNew<Array> array;
     array->SetNumberOfComponents(components);
-    array->SetArray(const_cast<Value*>(values.data()), vtkIdType(values.size()), 1);
+    array->SetArray(const_cast<Value*>(values), vtkIdType(n), 1);
     return array;
+}
+
+template <class Array, class Value>
+vtkNew<Array> borrowed(const std::vector<Value>& values, int components) {
+    return borrowed<Array>(values.data(), values.size(), components);
 }
 
 vtkSmartPointer<vtkPolyData> with_points(const std::vector<float>& points) {
@@ -37,30 +43,58 @@ vtkNew<vtkTypeInt32Array> counting(std::size_t n) {
     return array;
 }
 
+/// Cells of `size` indices each, at most `most` in a piece; `like` brings points and normals.
+std::vector<vtkSmartPointer<vtkPolyData>> pieces_of(vtkPolyData* like,
+                                                    const std::vector<std::int32_t>& indices, int size,
+                                                    std::size_t most,
+                                                    void (vtkPolyData::*set)(vtkCellArray*)) {
+    std::vector<vtkSmartPointer<vtkPolyData>> pieces;
+    const std::size_t step = std::max<std::size_t>(1, most) * std::size_t(size);
+    std::size_t from = 0;
+    do {
+        auto piece = vtkSmartPointer<vtkPolyData>::New();
+        piece->SetPoints(like->GetPoints());
+        piece->GetPointData()->SetNormals(like->GetPointData()->GetNormals());
+        vtkNew<vtkCellArray> cells;
+        const std::size_t n = std::min(step, indices.size() - from);
+        cells->SetData(size, borrowed<vtkTypeInt32Array>(indices.data() + from, n, 1));
+        (piece->*set)(cells);
+        pieces.push_back(std::move(piece));
+        from += n;
+    } while (from < indices.size());
+    return pieces;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> triangle_data(const std::vector<float>& points,
                                            const std::vector<float>& normals,
                                            const std::vector<std::int32_t>& triangles) {
-    auto data = with_points(points);
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(3, borrowed<vtkTypeInt32Array>(triangles, 1));
-    data->SetPolys(cells);
+    return triangle_pieces(points, normals, triangles, triangles.size()).front();
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<float>& points,
+                                                          const std::vector<float>& normals,
+                                                          const std::vector<std::int32_t>& triangles,
+                                                          std::size_t most) {
+    const auto data = with_points(points);
     if (!normals.empty()) {
         const auto n = borrowed<vtkFloatArray>(normals, 3);
         n->SetName("Normals");
         data->GetPointData()->SetNormals(n);
     }
-    return data;
+    return pieces_of(data, triangles, 3, most, &vtkPolyData::SetPolys);
 }
 
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments) {
-    auto data = with_points(points);
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(2, borrowed<vtkTypeInt32Array>(segments, 1));
-    data->SetLines(cells);
-    return data;
+    return segment_pieces(points, segments, segments.size()).front();
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> segment_pieces(const std::vector<float>& points,
+                                                         const std::vector<std::int32_t>& segments,
+                                                         std::size_t most) {
+    return pieces_of(with_points(points), segments, 2, most, &vtkPolyData::SetLines);
 }
 
 vtkSmartPointer<vtkPolyData> polyline_data(const Polylines& lines) {

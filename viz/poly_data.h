@@ -13,9 +13,17 @@ namespace facetmill {
 vtkSmartPointer<vtkPolyData> triangle_data(const std::vector<float>& points,
                                            const std::vector<float>& normals,
                                            const std::vector<std::int32_t>& triangles);
+/// The same in pieces of at most `most` triangles, at least one piece. They share points and normals, which
+/// go to the graphics card once.
+std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<float>& points,
+                                                          const std::vector<float>& normals,
+                                                          const std::vector<std::int32_t>& triangles,
+                                                          std::size_t most);
 /// Separate segments, two indices each.
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments);
+std::vector<vtkSmartPointer<vtkPolyData>>
+segment_pieces(const std::vector<float>& points, const std::vector<std::int32_t>& segments, std::size_t most);
 vtkSmartPointer<vtkPolyData> polyline_data(const Polylines& lines);
 /// The points of the polylines as dots.
 vtkSmartPointer<vtkPolyData> dot_data(const Polylines& lines);

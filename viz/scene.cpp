@@ -65,8 +65,15 @@ void Scene::set_moving(bool moving) {
     impl_->apply_visibility();
 }
 
+bool Scene::has_preview() const {
+    bool any = impl_->part_preview.filled || impl_->contact_preview.filled;
+    for (const SceneActor& a : impl_->motion_preview)
+        any = any || a.filled;
+    return any;
+}
+
 void Scene::set_antialiasing(bool on) {
-    impl_->renderer->SetUseFXAA(on);
+    impl_->antialiasing = on;
 }
 
 void Scene::set_part(PartDisplayPtr part) {
@@ -76,14 +83,16 @@ void Scene::set_part(PartDisplayPtr part) {
     const PartDisplayPtr& p = impl_->part;
     if (!p || p->triangles.empty()) {
         impl_->part = nullptr;
-        for (SceneActor* a :
-             {&impl_->part_surface, &impl_->part_lines, &impl_->part_edges, &impl_->part_preview})
-            a->clear();
+        impl_->set_pieces(impl_->part_surface, impl_->more_surface, {}, Vec3::Zero());
+        impl_->set_pieces(impl_->part_edges, impl_->more_edges, {}, Vec3::Zero());
+        impl_->part_lines.clear();
+        impl_->part_preview.clear();
     } else {
-        const auto surface = triangle_data(p->points, p->normals, p->triangles);
-        impl_->part_surface.set_data(surface, p->centre);
+        impl_->set_pieces(impl_->part_surface, impl_->more_surface,
+                          triangle_pieces(p->points, p->normals, p->triangles, elements_in_piece), p->centre);
+        impl_->set_pieces(impl_->part_edges, impl_->more_edges,
+                          segment_pieces(p->points, p->edges, elements_in_piece), p->centre);
         impl_->part_lines.set_data(segment_data(p->points, p->lines), p->centre);
-        impl_->part_edges.set_data(segment_data(p->points, p->edges), p->centre);
         const PartPreview& preview = p->preview;
         impl_->part_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
                                      p->centre);

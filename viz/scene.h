@@ -113,6 +113,17 @@ public:
     /// Say true when the user begins to move it and false at the end. Pictures, picking and bounds do not
     /// change.
     void set_moving(bool moving);
+    /// True when `set_moving` makes a difference.
+    bool has_preview() const;
+    /// One picture in several frames of the window, so that whoever waits for other things too, a window
+    /// without a graphics card, need not wait for a whole one. `begin_steps` takes stock of what is to be
+    /// drawn and returns the number of steps; then every frame draws what `set_step` says, 0 first, over what
+    /// the frames before have left in the window, and only after the last one the picture is whole. Nothing
+    /// else of the scene may change on the way: where it does, the steps begin anew. `end_steps` lets every
+    /// frame be a whole picture again.
+    std::size_t begin_steps();
+    void set_step(std::size_t step);
+    void end_steps();
     /// Smooths jagged edges after drawing (FXAA). On at first.
     void set_antialiasing(bool on);
 

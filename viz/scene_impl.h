@@ -27,7 +27,13 @@ struct SceneActor {
     SceneActor();
     void set_data(vtkPolyData* data, const Vec3& centre);
     void clear();
+    /// Triangles, line segments and dots; only of an actor that has data.
+    std::size_t elements() const;
 };
+
+/// Of a large part in one actor, and about what one step of a picture draws: some 10 ms without a graphics
+/// card.
+inline constexpr std::size_t elements_in_piece = 50'000;
 
 struct Scene::Impl {
     Impl();
@@ -39,6 +45,13 @@ struct Scene::Impl {
     void apply_part_style();
     void place_tool();
     void update_frame(); ///< before every frame
+    /// Splits among `first`, which must have its looks already, and as many more actors as it takes.
+    void set_pieces(SceneActor& first, std::vector<std::unique_ptr<SceneActor>>& more,
+                    const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& centre);
+    /// What the steps of a picture draw before the last one: visible actors with many cells.
+    std::vector<std::vector<SceneActor*>> heavy_groups();
+    void show_step(); ///< hides what the present step leaves out of what is shown
+    bool last_step() const { return !step || *step == step_groups.size(); }
     OverlayContent overlay_content() const;
     std::vector<LegendEntry> legend() const;
     bool shows_content() const;
@@ -63,7 +76,9 @@ struct Scene::Impl {
     Palette palette = Palette::light;
     LengthUnit unit = LengthUnit::mm;
     double ratio = 1;
-    bool moving = false;
+    bool moving = false, antialiasing = true;
+    std::optional<std::size_t> step;
+    std::vector<std::vector<SceneActor*>> step_groups; ///< of the picture being drawn in steps
     PartStyle part_style = PartStyle::smooth;
     std::string title, subtitle, empty_text = "Nothing to show";
     std::vector<bool> layer_on;
@@ -77,6 +92,7 @@ struct Scene::Impl {
     std::optional<Marker> marker;
 
     SceneActor part_surface, part_lines, part_edges, part_preview;
+    std::vector<std::unique_ptr<SceneActor>> more_surface, more_edges; ///< further pieces of a large part
     SceneActor stock_faces, stock_lines;
     SceneActor contact_lines, contact_dots, contact_preview;
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;

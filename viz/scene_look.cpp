@@ -221,10 +221,15 @@ void Scene::Impl::apply_visibility() {
     const bool wire = part_style == PartStyle::wire;
     const bool coarse_part = moving && part_preview.filled,
                coarse_contacts = moving && contact_preview.filled;
-    show(part_surface, on(Layer::part) && !wire && !coarse_part);
+    const auto show_all = [&](SceneActor& first, auto& more, bool wanted) {
+        show(first, wanted);
+        for (auto& piece : more)
+            show(*piece, wanted);
+    };
+    show_all(part_surface, more_surface, on(Layer::part) && !wire && !coarse_part);
     show(part_preview, on(Layer::part) && coarse_part);
     show(part_lines, on(Layer::part));
-    show(part_edges, (on(Layer::edges) || (on(Layer::part) && wire)) && !coarse_part);
+    show_all(part_edges, more_edges, (on(Layer::edges) || (on(Layer::part) && wire)) && !coarse_part);
     show(stock_faces, on(Layer::stock));
     show(stock_lines, on(Layer::stock));
     show(contact_lines, on(Layer::cc) && !coarse_contacts);
@@ -239,16 +244,17 @@ void Scene::Impl::apply_visibility() {
         show(tool_bodies[k], on(Layer::tool) && pose.has_value());
         show(tool_rings[k], on(Layer::tool) && pose.has_value());
     }
+    if (step) show_step();
 }
 
 bool Scene::Impl::shows_back() const {
     if (!part || !part->has_border || !layer_on[std::size_t(Layer::part)] || part_style == PartStyle::wire)
         return false;
     // A sample is enough for a line of the legend.
-    const std::size_t n = part->mesh->facets.size(), step = n / 2048 + 1;
+    const std::size_t n = part->mesh->facets.size(), stride = n / 2048 + 1;
     const Vec3 toward = camera_frame().row(2).transpose();
     std::size_t seen = 0, back = 0;
-    for (std::size_t f = 0; f < n; f += step, ++seen)
+    for (std::size_t f = 0; f < n; f += stride, ++seen)
         back += part->mesh->facet_normal(f).dot(toward) < 0;
     return 50 * back > seen;
 }
@@ -256,7 +262,14 @@ bool Scene::Impl::shows_back() const {
 void Scene::Impl::update_frame() {
     // A context that others draw in too may come with GL_LESS; then nothing flat shows on top of something
     // flat.
-    if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window)) gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
+    if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window)) {
+        gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
+        if (step) {
+            // What VTK does when it clears the depth, which all but the first step leave alone.
+            gl->GetState()->vtkglDepthMask(GL_TRUE);
+            gl->GetState()->vtkglEnable(GL_DEPTH_TEST);
+        }
+    }
     apply_visibility();
     // Dots and lines that would run into each other are thinner.
     const double gap = path && path->contact_spacing > 0 && pixel_size() > 0
@@ -264,8 +277,12 @@ void Scene::Impl::update_frame() {
                            : infinity;
     contact_dots.actor->GetProperty()->SetPointSize(float(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio)));
     contact_lines.actor->GetProperty()->SetLineWidth(float(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio)));
-    renderer->ResetCameraClippingRange();
-    overlay->update(overlay_content());
+    renderer->SetUseFXAA(antialiasing && last_step());
+    renderer->SetErase(!step || *step == 0);
+    axes_renderer->SetDraw(false);
+    if (!step) renderer->ResetCameraClippingRange(); // the steps of one picture have one range
+    overlay->update(last_step() ? overlay_content() : OverlayContent());
+    if (!last_step()) return;
     // The axes' renderer covers a square in the corner and turns as the camera does.
     const Eigen::Vector2i size = window_size();
     const double side = axes_side(size.x() / ratio, size.y() / ratio) * ratio, off = 6 * ratio;

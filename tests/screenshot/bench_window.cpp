@@ -10,6 +10,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLabel>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -56,7 +58,8 @@ public:
         longest_ = 0;
         since_.restart();
     }
-    double longest_ms() const { return double(longest_) * 1e-6; }
+    /// Also of a pause that has just ended, or has not.
+    double longest_ms() const { return double(std::max(longest_, since_.nsecsElapsed())) * 1e-6; }
 
 private:
     QTimer timer_;
@@ -107,7 +110,7 @@ int main(int argc, char** argv) {
     window.open_file(path, LengthUnit::mm);
     wait(window);
     row("read and show the part", double(timer.elapsed()));
-    std::printf("%-44s %10.1f ms\n", "one frame of it", window.viewport().last_frame_ms());
+    std::printf("%-44s %10.1f ms\n", "its full picture", window.viewport().last_frame_ms());
 
     heart.reset();
     timer.restart();
@@ -132,15 +135,68 @@ int main(int argc, char** argv) {
     }
     row("view turned 10 times while planning", double(timer.elapsed()));
 
+    // As a hand does it: the pointer moves on every 16 ms, whatever has been drawn by then.
+    ui::Viewport& view = window.viewport();
+    const QPoint middle = view.rect().center();
+    const auto mouse = [&](QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, at, view.mapToGlobal(at), button, buttons, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+    };
+    const auto drag = [&](const char* what) {
+        heart.reset();
+        timer.restart();
+        const int frames = view.frames();
+        mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::LeftButton);
+        for (int i = 1; i <= 60; ++i) {
+            mouse(QEvent::MouseMove, middle + QPoint(4 * i, i), Qt::NoButton, Qt::LeftButton);
+            run_for(16);
+        }
+        mouse(QEvent::MouseButtonRelease, middle + QPoint(240, 60), Qt::LeftButton, Qt::NoButton);
+        const int drawn = view.frames() - frames;
+        run_for(1000);
+        row(what, double(timer.elapsed()));
+        std::printf("%-44s %10d frames, the last one %.1f ms\n", "", drawn, view.last_frame_ms());
+    };
+    drag("turned by the mouse, planning");
+    heart.reset();
+    timer.restart();
+    for (int i = 0; i < 20; ++i) {
+        mouse(QEvent::MouseMove, middle + QPoint(3 * i, 2 * i), Qt::NoButton, Qt::NoButton);
+        run_for(80);
+    }
+    row("pointer over the part, planning", double(timer.elapsed()));
+
     const bool still = window.job().running();
     double ended_ms = 0;
     QObject::connect(&window.job(), &ui::BackgroundJob::ended, &window,
                      [&] { ended_ms = double(timer.nsecsElapsed()) * 1e-6; });
+    // What the user sees: the word in the status bar, painted.
+    class Painted : public QObject {
+    public:
+        Painted(QLabel* label, const QElapsedTimer& timer) : label_(label), timer_(timer) {
+            label->installEventFilter(this);
+        }
+        double ms = 0;
+
+    private:
+        bool eventFilter(QObject*, QEvent* event) override {
+            if (event->type() == QEvent::Paint && ms == 0 && label_->text() == QStringLiteral("Ready"))
+                ms = double(timer_.nsecsElapsed()) * 1e-6;
+            return false;
+        }
+        QLabel* label_;
+        const QElapsedTimer& timer_;
+    } painted(window.findChild<QLabel*>(QStringLiteral("activity")), timer);
+    heart.reset();
     timer.restart();
     window.cancel();
     const double returned_ms = double(timer.nsecsElapsed()) * 1e-6;
     wait(window);
-    std::printf("%-44s %10.1f ms until it ended, %.2f ms until cancel() returned%s\n", "cancel", ended_ms,
-                returned_ms, still ? "" : " (planning had already ended)");
+    std::printf("%-44s %10.1f ms until it ended, %.1f ms until the window said so, %.2f ms until cancel() "
+                "returned%s\n",
+                "cancel", ended_ms, painted.ms, returned_ms, still ? "" : " (planning had already ended)");
+    run_for(1000);
+    row("after the cancel", double(timer.elapsed()));
+    drag("turned by the mouse, idle");
     return 0;
 }

@@ -244,6 +244,38 @@ private slots:
         QCOMPARE(different_pixels(still, window_.render()), std::size_t(0));
     }
 
+    void a_picture_in_steps_is_the_whole_picture() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        scene.set_path(prepare_path_display({hill_path(60, 3000, 6)}, {}));
+        Box3 stock;
+        stock.add(Vec3(-5, -5, -12));
+        stock.add(Vec3(hill_length + 5, hill_width + 5, 14));
+        scene.set_stock(stock);
+        scene.set_visible(Layer::edges, true);
+        scene.set_title("In steps");
+        const Picture whole = drawn(scene);
+        for (const bool smooth : {false, true}) {
+            scene.set_antialiasing(smooth);
+            const Picture expected = window_.render();
+            const std::size_t steps = scene.begin_steps();
+            QVERIFY(steps > 4);
+            for (std::size_t k = 0; k < steps; ++k) {
+                scene.set_step(k);
+                const Picture now = window_.render();
+                const std::size_t different = different_pixels(expected, now);
+                if (k + 1 < steps)
+                    QVERIFY2(different > 100, qPrintable(QString::number(k))); // no step does it all
+                else
+                    QCOMPARE(different, std::size_t(0));
+            }
+            scene.end_steps();
+            QCOMPARE(different_pixels(expected, window_.render()), std::size_t(0));
+        }
+        scene.set_antialiasing(false);
+        QCOMPARE(different_pixels(whole, window_.render()), std::size_t(0));
+    }
+
     void the_background_is_opaque_and_graded() {
         Scene scene;
         const Picture p = drawn(scene, 200, 200);

@@ -95,7 +95,7 @@ private slots:
         shot(w(), QStringLiteral("window-invalid"));
         // A plan from a value that is not the one on the screen would be a wrong plan.
         QTest::keyClick(&w(), Qt::Key_F5);
-        QVERIFY(!w().busy());
+        QVERIFY(!w().job().running());
         QVERIFY(w().message_bar().message().contains(QStringLiteral("not valid")));
         enter(w(), "tolerance", QStringLiteral("0.03"));
         QVERIFY(error_under(w(), "tolerance").isEmpty());

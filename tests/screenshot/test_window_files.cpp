@@ -152,7 +152,7 @@ private slots:
         enter(w(), "tolerance", QStringLiteral("0.03"));
         QVERIFY(w().windowTitle().startsWith(QStringLiteral("job.facetmill* –")));
         w().export_to(folder + QStringLiteral("/late"));
-        QVERIFY(!w().busy());
+        QVERIFY(!w().job().running());
         QVERIFY(!QFile::exists(folder + QStringLiteral("/late")));
 
         QVERIFY(w().save_picture(folder + QStringLiteral("/view.png")));

@@ -1,4 +1,5 @@
 // The view and the looks of the window: layers, cameras, picking, themes, sizes.
+#include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/layer_bar.h"
 #include "ui/project_tree.h"
@@ -189,6 +190,7 @@ private slots:
 
     void the_view_draws_only_on_demand() {
         QVERIFY(open_part());
+        QTRY_VERIFY(w().viewport().finished());
         QTest::qWait(100);
         const int frames = w().viewport().frames();
         w().findChild<QLabel*>(QStringLiteral("activity"))->setText(QStringLiteral("something else"));
@@ -198,8 +200,55 @@ private slots:
         QCOMPARE(w().viewport().frames(), frames);
         w().viewport().refresh();
         w().viewport().refresh();
+        QTRY_VERIFY(w().viewport().finished());
         QTest::qWait(150);
-        QCOMPARE(w().viewport().frames(), frames + 1);
+        // One picture, and where that takes long a coarse one before it.
+        QVERIFY(w().viewport().frames() > frames && w().viewport().frames() <= frames + 2);
+    }
+
+    void a_large_part_turns_coarsely_and_rests_in_full() {
+        constexpr Index n = 201; // a side: more facets than a part without a preview has
+        Mesh sheet;
+        for (Index j = 0; j < n; ++j)
+            for (Index i = 0; i < n; ++i)
+                sheet.vertices.emplace_back(i * 0.5, j * 0.5, 4 * std::sin(i * 0.06) * std::cos(j * 0.05));
+        for (Index j = 0; j + 1 < n; ++j)
+            for (Index i = 0; i + 1 < n; ++i) {
+                const Index a = j * n + i;
+                sheet.facets.push_back({a, a + 1, a + n + 1});
+                sheet.facets.push_back({a, a + n + 1, a + n});
+            }
+        QVERIFY(sheet.facets.size() > largest_part_without_preview);
+        const QString path = scratch_folder(QStringLiteral("large")) + QStringLiteral("/sheet.stl");
+        save_stl(sheet, path.toStdString(), LengthUnit::mm, {});
+        w().open_file(path, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        auto& view = w().viewport();
+        QVERIFY(view.scene().has_preview());
+        const auto shown = [&] { return view.grabFramebuffer().convertToFormat(QImage::Format_RGB32); };
+        QCOMPARE(changed_pixels(shown(), view_picture(w()), 0), 0); // drawn in steps or at once: the same
+
+        view.content_changed(); // as for a part of unknown cost, whatever this machine can do
+        const QPoint middle = view.rect().center();
+        QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+        QMouseEvent move(QEvent::MouseMove, middle + QPoint(30, 20),
+                         view.mapToGlobal(middle + QPoint(30, 20)), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&view, &move);
+        const QImage coarse = shown();
+        QVERIFY(!view.finished());
+        // What is picked is what is under the pointer, however coarse the picture.
+        const auto under = view.scene().pick_part(middle.x(), middle.y());
+        QVERIFY(under.has_value());
+        QVERIFY((view.scene().display_of(under->point) - Vec2(middle.x(), middle.y())).norm() < 1e-6);
+        QTest::qWait(600);
+        QVERIFY(!view.finished()); // held, not let go
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(30, 20));
+        QTRY_VERIFY(view.finished());
+        QTest::qWait(50);
+        const QImage full = shown();
+        QVERIFY(changed_pixels(coarse, full, 0) > 100);
+        QCOMPARE(changed_pixels(full, view_picture(w()), 0), 0);
     }
 
     void window_state_is_kept() {

@@ -33,6 +33,8 @@ bool wait_until_settled(ui::MainWindow& window) {
 
 QImage shot(QWidget& widget, const QString& name) {
     QTest::qWait(60);
+    if (auto* view = widget.findChild<ui::Viewport*>())
+        (void)QTest::qWaitFor([view] { return view->finished(); });
     const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
     QDir().mkpath(QStringLiteral(FACETMILL_PICTURE_OUT));
     image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/%1.png").arg(name));
@@ -40,8 +42,7 @@ QImage shot(QWidget& widget, const QString& name) {
 }
 
 QImage view_picture(ui::MainWindow& window) {
-    window.viewport().refresh();
-    return window.viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    return window.viewport().full_picture();
 }
 
 int changed_pixels(const QImage& a, const QImage& b, int least) {

@@ -1,0 +1,101 @@
+// A picture in steps: large things piece by piece, then everything else with the finish.
+#include "viz/scene_impl.h"
+
+#include <vtkActorCollection.h>
+#include <vtkCellArray.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace facetmill {
+
+std::size_t SceneActor::elements() const {
+    vtkPolyData* data = mapper->GetInput();
+    const vtkIdType lines = data->GetLines()->GetNumberOfConnectivityIds() - data->GetNumberOfLines();
+    return std::size_t(data->GetNumberOfPolys() + lines + data->GetNumberOfVerts());
+}
+
+void Scene::Impl::set_pieces(SceneActor& first, std::vector<std::unique_ptr<SceneActor>>& more,
+                             const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& centre) {
+    for (auto& piece : more)
+        renderer->RemoveActor(piece->actor);
+    more.clear();
+    if (pieces.empty()) {
+        first.clear();
+        return;
+    }
+    first.set_data(pieces.front(), centre);
+    double factor = 0, units = 0;
+    first.mapper->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        auto piece = std::make_unique<SceneActor>();
+        piece->actor->SetProperty(first.actor->GetProperty());
+        piece->actor->SetBackfaceProperty(first.actor->GetBackfaceProperty());
+        piece->mapper->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+        piece->set_data(pieces[i], centre);
+        renderer->AddActor(piece->actor);
+        more.push_back(std::move(piece));
+    }
+}
+
+std::vector<std::vector<SceneActor*>> Scene::Impl::heavy_groups() {
+    std::vector<SceneActor*> heavy{&part_surface};
+    for (auto& piece : more_surface)
+        heavy.push_back(piece.get());
+    heavy.push_back(&part_lines);
+    heavy.push_back(&part_edges);
+    for (auto& piece : more_edges)
+        heavy.push_back(piece.get());
+    heavy.push_back(&contact_lines);
+    heavy.push_back(&contact_dots);
+    for (auto& a : motion_lines)
+        heavy.push_back(&a);
+    std::vector<std::vector<SceneActor*>> groups;
+    std::size_t elements = 0;
+    for (SceneActor* a : heavy) {
+        if (!a->actor->GetVisibility()) continue;
+        if (groups.empty() || elements + a->elements() > elements_in_piece) {
+            groups.emplace_back();
+            elements = 0;
+        }
+        groups.back().push_back(a);
+        elements += a->elements();
+    }
+    return groups;
+}
+
+void Scene::Impl::show_step() {
+    const auto in = [](const std::vector<SceneActor*>& group, const vtkActor* actor) {
+        return std::any_of(group.begin(), group.end(),
+                           [&](SceneActor* a) { return a->actor.Get() == actor; });
+    };
+    vtkActorCollection* actors = renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it)) {
+        const bool heavy = std::any_of(step_groups.begin(), step_groups.end(),
+                                       [&](const auto& group) { return in(group, actor); });
+        if (last_step() ? heavy : !in(step_groups[*step], actor)) actor->VisibilityOff();
+    }
+}
+
+std::size_t Scene::begin_steps() {
+    impl_->step.reset();
+    impl_->apply_visibility();
+    impl_->renderer->ResetCameraClippingRange();
+    impl_->step_groups = impl_->heavy_groups();
+    return impl_->step_groups.size() + 1;
+}
+
+void Scene::set_step(std::size_t step) {
+    impl_->step = std::min(step, impl_->step_groups.size());
+    impl_->apply_visibility();
+}
+
+void Scene::end_steps() {
+    impl_->step.reset();
+    impl_->step_groups.clear();
+    impl_->apply_visibility();
+}
+
+} // namespace facetmill
