@@ -17,6 +17,10 @@ struct AxialQuery {
     /// The search ends as soon as it is sure that something is higher than this; then the answer's tip is
     /// between this and the lift, and its other members may say nothing.
     double enough = __builtin_inf();
+    /// Where the search starts instead of the root: nodes whose children together are all that matters at
+    /// `place`.
+    const TreeNode* cut = nullptr;
+    int cut_nodes = 0;
     std::uint32_t hint = no_slot; ///< a facet that is likely to be touched; never changes the height
 };
 

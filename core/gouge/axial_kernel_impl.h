@@ -46,6 +46,10 @@ struct Search {
     std::uint32_t slot[4];
     static constexpr int most_waiting = 16;
     Entry queue[most_waiting];
+    // Seven siblings wait on every level; with full nodes the tree is no deeper than the digits of the facet
+    // count in base 8. Beside them those of the cut.
+    Entry stack[block_width * 16];
+    int depth = 0;
     int waiting = 0;
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
@@ -202,6 +206,7 @@ struct Search {
     }
 
     /// Bounds of the lifts over the facets of a block, from above and, by one of their points, from below.
+    template <bool both>
     FACETMILL_MEMBER Float8 facet_bounds(const FacetBlock& block, Float8& below) const {
         Float8 px[3], py[3], pz[3];
         for (int k = 0; k < 3; ++k) {
@@ -236,17 +241,7 @@ struct Search {
             -1.0f / nz; // not finite where there is no plane: then the rim is as steep as may be
         Float8 mx, my;
         touched(nx * per, ny * per, mx, my);
-        // The point of the facet with the same barycentric coordinates, those below 0 made 0.
-        const auto weight = [&](int i, int j) __attribute__((always_inline)) {
-            const Float8 w = (px[i] - mx) * (py[j] - my) - (px[j] - mx) * (py[i] - my);
-            return larger(select(nz < 0.0f, -w, w), all(0.0f));
-        };
-        const Float8 w0 = weight(1, 2), w1 = weight(2, 0), w2 = weight(0, 1);
-        const Float8 share = 1.0f / (w0 + w1 + w2);
-        const Float8 qx = share * (w0 * px[0] + w1 * px[1] + w2 * px[2]);
-        const Float8 qy = share * (w0 * py[0] + w1 * py[1] + w2 * py[2]);
-        const Float8 qz = share * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
-        const Float8 q_square = qx * qx + qy * qy;
+        const Float8 ax = mx, ay = my;
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
         Float8 level, sx, sy;
@@ -257,11 +252,24 @@ struct Search {
         const Float8 size = larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y));
         const Float8 highest_z = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
         const Float8 noise = float(kernel::float_noise) * (highest_z + uncertain * (size + radius));
-        // Where the cutter's side is steep, its height at a rounded distance says nothing: stay inside.
-        const Float8 q_rho = root(q_square) + float(kernel::float_noise) * (size + radius);
-        below = select((q_rho < inner) & (q_square >= 0.0f),
-                       qz - (1 + float(kernel::float_noise)) * rough_height(q_rho) - noise,
-                       all(-__builtin_inff()));
+        if constexpr (both) {
+            // The point of the facet with the same barycentric coordinates, those below 0 made 0.
+            const auto weight = [&](int i, int j) __attribute__((always_inline)) {
+                const Float8 w = (px[i] - ax) * (py[j] - ay) - (px[j] - ax) * (py[i] - ay);
+                return larger(select(nz < 0.0f, -w, w), all(0.0f));
+            };
+            const Float8 w0 = weight(1, 2), w1 = weight(2, 0), w2 = weight(0, 1);
+            const Float8 share = 1.0f / (w0 + w1 + w2);
+            const Float8 qx = share * (w0 * px[0] + w1 * px[1] + w2 * px[2]);
+            const Float8 qy = share * (w0 * py[0] + w1 * py[1] + w2 * py[2]);
+            const Float8 qz = share * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
+            const Float8 q_square = qx * qx + qy * qy;
+            // Where the cutter's side is steep, its height at a rounded distance says nothing: stay inside.
+            const Float8 q_rho = root(q_square) + float(kernel::float_noise) * (size + radius);
+            below = select((q_rho < inner) & (q_square >= 0.0f),
+                           qz - (1 + float(kernel::float_noise)) * rough_height(q_rho) - noise,
+                           all(-__builtin_inff()));
+        }
         return select(reached, most - level + noise, all(-__builtin_inff()));
     }
 
@@ -387,15 +395,20 @@ struct Search {
         raise(best.tip);
     }
 
+    /// The first block that is opened gives a lower bound too: it lets most of the tree be passed over.
     FACETMILL_MEMBER void open_block(std::uint32_t which) {
         const FacetBlock& block = index.blocks[which];
-        Float8 below;
-        const Float8 above = facet_bounds(block, below);
         alignas(32) float bound[block_width];
-        store(below, bound);
-        for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
-            const int lane = __builtin_ctz(lanes);
-            if (bound[lane] > least) least = sure = bound[lane];
+        Float8 below, above;
+        if (sure > -__builtin_inff()) {
+            above = facet_bounds<false>(block, below);
+        } else {
+            above = facet_bounds<true>(block, below);
+            store(below, bound);
+            for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
+                const int lane = __builtin_ctz(lanes);
+                if (bound[lane] > least) least = sure = bound[lane];
+            }
         }
         store(above, bound);
         for (unsigned lanes = bits(above > least); lanes != 0; lanes &= lanes - 1) {
@@ -413,6 +426,27 @@ struct Search {
         return best.tip > query.enough;
     }
 
+    FACETMILL_MEMBER void open_node(const TreeNode& node) {
+        const Float8 bound = child_bounds(node);
+        alignas(32) float value[block_width];
+        store(bound, value);
+        // The best child is the next.
+        int highest = -1;
+        float most = -__builtin_inff();
+        for (unsigned lanes = bits(bound > least); lanes != 0; lanes &= lanes - 1) {
+            const int lane = __builtin_ctz(lanes);
+            if (value[lane] > most) {
+                most = value[lane];
+                highest = depth;
+            }
+            stack[depth++] = {value[lane], node.child[lane]};
+        }
+        if (highest < 0) return;
+        const Entry e = stack[highest];
+        stack[highest] = stack[depth - 1];
+        stack[depth - 1] = e;
+    }
+
     FACETMILL_MEMBER void run() {
         std::uint32_t opened = no_slot;
         if (query.hint != no_slot) { // a first guess that lets most of the tree be passed over
@@ -420,40 +454,22 @@ struct Search {
             open_block(opened);
             if (is_enough()) return;
         }
-        // Seven siblings wait on every level; with full nodes the tree is no deeper than the digits of the
-        // facet count in base 8.
-        Entry stack[block_width * 16];
-        int depth = 0;
-        stack[depth++] = {__builtin_inff(), 0};
+        depth = 0;
+        if (query.cut_nodes == 0)
+            stack[depth++] = {__builtin_inff(), 0};
+        else
+            for (int i = 0; i < query.cut_nodes; ++i)
+                open_node(query.cut[i]);
         while (depth > 0) {
             const Entry top = stack[--depth];
             if (!(top.bound > least)) continue;
-            if (top.child & TreeNode::leaf) {
-                const std::uint32_t block = top.child & ~TreeNode::leaf;
-                if (block != opened) open_block(block);
-                if (is_enough()) return;
+            if (!(top.child & TreeNode::leaf)) {
+                open_node(index.nodes[top.child]);
                 continue;
             }
-            const TreeNode& node = index.nodes[top.child];
-            const Float8 bound = child_bounds(node);
-            alignas(32) float value[block_width];
-            store(bound, value);
-            // The best child is the next.
-            int highest = -1;
-            float most = -__builtin_inff();
-            for (unsigned lanes = bits(bound > least); lanes != 0; lanes &= lanes - 1) {
-                const int lane = __builtin_ctz(lanes);
-                if (value[lane] > most) {
-                    most = value[lane];
-                    highest = depth;
-                }
-                stack[depth++] = {value[lane], node.child[lane]};
-            }
-            if (highest >= 0) {
-                const Entry e = stack[highest];
-                stack[highest] = stack[depth - 1];
-                stack[depth - 1] = e;
-            }
+            const std::uint32_t block = top.child & ~TreeNode::leaf;
+            if (block != opened) open_block(block);
+            if (is_enough()) return;
         }
         while (waiting > 0)
             test();

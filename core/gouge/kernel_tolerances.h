@@ -14,6 +14,8 @@ inline constexpr double area_roundings = 8;
 inline constexpr double float_noise = 4e-7;
 /// Support lines of a lower surface, for bounds, are no steeper.
 inline constexpr double steepest_tangent = 6;
+/// The same for bounds in double precision.
+inline constexpr double double_noise = 1e-13;
 /// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
 inline constexpr double rim_share = 1e-3;
 /// Roofs over the children of a node are no steeper.

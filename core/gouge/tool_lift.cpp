@@ -5,6 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_kernel.h"
 #include "core/gouge/contact_impl.h"
+#include "core/gouge/kernel_tolerances.h"
 #include "core/gouge/lower_surface.h"
 
 #include <cmath>
@@ -126,6 +127,13 @@ double ToolLift::search(const ToolPose& pose, double least, double enough, Hint&
         const Vec3 place = pose.tip + body.offset * pose.axis;
         for (int k = 0; k < 3; ++k)
             query.place[k] = place[k];
+        // The highest the mesh reaches along the axis, as seen from the body: mostly a holder is far above.
+        double top = 0, away = 0;
+        for (int k = 0; k < 3; ++k) {
+            top += pose.axis[k] * (view.origin[k] - place[k]) + std::abs(pose.axis[k]) * view.half_size[k];
+            away += std::abs(view.origin[k] - place[k]) + view.half_size[k];
+        }
+        if (top + kernel::double_noise * away <= query.least) continue;
         query.hint = hint.slot_[b];
         AxialAnswer answer;
         axial_kernels().tilted(view, body.surface, query, answer);
