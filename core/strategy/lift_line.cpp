@@ -15,10 +15,11 @@ public:
             const Progress& progress)
         : field_(field), origin_(origin), direction_(direction), tolerance_(tolerance), progress_(progress) {}
 
-    LinePoint at(double s) const { return {s, field_.tip_z(origin_ + s * direction_)}; }
+    LinePoint at(double s, LiftHint& hint) const { return {s, field_.tip_z(origin_ + s * direction_, hint)}; }
 
     /// Appends what lies between a and b, and b.
-    void add(const LinePoint& a, const LinePoint& b, std::vector<LinePoint>& out, int depth = 0) const {
+    void add(const LinePoint& a, const LinePoint& b, std::vector<LinePoint>& out, LiftHint& hint,
+             int depth = 0) const {
         const double ds = b.s - a.s, dz = b.z - a.z;
         if (ds <= tolerance_.shortest() || depth >= deepest) {
             if (dz < 0)
@@ -29,7 +30,7 @@ public:
             return;
         }
         if (depth % 8 == 7) progress_.check();
-        const LinePoint mid = at(0.5 * (a.s + b.s));
+        const LinePoint mid = at(0.5 * (a.s + b.s), hint);
         // Across the chord. Of a kink's height the middle sees at least half, wherever the kink is; of an arc
         // all.
         const double lift = (mid.z - 0.5 * (a.z + b.z)) * ds / std::hypot(ds, dz);
@@ -38,8 +39,8 @@ public:
             out.push_back(b);
             return;
         }
-        add(a, mid, out, depth + 1);
-        add(mid, b, out, depth + 1);
+        add(a, mid, out, hint, depth + 1);
+        add(mid, b, out, hint, depth + 1);
     }
 
 private:
@@ -59,18 +60,20 @@ double safe_spacing(const CutterProfile& profile, double below) {
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
                                  double s1, const LineTolerance& tolerance, const Progress& progress) {
     const Refiner refiner(field, origin, direction, tolerance, progress);
-    if (!(s1 > s0)) return {refiner.at(s0)};
+    LiftHint first;
+    if (!(s1 > s0)) return {refiner.at(s0, first)};
     const auto n = std::size_t(std::ceil((s1 - s0) / tolerance.spacing));
     const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
     const std::size_t blocks = (n - 1) / block_segments + 1;
     std::vector<std::vector<LinePoint>> parts(blocks);
     parallel_blocks(n, block_segments, progress, [&](std::size_t begin, std::size_t end) {
         auto& part = parts[begin / block_segments];
-        LinePoint last = refiner.at(node(begin));
+        LiftHint hint;
+        LinePoint last = refiner.at(node(begin), hint);
         if (begin == 0) part.push_back(last);
         for (std::size_t i = begin; i < end; ++i) {
-            const LinePoint next = refiner.at(node(i + 1));
-            refiner.add(last, next, part);
+            const LinePoint next = refiner.at(node(i + 1), hint);
+            refiner.add(last, next, part, hint);
             last = next;
         }
     });

@@ -13,6 +13,9 @@ struct LiftField {
     const AxialLift* lift = nullptr;
     double floor = -infinity;
     double tip_z(const Vec2& p) const { return std::max(lift->tip_z(p.x(), p.y()), floor); }
+    double tip_z(const Vec2& p, LiftHint& hint) const {
+        return std::max(lift->tip_z(p.x(), p.y(), hint), floor);
+    }
 };
 
 struct LinePoint {
