@@ -148,6 +148,11 @@ void MainWindow::connect_parts() {
             [this](const QString& why) { tell(MessageBar::Kind::warning, why); });
     connect(tree_, &ProjectTree::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(tree_, &ProjectTree::new_tool, this, [this] { edit_tool(std::nullopt); });
+    connect(tree_, &ProjectTree::edit_parameters, this, [this] {
+        properties_dock_->show();
+        properties_dock_->raise();
+        properties_->form()->focus_first();
+    });
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(layers_, &LayerBar::toggled, this, [this] {
@@ -366,12 +371,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();
+    if (QApplication::activeModalWidget()) return; // a question is open
     if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     const auto urls = event->mimeData()->urls();
-    if (urls.isEmpty() || !urls.front().isLocalFile()) return;
+    if (urls.isEmpty() || !urls.front().isLocalFile() || QApplication::activeModalWidget()) return;
     event->acceptProposedAction();
     // The source of the drag waits for this event: questions come after it.
     const QString path = urls.front().toLocalFile();

@@ -205,7 +205,8 @@ void MainWindow::fill_recent_menu() {
 void MainWindow::show_shortcuts() {
     QString rows;
     const auto row = [&](const QString& key, const QString& what) {
-        rows += QStringLiteral("<tr><td style=\"padding:2px 18px 2px 0\"><b>%1</b></td><td>%2</td></tr>")
+        rows += QStringLiteral("<tr><td style=\"padding:2px 18px 2px 0; white-space:nowrap\"><b>%1</b></td>"
+                               "<td style=\"padding:2px 0; white-space:nowrap\">%2</td></tr>")
                     .arg(key, what);
     };
     row(tr("Left drag"), tr("turn the view about the point under the pointer"));
@@ -218,6 +219,7 @@ void MainWindow::show_shortcuts() {
     row(tr("Esc"), tr("cancel the running job"));
     row(tr("Ctrl+E"), tr("export APT programs and the report"));
     row(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("undo, redo"));
+    row(tr("Enter, F2"), tr("edit the selected tool or the parameters of the selection"));
     row(tr("Del"), tr("remove the selected tool or operation"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Keys and mouse"),
                                 QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows),

@@ -300,6 +300,8 @@ void MainWindow::edit_tool(std::optional<std::size_t> index) {
     }
     auto* dialog = new ToolDialog(tool, document_.unit(), taken, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // A part that was still being read can bring another project: its tools are not the one on the screen.
+    connect(&document_, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog, index] {
         if (index && *index < document_.project().tools.size())
             document_.set_tool(*index, dialog->tool());

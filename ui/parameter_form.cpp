@@ -243,6 +243,10 @@ bool ParameterForm::commit() {
     return true;
 }
 
+void ParameterForm::focus_first() {
+    if (!rows_.empty()) rows_.front().editor->setFocus(Qt::TabFocusReason);
+}
+
 bool ParameterForm::valid() const {
     return std::none_of(rows_.begin(), rows_.end(), [](const Row& r) { return r.invalid; });
 }

@@ -33,6 +33,8 @@ public:
     /// value beneath it is unchanged.
     void set_values(const Parameterized& values, LengthUnit unit);
 
+    /// Into the first field, its text selected.
+    void focus_first();
     /// Also hand over values while the user still types, as soon as they are good. Off at first.
     void set_live(bool live) { live_ = live; }
 

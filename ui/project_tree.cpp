@@ -87,6 +87,20 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
     up_ = new QAction(icon(Icon::up), tr("Move up"), this);
     down_ = new QAction(icon(Icon::down), tr("Move down"), this);
     addAction(remove_);
+    // What a double click does, and renaming, by keys.
+    for (const int key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2}) {
+        auto* by_key = new QAction(this);
+        by_key->setShortcut(key);
+        by_key->setShortcutContext(Qt::WidgetShortcut);
+        connect(by_key, &QAction::triggered, this, [this] {
+            const auto node = selected();
+            if (node && node->kind == TreeNode::Kind::tool)
+                emit edit_tool(node->index);
+            else if (node)
+                emit edit_parameters();
+        });
+        tree_->addAction(by_key);
+    }
 
     auto* bar = new QToolBar(this);
     bar->setIconSize(QSize(16, 16));

@@ -45,6 +45,8 @@ signals:
     void selection_changed();
     void edit_tool(std::size_t index);
     void new_tool();
+    /// The parameters of what is selected are wanted, by Enter or F2.
+    void edit_parameters();
     void plan_operation(std::size_t index);
     /// A change that the project refuses.
     void refused(const QString& why);

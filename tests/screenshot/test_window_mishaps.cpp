@@ -1,0 +1,200 @@
+// What users do that nobody planned for: other files in the middle of a job, bad places, keys only.
+#include "tests/screenshot/window_support.h"
+#include "ui/parameter_form.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/tool_dialog.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::OperationState;
+using ui::TreeNode;
+
+class TestWindowMishaps : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    /// A plan that takes minutes is under way.
+    bool start_long_plan() {
+        if (!open_part()) return false;
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.00002"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QTest::qWait(100);
+        return w().job().running() && w().document().state(0) == OperationState::planning;
+    }
+
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void another_file_while_planning() {
+        QVERIFY(start_long_plan());
+        const QString other =
+            write_mesh(scratch_folder(QStringLiteral("other")), QStringLiteral("other.stl"));
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(other, LengthUnit::inch);
+        QVERIFY(asked);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().windowTitle().startsWith(QStringLiteral("other*")));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(!w().document().result(0)); // nothing of the old plan arrives
+        QVERIFY(w().last_failure().isEmpty());
+    }
+
+    void a_bad_file_while_planning() {
+        QVERIFY(start_long_plan());
+        QFile bad(scratch_folder(QStringLiteral("bad-later")) + QStringLiteral("/bad.stl"));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("solid of nothing");
+        bad.close();
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(bad.fileName());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("bad.stl")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(w().document().part_is_current()); // what was there is still there, and can be planned
+        QVERIFY(activate(w()));                    // without a window manager nobody does after a question
+        enter(w(), "tolerance", QStringLiteral("0.03"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+    }
+
+    void closing_while_planning() {
+        QVERIFY(start_long_plan());
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().close();
+        QVERIFY(asked);
+        QVERIFY(!w().isVisible());
+        close_window(); // comes back: the job has ended
+    }
+
+    void undo_and_removal_while_planning() {
+        QVERIFY(start_long_plan());
+        w().tree().duplicate_action()->trigger();
+        w().tree().select({TreeNode::Kind::operation, 0});
+        w().tree().remove_action()->trigger(); // the one that is being planned
+        QCOMPARE(w().document().operation_count(), std::size_t(1));
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(w().job().running());
+        QTest::keyClick(&w(), Qt::Key_Escape);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().operation_count(), std::size_t(1));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(w().last_failure().isEmpty());
+    }
+
+    void a_tool_on_the_screen_does_not_get_into_another_project() {
+        QVERIFY(open_part());
+        const QString other = write_mesh(scratch_folder(QStringLiteral("late")), QStringLiteral("late.stl"));
+        w().document().undo_stack().setClean();
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(other, LengthUnit::mm); // takes its time
+        QVERIFY(w().job().running());
+        w().tree().select({TreeNode::Kind::tool, 0});
+        w().tree().edit_action()->trigger();
+        QVERIFY(w().findChild<ui::ToolDialog*>());
+        // A file dropped on the window behind a question is refused.
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(other)});
+        QDragEnterEvent dragged(QPoint(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        dragged.ignore();
+        QApplication::sendEvent(&w(), &dragged);
+        QVERIFY(!dragged.isAccepted());
+        QVERIFY(wait_until_settled(w()));
+        QTRY_VERIFY(!w().findChild<ui::ToolDialog*>());
+        QVERIFY(w().windowTitle().startsWith(QStringLiteral("late*")));
+        QVERIFY(!w().document().undo_stack().canUndo());
+    }
+
+    void programs_into_a_place_that_cannot_be() {
+        QVERIFY(open_and_plan());
+        const QString folder = scratch_folder(QStringLiteral("place"));
+        QFile file(folder + QStringLiteral("/file"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        w().export_to(folder + QStringLiteral("/file/programs"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("programs")),
+                 qPrintable(w().message_bar().message()));
+        QCOMPARE(QDir(folder).entryList(QDir::Files), QStringList(QStringLiteral("file")));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        w().resize(800, 600);
+        shot(w(), QStringLiteral("window-unwritable"));
+    }
+
+    void keys_only() {
+        QVERIFY(open_part());
+        auto* tree = w().tree().findChild<QTreeWidget*>();
+        w().tree().select({TreeNode::Kind::operation, 0});
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_F2);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(field(w(), "name")));
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Upper side")); // over the old name
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(first_operation(w()).name, std::string("Upper side"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY(QApplication::focusWidget() != field(w(), "name"));
+        w().tree().select({TreeNode::Kind::tool, 0});
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Return);
+        auto* dialog = w().findChild<ui::ToolDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QVERIFY(!dialog->isVisible());
+    }
+
+    void double_clicks() {
+        QVERIFY(open_and_plan());
+        auto* tree = w().tree().findChild<QTreeWidget*>();
+        const auto twice = [](QWidget* on, QPoint at) {
+            QTest::mouseClick(on, Qt::LeftButton, {}, at);
+            QTest::mouseDClick(on, Qt::LeftButton, {}, at);
+        };
+        for (QTreeWidgetItemIterator it(tree); *it; ++it) {
+            twice(tree->viewport(), tree->visualItemRect(*it).center());
+            if (auto* dialog = w().findChild<ui::ToolDialog*>()) {
+                dialog->reject();
+                QTRY_VERIFY(!w().findChild<ui::ToolDialog*>());
+            }
+            if ((*it)->childCount() > 0) QVERIFY(!(*it)->isExpanded());
+            (*it)->setExpanded(true);
+        }
+        twice(&w().viewport(), w().viewport().rect().center());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+    }
+
+    void help_windows() {
+        for (const char* name : {"keys", "about"}) {
+            action(w(), name)->trigger();
+            auto* box = w().findChild<QMessageBox*>();
+            QVERIFY(box && box->isVisible());
+            shot(*box, QStringLiteral("dialog-") + QLatin1String(name));
+            QTest::keyClick(box, Qt::Key_Escape);
+            QTRY_VERIFY(!w().findChild<QMessageBox*>());
+        }
+    }
+};
+FACETMILL_TEST(TestWindowMishaps)
+
+#include "test_window_mishaps.moc"
