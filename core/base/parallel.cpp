@@ -11,6 +11,7 @@
 
 #ifdef __linux__
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace facetmill {
@@ -31,8 +32,10 @@ void lower_thread_priority() {
     if (low_priority) return;
     low_priority = true;
 #ifdef __linux__
-    constexpr int nice = 3; // half of a normal thread's share where there is not enough for both
-    setpriority(PRIO_PROCESS, 0, std::max(nice, getpriority(PRIO_PROCESS, 0))); // 0: the calling thread alone
+    // Beside the program's first thread, the one with the window, half of its share where there is not enough for both.
+    // 0 is the calling thread alone.
+    const int nice = std::min(19, getpriority(PRIO_PROCESS, id_t(getpid())) + 3);
+    if (getpriority(PRIO_PROCESS, 0) < nice) setpriority(PRIO_PROCESS, 0, nice);
 #endif
 }
 
