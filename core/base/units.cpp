@@ -65,6 +65,10 @@ std::string format_number(double value, int digits) {
     return text == "-0" ? "0" : text;
 }
 
+std::string length_text(double mm, LengthUnit unit, int digits) {
+    return format_number(mm / mm_per(unit), digits) + " " + std::string(unit_name(unit));
+}
+
 bool parse_number(std::string_view text, double& value) {
     if (!text.empty() && text.front() == '+') {
         text.remove_prefix(1);

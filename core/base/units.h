@@ -29,6 +29,9 @@ std::string_view edge_unit_name(Quantity quantity, LengthUnit unit);
 /// '.' as decimal point whatever the locale.
 std::string format_number(double value, int digits = 6);
 
+/// A length of `mm` as a message shows it in `unit`: "1.143 mm", "0.045 in".
+std::string length_text(double mm, LengthUnit unit, int digits = 4);
+
 /// Strict decimal number over the whole text ('.' only, no hexadecimal, no inf or nan, locale independent).
 bool parse_number(std::string_view text, double& value);
 

@@ -2,6 +2,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/cutter/cutter.h"
+#include "core/cutter/refuse.h"
 
 #include <array>
 #include <cmath>
@@ -10,13 +11,6 @@ namespace facetmill {
 
 namespace {
 
-[[noreturn]] void refuse(const char* letter, const std::string& what, const std::string& remedy) {
-    throw Error(ErrorCode::out_of_range, letter, what, remedy);
-}
-
-std::string mm(double v) {
-    return format_number(v) + " mm";
-}
 std::string deg(double v) {
     return format_number(degrees(v)) + "°";
 }

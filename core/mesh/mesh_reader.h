@@ -140,6 +140,23 @@ enum class NumberForm {
     invalid,
 };
 
+/// What readers of text have in common: the source, and errors that name the line.
+class TextReader {
+protected:
+    explicit TextReader(const MeshSource& source) : source_(source) {}
+
+    [[noreturn]] void fail(ErrorCode code, std::size_t offset, const std::string& what,
+                           const std::string& remedy = "the file is damaged: export it again") const {
+        throw Error(code, at_line(source_, offset), what, remedy);
+    }
+    /// Of a token that lies in the source.
+    std::size_t start_of(std::string_view token) const {
+        return std::size_t(token.data() - source_.bytes.data());
+    }
+
+    const MeshSource& source_;
+};
+
 /// Reads a whole token: sign, digits with at most one decimal mark, exponent with e, E, d or D. Underflow
 /// gives 0, negative zero gives 0.
 NumberForm read_number(std::string_view token, double& value, char decimal_mark = '.');

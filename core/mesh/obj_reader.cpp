@@ -24,9 +24,9 @@ struct LatestReference {
     std::size_t offset = 0;
 };
 
-class ObjParser {
+class ObjParser : TextReader {
 public:
-    explicit ObjParser(const MeshSource& source) : source_(source), cursor_{source.bytes} {
+    explicit ObjParser(const MeshSource& source) : TextReader(source), cursor_{source.bytes} {
         cursor_.position = byte_order_mark(source.bytes);
         soup_.format = "OBJ";
         soup_.indexed = true;
@@ -52,14 +52,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(ErrorCode code, std::size_t offset, const std::string& what,
-                           const std::string& remedy = "the file is damaged: export it again") const {
-        throw Error(code, at_line(source_, offset), what, remedy);
-    }
-    std::size_t start_of(std::string_view token) const {
-        return std::size_t(token.data() - source_.bytes.data());
-    }
-
     /// The next token of the statement; a backslash at the end of a line continues it.
     std::string_view next() {
         for (;;) {
@@ -230,7 +222,6 @@ private:
         }
     }
 
-    const MeshSource& source_;
     TextCursor cursor_;
     TriangleSoup soup_;
     std::vector<Index> corners_, sizes_; ///< of all polygons, one behind the other

@@ -74,9 +74,9 @@ struct PlyMesh {
     bool lines = false;
 };
 
-class PlyReader {
+class PlyReader : TextReader {
 public:
-    explicit PlyReader(const MeshSource& source) : source_(source), cursor_{source.bytes} {}
+    explicit PlyReader(const MeshSource& source) : TextReader(source), cursor_{source.bytes} {}
 
     TriangleSoup run(const Progress& progress) {
         cursor_.position = byte_order_mark(source_.bytes);
@@ -124,13 +124,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(ErrorCode code, std::size_t offset, const std::string& what,
-                           const std::string& remedy = "the file is damaged: export it again") const {
-        throw Error(code, at_line(source_, offset), what, remedy);
-    }
-    std::size_t start_of(std::string_view token) const {
-        return std::size_t(token.data() - source_.bytes.data());
-    }
     [[noreturn]] void fail_truncated(const std::string& where, const std::string& what) const {
         throw Error(ErrorCode::truncated, source_.name + ", " + where, what,
                     "the file was cut: copy or export it again");
@@ -487,7 +480,6 @@ private:
         }
     }
 
-    const MeshSource& source_;
     TextCursor cursor_;
     PlyEncoding encoding_ = PlyEncoding::ascii;
     std::vector<PlyElement> elements_;

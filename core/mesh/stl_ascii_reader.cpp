@@ -34,11 +34,11 @@ struct AsciiFindings {
     bool ends_with_facet = false; ///< the last thing in the piece is a facet that ends where the piece ends
 };
 
-class AsciiParser {
+class AsciiParser : TextReader {
 public:
     /// Reads [begin, end) of the file; a piece that does not begin the file begins behind an "endfacet".
     AsciiParser(const MeshSource& source, std::size_t begin, std::size_t end, char decimal_mark)
-        : source_(source), cursor_{source.bytes.substr(0, end), begin}, decimal_mark_(decimal_mark),
+        : TextReader(source), cursor_{source.bytes.substr(0, end), begin}, decimal_mark_(decimal_mark),
           in_solid_(begin > 0), solid_is_empty_(begin == 0) {
         if (begin == 0) cursor_.position = byte_order_mark(source.bytes);
     }
@@ -69,14 +69,6 @@ private:
     static constexpr std::array<std::string_view, 6> inner_words = {"normal", "outer",   "loop",
                                                                     "vertex", "endloop", "endfacet"};
 
-    std::size_t start_of(std::string_view token) const {
-        return std::size_t(token.data() - source_.bytes.data());
-    }
-
-    [[noreturn]] void fail(ErrorCode code, std::size_t offset, const std::string& what,
-                           const std::string& remedy = "the file is damaged: export it again") const {
-        throw Error(code, at_line(source_, offset), what, remedy);
-    }
     [[noreturn]] void fail_token(std::string_view token, const std::string& expected) const {
         if (token.empty() || token.data() + token.size() == source_.bytes.data() + source_.bytes.size())
             fail(ErrorCode::truncated, source_.bytes.size(), "the file ends inside a facet",
@@ -280,7 +272,6 @@ private:
              "the file is damaged or in another unit");
     }
 
-    const MeshSource& source_;
     TextCursor cursor_;
     char decimal_mark_;
     bool in_solid_, solid_is_empty_;

@@ -1,6 +1,7 @@
 #include "core/setup/tool.h"
 
 #include "core/base/tolerances.h"
+#include "core/cutter/refuse.h"
 
 #include <cmath>
 
@@ -10,14 +11,6 @@ namespace {
 
 using tolerance::largest_tool;
 constexpr double steepest_angle = tolerance::steepest_tool_angle;
-
-[[noreturn]] void refuse(const std::string& key, const std::string& what, const std::string& remedy) {
-    throw Error(ErrorCode::out_of_range, key, what, remedy);
-}
-
-std::string mm(double v) {
-    return format_number(v) + " mm";
-}
 
 /// The tool's key for a letter of the cutter.
 std::string key_of(const std::string& letter) {
@@ -43,7 +36,7 @@ const ParameterTable<Tool>& tool_parameters() {
                               .kind = K::integer,
                               .quantity = Q::count,
                               .minimum = 1,
-                              .maximum = 99999,
+                              .maximum = largest_tool_number,
                               .stage = Stage::output});
         t.add(&Tool::name, {.key = "name",
                             .label = "Name",

@@ -16,6 +16,9 @@ struct HolderSection {
     bool operator==(const HolderSection&) const = default;
 };
 
+/// Tools are numbered from 1 to this.
+inline constexpr long largest_tool_number = 99999;
+
 /// Plain values as the project file has them; millimetres and radians. `diameter` is APT's d (cutter.h): the
 /// diameter of a cylindrical cutter, and of a tapered one that where bottom and side line meet, below the
 /// corner rounding. (Lu's R is the radius at the top, which would change with the flute length.)

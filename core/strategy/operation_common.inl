@@ -11,7 +11,7 @@ void add_common_parameters(ParameterTable<S>& table) {
     table.add(member(&S::name), {.key = "name", .label = "Name", .help = "Name of the operation; also names its output file.",
                          .kind = K::text, .stage = Stage::output});
     table.add(member(&S::tool), {.key = "tool", .label = "Tool", .help = "Number of the tool in the tool list.",
-                         .kind = K::integer, .quantity = Quantity::count, .minimum = 1, .maximum = 9999,
+                         .kind = K::integer, .quantity = Quantity::count, .minimum = 1, .maximum = largest_tool_number,
                          .stage = Stage::cutter});
     table.add(member(&S::tolerance),
               {.key = "tolerance", .label = "Tolerance",

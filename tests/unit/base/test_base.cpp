@@ -2,10 +2,11 @@
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/base/parameter.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
-#include <QTest>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <clocale>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <unistd.h>
 
 using namespace facetmill;
+using facetmill::test::code_of;
 
 namespace {
 
@@ -34,29 +36,30 @@ const ParameterTable<Sample>& table() {
     static const auto t = [] {
         using K = ParameterKind;
         ParameterTable<Sample> p;
-        p.add(&Sample::length, {.key = "length", .label = "Length", .quantity = Quantity::length, .minimum = 0,
-                                .maximum = 254, .open_minimum = true});
-        p.add(&Sample::step, {.key = "step", .kind = K::number_or_word, .quantity = Quantity::length, .minimum = 0,
+        p.add(&Sample::length, {.key = "length",
+                                .label = "Length",
+                                .quantity = Quantity::length,
+                                .minimum = 0,
+                                .maximum = 254,
+                                .open_minimum = true});
+        p.add(&Sample::step, {.key = "step",
+                              .kind = K::number_or_word,
+                              .quantity = Quantity::length,
+                              .minimum = 0,
                               .words = {"auto", "adaptive"}});
         p.add(&Sample::count, {.key = "count", .kind = K::integer, .minimum = 1, .maximum = 9});
         p.add(&Sample::flag, {.key = "flag", .kind = K::boolean});
         p.add(&Sample::name, {.key = "name", .kind = K::text});
-        p.add(&Sample::limits, {.key = "limits", .kind = K::pair, .quantity = Quantity::angle, .minimum = 0,
-                                .maximum = pi / 2, .ordered = true});
+        p.add(&Sample::limits, {.key = "limits",
+                                .kind = K::pair,
+                                .quantity = Quantity::angle,
+                                .minimum = 0,
+                                .maximum = pi / 2,
+                                .ordered = true});
         p.add_choice(&Sample::kind, {.key = "kind", .words = {"box", "round"}});
         return p;
     }();
     return t;
-}
-
-template <class Call>
-ErrorCode code_of(Call&& call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return e.code();
-    }
-    return ErrorCode::internal;
 }
 
 } // namespace
@@ -69,7 +72,8 @@ private slots:
         double v = 0;
         for (const char* good : {"1", "+1.5", "-.5", "1e3", "1E-3", "0", "-0", "5."})
             QVERIFY2(parse_number(good, v), good);
-        for (const char* bad : {"", "+", "-", "1,5", "0x10", "inf", "nan", "-inf", "1.5mm", " 1", "1 ", "+-1", "1e999", "e5"})
+        for (const char* bad :
+             {"", "+", "-", "1,5", "0x10", "inf", "nan", "-inf", "1.5mm", " 1", "1 ", "+-1", "1e999", "e5"})
             QVERIFY2(!parse_number(bad, v), bad);
     }
 
@@ -102,28 +106,33 @@ private slots:
         QVERIFY(s.kind == Sample::Kind::box);
         QCOMPARE(std::get<std::string>(view.get("kind")), std::string("box"));
         for (const auto* p : view.parameters()) // text form reads back to the same value
-            QVERIFY2(p->value_text(p->parse(p->value_text(view.get(p->key), LengthUnit::inch), LengthUnit::inch),
-                                   LengthUnit::inch)
-                         == p->value_text(view.get(p->key), LengthUnit::inch),
-                     p->key.c_str());
+            QVERIFY2(
+                p->value_text(p->parse(p->value_text(view.get(p->key), LengthUnit::inch), LengthUnit::inch),
+                              LengthUnit::inch)
+                    == p->value_text(view.get(p->key), LengthUnit::inch),
+                p->key.c_str());
     }
 
     void bad_values_are_refused_and_change_nothing() {
         Sample s;
         ParameterView<Sample> view(s, table());
         const double nan = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(code_of([&] { view.set("length", 0.0); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("length", -1.0); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("length", nan); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("length", infinity); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("length", std::string("2")); }), ErrorCode::wrong_type);
-        QCOMPARE(code_of([&] { view.set("count", 2.0); }), ErrorCode::wrong_type);
-        QCOMPARE(code_of([&] { view.set("count", 10L); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("step", std::string("adaptiv")); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("limits", std::array<double, 2>{0.5, 0.5}); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("kind", std::string("cone")); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([&] { view.set("lenght", 1.0); }), ErrorCode::unknown_key);
-        QCOMPARE(code_of([&] { view.parameter("count").parse("1.5", LengthUnit::mm); }), ErrorCode::wrong_type);
+        QCOMPARE(code_of([&] { view.set("length", 0.0); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("length", -1.0); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("length", nan); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("length", infinity); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("length", std::string("2")); }), std::string("wrong_type"));
+        QCOMPARE(code_of([&] { view.set("count", 2.0); }), std::string("wrong_type"));
+        QCOMPARE(code_of([&] { view.set("count", 10L); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("step", std::string("adaptiv")); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] {
+                     view.set("limits", std::array<double, 2>{0.5, 0.5});
+                 }),
+                 std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("kind", std::string("cone")); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("lenght", 1.0); }), std::string("unknown_key"));
+        QCOMPARE(code_of([&] { view.parameter("count").parse("1.5", LengthUnit::mm); }),
+                 std::string("wrong_type"));
         QCOMPARE(s.length, 2.0);
         QCOMPARE(s.count, 3L);
         try {
@@ -186,25 +195,25 @@ private slots:
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             job.cancel();
         });
-        QVERIFY_EXCEPTION_THROWN(parallel_for(100000, 1, Progress(job),
-                                              [](std::size_t) {
-                                                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                                              }),
-                                 Cancelled);
+        QVERIFY_EXCEPTION_THROWN(
+            parallel_for(100000, 1, Progress(job),
+                         [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }),
+            Cancelled);
         canceller.join();
         QCOMPARE(code_of([&] {
                      parallel_for(1000, 1, Progress(), [](std::size_t i) {
                          if (i == 500) throw Error(ErrorCode::not_stl, "", "x", "");
                      });
                  }),
-                 ErrorCode::not_stl);
+                 std::string("not_stl"));
     }
 
     void outputs_appear_whole_or_not_at_all() {
         QTemporaryDir dir;
         const std::filesystem::path folder = dir.path().toStdString();
         const auto entries = [&] {
-            return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+            return std::distance(std::filesystem::directory_iterator(folder),
+                                 std::filesystem::directory_iterator());
         };
         {
             OutputFile file(folder / "a.txt");
@@ -218,32 +227,34 @@ private slots:
         }
         QCOMPARE(entries(), 1);
         QCOMPARE(std::string(InputFile(folder / "a.txt").bytes()), std::string("whole"));
-        QCOMPARE(code_of([&] { OutputFile f(folder / "no" / "b.txt"); }), ErrorCode::unwritable);
-        QCOMPARE(code_of([&] { OutputFile f(folder); }), ErrorCode::unwritable);
-        QCOMPARE(code_of([&] { InputFile f(folder); }), ErrorCode::is_directory);
-        QCOMPARE(code_of([&] { InputFile f(folder / "none"); }), ErrorCode::not_found);
-        QCOMPARE(code_of([&] { InputFile f("/dev/zero"); }), ErrorCode::unreadable);
+        QCOMPARE(code_of([&] { OutputFile f(folder / "no" / "b.txt"); }), std::string("unwritable"));
+        QCOMPARE(code_of([&] { OutputFile f(folder); }), std::string("unwritable"));
+        QCOMPARE(code_of([&] { InputFile f(folder); }), std::string("is_directory"));
+        QCOMPARE(code_of([&] { InputFile f(folder / "none"); }), std::string("not_found"));
+        QCOMPARE(code_of([&] { InputFile f("/dev/zero"); }), std::string("unreadable"));
         std::ofstream(folder / "empty").close();
-        QCOMPARE(code_of([&] { InputFile f(folder / "empty"); }), ErrorCode::empty_file);
+        QCOMPARE(code_of([&] { InputFile f(folder / "empty"); }), std::string("empty_file"));
         {
             OutputSet set;
             set.add(folder / "x").write("1");
             set.add(folder / "y").write("2");
         }
         QVERIFY(!std::filesystem::exists(folder / "x"));
-        QCOMPARE(code_of([&] { OutputFile f("/dev/null"); }), ErrorCode::unwritable);
+        QCOMPARE(code_of([&] { OutputFile f("/dev/null"); }), std::string("unwritable"));
         QCOMPARE(code_of([&] {
-            OutputSet set;
-            set.add(folder / "x");
-            set.add(folder / "x");
-        }), ErrorCode::unwritable);
+                     OutputSet set;
+                     set.add(folder / "x");
+                     set.add(folder / "x");
+                 }),
+                 std::string("unwritable"));
     }
 
     void a_set_puts_back_what_was_there() {
         QTemporaryDir dir;
         const std::filesystem::path folder = dir.path().toStdString();
         const auto entries = [&] {
-            return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+            return std::distance(std::filesystem::directory_iterator(folder),
+                                 std::filesystem::directory_iterator());
         };
         const auto text = [&](const char* name) { return std::string(InputFile(folder / name).bytes()); };
         const auto write_both = [&](const std::string& content, bool block) {
@@ -256,7 +267,7 @@ private slots:
             set.commit();
         };
         std::ofstream(folder / "old") << "before";
-        QCOMPARE(code_of([&] { write_both("after", true); }), ErrorCode::unwritable);
+        QCOMPARE(code_of([&] { write_both("after", true); }), std::string("unwritable"));
         QCOMPARE(text("old"), std::string("before"));
         QCOMPARE(entries(), 2); // "old" and the folder
         std::filesystem::remove_all(folder / "z");
@@ -309,7 +320,9 @@ private slots:
     }
 
     void messages_stay_on_one_line() {
-        QCOMPARE(printable("a\nb\x01\xff" "c"), std::string("a?b??c"));
+        QCOMPARE(printable("a\nb\x01\xff"
+                           "c"),
+                 std::string("a?b??c"));
         QCOMPARE(printable("d\xc3\xa9j\xc3\xa0"), std::string("d\xc3\xa9j\xc3\xa0"));
         QVERIFY(printable(std::string(1000, 'x')).size() < 100);
         const Error e = Error(ErrorCode::wrong_type, "tolerance", "bad", "fix it").within("file");

@@ -6,6 +6,7 @@
 #include "core/mesh/sample_surface.h"
 #include "core/mesh/sample_tessellate.h"
 #include "core/mesh/topology.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/shapes.h"
 
@@ -19,15 +20,6 @@ using namespace facetmill::test;
 namespace {
 
 constexpr double inch = 25.4;
-
-ErrorCode code_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return e.code();
-    }
-    return ErrorCode::internal;
-}
 
 double random_unit(std::mt19937& rng) {
     return double(rng()) / double(std::mt19937::max());
@@ -170,7 +162,7 @@ private slots:
         const LoftedSurface& convex = lu_surface("convex");
         QVERIFY((convex.point(0.3, 0.4) - (0.7 * convex.point(0, 0.4) + 0.3 * convex.point(1, 0.4))).norm()
                 < 1e-12);
-        QCOMPARE(code_of([] { lu_surface("torus"); }), ErrorCode::out_of_range);
+        QCOMPARE(code_of([] { lu_surface("torus"); }), std::string("out_of_range"));
     }
 
     void surface_derivatives_data() { lu_names(); }
@@ -433,12 +425,12 @@ private slots:
     void bad_requests_are_refused() {
         const double nan = std::nan("");
         for (const double tolerance : {0.0, -1.0, nan, infinity, -infinity})
-            QCOMPARE(code_of([&] { make_sample("complex", tolerance, {}); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([] { make_sample("", 0.1, {}); }), ErrorCode::out_of_range);
-        QCOMPARE(code_of([] { make_sample("Concave", 0.1, {}); }), ErrorCode::out_of_range);
+            QCOMPARE(code_of([&] { make_sample("complex", tolerance, {}); }), std::string("out_of_range"));
+        QCOMPARE(code_of([] { make_sample("", 0.1, {}); }), std::string("out_of_range"));
+        QCOMPARE(code_of([] { make_sample("Concave", 0.1, {}); }), std::string("out_of_range"));
         for (const SampleKind& k : sample_kinds())
             if (k.name != "square-prism")
-                QCOMPARE(code_of([&] { make_sample(k.name, 1e-15, {}); }), ErrorCode::out_of_range);
+                QCOMPARE(code_of([&] { make_sample(k.name, 1e-15, {}); }), std::string("out_of_range"));
         QVERIFY(make_sample("complex", 1e300, {})->facet_count() > 100);
         try {
             make_sample("knocave\n", 0.1, {});

@@ -2,6 +2,7 @@
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
 #include "core/output/motion_time.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>
@@ -14,6 +15,7 @@
 #include <sstream>
 
 using namespace facetmill;
+using facetmill::test::code_of;
 
 namespace {
 
@@ -51,16 +53,6 @@ std::string written(const ClProgram& program) {
 
 AptReadResult parsed(std::string_view text, LengthUnit unit = LengthUnit::mm) {
     return parse_apt(text, "p.apt", unit, {});
-}
-
-template <class Call>
-std::string code_of(Call&& call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return std::string(code_name(e.code()));
-    }
-    return "none";
 }
 
 std::string code_of_text(const std::string& text) {
