@@ -35,7 +35,7 @@ void run(const Arguments& arguments, Session& session) {
     out["name"] = r.name;
     out["units"] = std::string(unit_name(unit));
     out["units_stated"] = arguments.has("--units");
-    out["units_guess"] = std::string(unit_name(r.unit_guess));
+    out["units_guess"] = units_guess_name(r);
     out["facets"] = r.facets;
     out["facets_used"] = loaded.mesh->facet_count();
     out["vertices"] = loaded.mesh->vertices.size();
