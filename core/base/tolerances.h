@@ -71,6 +71,11 @@ inline constexpr double valley_roundings = 64;
 inline constexpr double bound_slack = 1e-13;
 /// Diameter (mm) of the cutter that stands for a line when the height of the mesh at one place is asked for.
 inline constexpr double needle_diameter = 1e-6;
+/// Area vectors of facets whose sum is below this share of their lengths make a closed surface.
+inline constexpr double closed_sum = 1e-6;
+/// Share by which what stays above a path, measured, may exceed what is allowed before it counts as left uncut: more than
+/// the estimate's own error, and a tessellated hollow's.
+inline constexpr double uncut_margin = 0.1;
 /// The smallest step-over, as a share of the one on a level plane: steeper places than it can serve are reported.
 inline constexpr double smallest_step_share = 0.01;
 /// Chord tolerances of a path are at least this (mm).

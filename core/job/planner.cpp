@@ -200,10 +200,11 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     for (const HolderSection& s : context.tool.holder)
         key.add(s.diameter).add(s.length);
     key.add_up_to(Stage::strategy, operation);
+    key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     const std::string path_key = key.text();
     const std::string motion_key = key.add_up_to(Stage::link, operation).text();
     key.add_up_to(Stage::output, operation).add_up_to(Stage::output, context.tool, tool_parameters());
-    key.add(unit_name(project.unit)).add(std::string_view(project.part.file));
+    key.add(std::string_view(project.part.file));
     const std::string program_key = key.text();
 
     if (Planned* same = find(&Planned::program_key, program_key)) {
@@ -237,10 +238,7 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
         program.motions = same->result->program.motions;
         result->seconds_link = same->result->seconds_link;
     } else {
-        LinkOptions options;
-        options.clearance = common.clearance;
-        // Passes lie at most one step-over apart; a tool's width is what one stays down for.
-        options.link_distance = std::max(context.tool.diameter, 2 * result->path.stepover_max);
+        LinkOptions options = default_link_options(result->path, context, common);
         options.chord_tolerance = chord_tolerance(operation);
         program.motions = link_three_axis(result->path, context, common.allowance, options,
                                           progress.part(0.85, 0.98, common.name + ": linking"));
@@ -301,6 +299,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     context.stock_box = result->stock;
     context.machine = find_machine(project.machine);
     context.tessellation_tolerance = project.part.tessellation_tolerance;
+    context.unit = project.unit;
     for (auto& p : c.planned)
         p.used = false;
     for (std::size_t i = 0; i < asked.size(); ++i) {

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/slice.h"
 #include "core/strategy/stepover.h"
+#include "core/strategy/uncut.h"
 
 #include <optional>
 
@@ -16,10 +17,8 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
 
 constexpr int direction_planes = 7;
 constexpr std::size_t most_drive_planes = 100000;
-
-std::string length_text(double mm) {
-    return format_number(mm, 4) + " mm";
-}
+/// Places of the tip that a plan looks at, roughly: some hours' work.
+constexpr double most_places = 2e9;
 
 /// Everything one plan needs, worked out once.
 class Planner {
@@ -28,14 +27,20 @@ public:
     StrategyResult run();
 
 private:
-    void add_line(const DriveLine& line, double reach, const Progress& progress);
+    void add_line(double v, double back, double ahead, const Progress& progress);
     void plan_constant(double step);
     void plan_adaptive();
+    void check_size() const;
+    void check_uncut(const Progress& progress);
     void add_warnings();
     void add_body_warning(const std::string& name, double diameter, double base);
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
+    /// Of placing drive planes, as a share of the whole.
+    static double placed(double share) { return 0.02 + 0.9 * share; }
+    std::string text(double mm) const { return length_text(mm, context_.unit); }
+    std::string text(const Vec3& p) const;
 
     const Finish3Settings& settings_;
     const PlanContext& context_;
@@ -50,6 +55,7 @@ private:
     LineTolerance fine_;
     std::optional<StepOver> stepover_;
     StrategyResult result_;
+    UncutReport uncut_;
     int unsatisfied_ = 0;
 };
 
@@ -62,8 +68,9 @@ double cusp_budget(const Finish3Settings& settings, const PlanContext& context) 
     const double budget = settings.tolerance - out - in;
     if (!(budget > 0))
         throw Error(ErrorCode::out_of_range, "tolerance",
-                    "the tessellation tolerances (" + length_text(out) + " out, " + length_text(in)
-                        + " in) use up the machining tolerance of " + length_text(settings.tolerance),
+                    "the tessellation tolerances (" + length_text(out, context.unit) + " out, "
+                        + length_text(in, context.unit) + " in) use up the machining tolerance of "
+                        + length_text(settings.tolerance, context.unit),
                     "allow a larger tolerance or tessellate the part more finely");
     return budget;
 }
@@ -109,8 +116,9 @@ StrategyResult Planner::run() {
     input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
     input.merge = fine_.spacing;
     stepover_.emplace(input);
+    check_size();
 
-    progress_.part(0.02, 1, "Placing drive planes").set(0);
+    progress_.part(placed(0), 1, "Placing drive planes").set(0);
     if (settings_.stepover.is_number())
         plan_constant(settings_.stepover.number);
     else
@@ -118,8 +126,23 @@ StrategyResult Planner::run() {
     if (result_.passes.empty())
         throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
                     "check part and direction");
+    // Moves may run above the exact path by the chord tolerance.
+    result_.cusp_max += chord_;
+    check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
     add_warnings();
     return std::move(result_);
+}
+
+/// What would take days is most likely a part in another unit.
+void Planner::check_size() const {
+    const Vec3 size = context_.part_box.size();
+    const double step =
+        settings_.stepover.is_number() ? settings_.stepover.number : stepover_->largest_step();
+    if (size.x() * size.y() <= most_places * step * fine_.spacing) return;
+    throw Error(ErrorCode::limit_exceeded, settings_.name,
+                "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
+                    + format_number(most_places) + " places of this tool",
+                "check the part's units, or take a larger tool, tolerance or step-over");
 }
 
 void Planner::plan_constant(double step) {
@@ -128,43 +151,47 @@ void Planner::plan_constant(double step) {
     const double planes = std::max(1.0, std::ceil((hi - lo) / step - tolerance::level_angle));
     if (planes > double(most_drive_planes))
         throw Error(ErrorCode::limit_exceeded, "stepover",
-                    "a step-over of " + length_text(step) + " makes more than "
-                        + std::to_string(most_drive_planes) + " drive planes",
+                    "a step-over of " + text(step) + " makes more than " + std::to_string(most_drive_planes)
+                        + " drive planes",
                     "choose a larger step-over");
     const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
+    const double reach = StepOver::reach_share * step;
     DriveLine last;
     for (std::size_t i = 0; i < std::size_t(planes); ++i) {
-        const double done = double(i) / planes;
-        const Progress here = still(0.02 + 0.98 * done);
+        const Progress here = still(placed(double(i) / planes));
         const double v = first + double(i) * step;
-        DriveLine line = stepover_->line(v, 0.5 * step, here);
+        DriveLine line = stepover_->line(v, reach, reach, here);
         result_.cusp_max = std::max(
             result_.cusp_max, stepover_->worst_cusp(i == 0 ? nullptr : &last, &line, i == 0 ? lo : 0, here));
-        add_line(line, 0.5 * step, here);
+        add_line(v, reach, reach, here);
         last = std::move(line);
-        progress_.set(0.02 + 0.98 * (double(i) + 1) / planes);
+        progress_.set(placed((double(i) + 1) / planes));
     }
-    result_.cusp_max = std::max(result_.cusp_max, stepover_->worst_cusp(&last, nullptr, hi, still(1)));
+    result_.cusp_max =
+        std::max(result_.cusp_max, stepover_->worst_cusp(&last, nullptr, hi, still(placed(1))));
     result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
 }
 
 void Planner::plan_adaptive() {
     const double lo = domain_->lo(), hi = domain_->hi();
     result_.stepover_min = infinity;
+    // A line is known in full when the step after it is: how far it reaches depends on both.
     std::optional<DriveLine> last;
     for (std::size_t i = 0;; ++i) {
         const double at = last ? last->v : lo;
-        const Progress here = still(0.02 + 0.98 * (hi > lo ? (at - lo) / (hi - lo) : 0));
+        const Progress here = still(placed(hi > lo ? (at - lo) / (hi - lo) : 0));
         if (last) {
             // Enough for the rest up to the border?
             const double rest = hi - last->v;
-            if (rest <= 0) break;
-            if (rest <= stepover_->largest_step()) {
-                const double cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
-                if (cusp <= stepover_->allowed_cusp()) {
-                    result_.cusp_max = std::max(result_.cusp_max, cusp);
-                    break;
-                }
+            double cusp = 0;
+            if (rest > 0 && rest <= stepover_->largest_step()) {
+                if (last->ahead < rest) *last = stepover_->line(last->v, last->back, rest, here);
+                cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
+            }
+            if (rest <= 0 || (rest <= stepover_->largest_step() && cusp <= stepover_->allowed_cusp())) {
+                result_.cusp_max = std::max(result_.cusp_max, cusp);
+                add_line(last->v, last->back, std::max(rest, 0.0), here);
+                break;
             }
         }
         if (i >= most_drive_planes)
@@ -179,23 +206,23 @@ void Planner::plan_adaptive() {
         if (last) {
             result_.stepover_min = std::min(result_.stepover_min, width);
             result_.stepover_max = std::max(result_.stepover_max, width);
+            add_line(last->v, last->back, StepOver::reach_share * width, here);
         }
-        add_line(step.line, 0.5 * width, here);
         last = std::move(step.line);
-        progress_.set(0.02 + 0.98 * (hi > lo ? (last->v - lo) / (hi - lo) : 1));
+        progress_.set(placed(hi > lo ? (last->v - lo) / (hi - lo) : 1));
     }
     if (result_.stepover_max == 0) result_.stepover_min = 0; // a single plane has no neighbour
 }
 
-void Planner::add_line(const DriveLine& line, double reach, const Progress& progress) {
+void Planner::add_line(double v, double back, double ahead, const Progress& progress) {
     const int drive = result_.drive_planes;
     std::vector<Pass> passes;
-    for (const Interval& range : stepover_->ranges(line.v, reach)) {
+    for (const Interval& range : stepover_->ranges(v, back, ahead)) {
         const auto points =
-            lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
-        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), line.v, progress);
+            lift_line(field_, v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
+        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), v, progress);
         pass.drive = drive;
-        pass.offset = line.v;
+        pass.offset = v;
         passes.push_back(std::move(pass));
     }
     if (settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1) {
@@ -261,30 +288,67 @@ Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Pr
     return pass;
 }
 
+std::string Planner::text(const Vec3& p) const {
+    std::string all;
+    for (int k = 0; k < 3; ++k)
+        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(context_.unit), 5);
+    return all + ") " + std::string(unit_name(context_.unit));
+}
+
+void Planner::check_uncut(const Progress& progress) {
+    UncutInput input;
+    input.mesh = context_.part.get();
+    input.contact = context_.contact;
+    input.lift = &lift_;
+    input.cover = &cover_;
+    input.frame = frame_;
+    input.allowance = allowance_;
+    input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
+    input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
+    input.passes = result_.passes;
+    uncut_ = find_uncut(input, progress);
+}
+
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
     const bool uncut = result_.cusp_max == infinity;
+    // What was measured where the cutter could have gone is as good as what was expected.
+    const double expected = std::max(result_.cusp_max, cusp_allowed_);
+    result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
     // Where a pass misses the part altogether, the stock stays as high as it was.
     if (uncut)
         result_.cusp_max = std::max({context_.stock_box.hi.z() - context_.part_box.lo.z(),
                                      context_.part_box.size().z(), cusp_allowed_});
     if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
-        warnings.push_back(
-            "the step-over of " + length_text(settings_.stepover.number) + " leaves "
-            + (uncut ? std::string("places uncut") : "cusps of " + length_text(result_.cusp_max))
-            + "; the tolerance allows " + length_text(cusp_allowed_));
+        warnings.push_back("the step-over of " + text(settings_.stepover.number) + " leaves "
+                           + (uncut ? std::string("places uncut") : "cusps of " + text(result_.cusp_max))
+                           + "; the tolerance allows " + text(cusp_allowed_));
     if (unsatisfied_ > 0)
         warnings.push_back(
             std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
             + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
-            + length_text(result_.cusp_max) + " stay there, " + length_text(cusp_allowed_) + " are allowed");
+            + text(result_.cusp_max) + " stay there, " + text(cusp_allowed_) + " are allowed");
+    const auto share = [&](const UncutPlaces& places) {
+        return format_number(std::max(100 * places.area / uncut_.area, 1e-3), 2) + " % of the surface";
+    };
+    if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
+        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
+                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
+                           + ": use a smaller tool there");
+    if (const UncutPlaces& u = uncut_.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
+        warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
+                           + text(u.height) + ", most at " + text(u.at)
+                           + ": choose a smaller step-over or another direction");
+    if (const UncutPlaces& u = uncut_.covered; u.height > 0)
+        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text(u.at)
+                           + ", and is not cut: turn the part for another operation");
     double lowest = infinity;
     for (const Pass& p : result_.passes)
         for (const CutterLocation& c : p.cl)
             lowest = std::min(lowest, c.tip.z());
     const double below = context_.stock_box.lo.z() - lowest;
     if (!context_.stock_box.empty() && below > settings_.tolerance)
-        warnings.push_back("the tip goes " + length_text(below)
+        warnings.push_back("the tip goes " + text(below)
                            + " below the bottom of the stock, to cut the part's lower border fully");
 
     // Above the cutting part: shank and holder as upright cylinders, each with its lower face at its height
@@ -318,9 +382,9 @@ void Planner::add_body_warning(const std::string& name, double diameter, double 
         },
         [](double x, double y) { return std::max(x, y); });
     if (hit > chord_)
-        result_.warnings.push_back("the " + name + " (diameter " + length_text(diameter) + ", "
-                                   + length_text(base) + " above the tip) would cut into the part by up to "
-                                   + length_text(hit) + " of height: use a longer tool");
+        result_.warnings.push_back("the " + name + " (diameter " + text(diameter) + ", " + text(base)
+                                   + " above the tip) would cut into the part by up to " + text(hit)
+                                   + " of height: use a longer tool");
 }
 
 double normal_change(const PlanContext& context, const MeshGeometry& geometry, const DriveFrame& frame,

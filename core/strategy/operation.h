@@ -30,6 +30,7 @@ struct PlanContext {
     Tool tool;
     Machine machine;
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
+    LengthUnit unit = LengthUnit::mm;                   ///< of lengths in warnings and errors, nothing else
 };
 
 /// What all operations have beside their own keys.

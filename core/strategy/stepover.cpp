@@ -10,6 +10,13 @@ namespace {
 constexpr std::size_t block_columns = 8;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
+/// Contacts of tips that move by less than this share of the tips' own way stand still: an edge, or nearly.
+constexpr double still_share = 0.5;
+/// Contacts are looked for between two that are farther apart than this share of the step on a level plane;
+/// beside an edge, where what is left rises steeply, finely.
+constexpr double jump_gap = 0.4, edge_gap = 0.05;
+/// Halvings between two such tips.
+constexpr int deepest_between = 5;
 /// Accepted without a further try: share of the allowed cusp.
 constexpr double good_share = 0.96;
 /// Accepted after a few tries.
@@ -34,20 +41,23 @@ StepOver::StepOver(const StepOverInput& input) : in_(input), field_{input.lift, 
     guess_ = std::min(largest_, level);
     smallest_ = tolerance::smallest_step_share * std::min(level, largest_);
     grid_ = 0.08 * radius;
+    level_ = level;
     sharp_ = in_.cover->profile().cutter().r < 0.25 * radius;
 }
 
-std::vector<Interval> StepOver::ranges(double v, double reach) const {
-    return in_.domain->strip(v - reach, v + reach, in_.merge);
+std::vector<Interval> StepOver::ranges(double v, double back, double ahead) const {
+    return in_.domain->strip(v - back, v + ahead, in_.merge);
 }
 
-DriveLine StepOver::line(double v, double reach, const Progress& progress) const {
+DriveLine StepOver::line(double v, double back, double ahead, const Progress& progress) const {
     DriveLine line;
     line.v = v;
+    line.back = back;
+    line.ahead = ahead;
     LineTolerance rough;
     rough.below = rough.above = 0.125 * in_.cusp;
     rough.spacing = grid_;
-    for (const Interval& r : ranges(v, reach))
+    for (const Interval& r : ranges(v, back, ahead))
         line.runs.push_back(
             lift_line(field_, v * in_.frame.across, in_.frame.along, r.lo, r.hi, rough, progress));
     return line;
@@ -192,6 +202,25 @@ double StepOver::wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to
     return std::max(worst, left_at(a, b, high.x(), top));
 }
 
+double StepOver::between(const DriveLine* a, const DriveLine* b, double u, double v0, const Sample& s0,
+                         double v1, const Sample& s1, double gap, int depth) const {
+    if (!s0.valid || !s1.valid || !((s1.point - s0.point).norm() > gap)) return 0;
+    if (depth == 0) {
+        // Half-way at a jump: where both cutters leave the same, as far as the two places tell.
+        const double a0 = entry(a, u, s0.point, s0.normal), a1 = entry(a, u, s1.point, s1.normal);
+        const double b0 = entry(b, u, s0.point, s0.normal), b1 = entry(b, u, s1.point, s1.normal);
+        const double d0 = b0 - a0, d1 = a1 - b1;
+        return d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
+    }
+    const double v = 0.5 * (v0 + v1);
+    const Sample s = sample(u, v);
+    if (!s.valid) return 0;
+    const double worst = left_at(a, b, u, s);
+    if (worst > in_.cusp) return worst;
+    return std::max({worst, between(a, b, u, v0, s0, v, s, gap, depth - 1),
+                     between(a, b, u, v, s, v1, s1, gap, depth - 1)});
+}
+
 double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                             const Progress& progress) const {
     const double v0 = a ? a->v : edge, v1 = b ? b->v : edge;
@@ -252,6 +281,25 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                     y[i] = std::sqrt(tb);
                 }
                 if (worst == infinity) return worst;
+                // The contact jumps in a hollow hardly wider than the cutter, and stands still while the
+                // cutter rolls over a convex edge; then the surface lies between the outermost rows and the
+                // lines.
+                bool still = false;
+                for (int i = 0; i + 1 < rows; ++i)
+                    still |= s[i].valid && s[i + 1].valid
+                             && (s[i + 1].point - s[i].point).norm() < still_share * (v[i + 1] - v[i]);
+                const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb) {
+                    if (worst > in_.cusp) return;
+                    worst = std::max(worst,
+                                     between(a, b, u, va, sa, vb, sb,
+                                             still ? edge_gap * level_ : jump_gap * level_, deepest_between));
+                };
+                for (int i = 0; i + 1 < rows; ++i)
+                    look_between(v[i], s[i], v[i + 1], s[i + 1]);
+                if (still && a && inside(domain_a, u, tolerance::contact_distance))
+                    look_between(v0, sample(u, v0), v[0], s[0]);
+                if (still && b && inside(domain_b, u, tolerance::contact_distance))
+                    look_between(v[rows - 1], s[rows - 1], v1, sample(u, v1));
                 // The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left
                 // grows with the square of the distance, so roots run linearly; beside a sharp rim it grows
                 // with the distance.
@@ -324,9 +372,16 @@ StepOver::Step StepOver::next(const DriveLine* a, const Progress& progress) {
     best.satisfied = last.satisfied = false;
     double low = 0, high = infinity;
     double step = std::min(a ? guess_ : 0.5 * guess_, cap);
+    // At a slanted border the line before reaches half of the way, and so does this one. The step after this
+    // one is not known yet: as much as it will likely be.
+    DriveLine longer;
     const auto attempt = [&](double d) {
         Step s;
-        s.line = line(from + d, 0.5 * d, progress);
+        s.line = line(from + d, reach_share * d, reach_share * std::max(d, guess_), progress);
+        if (a && a->ahead < reach_share * d) {
+            longer = line(a->v, a->back, reach_share * std::max(d, guess_), progress);
+            a = &longer;
+        }
         s.cusp = worst_cusp(a, &s.line, from, progress);
         s.satisfied = s.cusp <= in_.cusp;
         return s;

@@ -27,6 +27,9 @@ namespace facetmill {
 /// The tip's way in one drive plane.
 struct DriveLine {
     double v = 0;
+    /// How far before and behind the plane places are that it is to cut: its ends lie where the domain ends
+    /// in this strip (a slanted border is met by each plane at another u).
+    double back = 0, ahead = 0;
     std::vector<std::vector<LinePoint>> runs; ///< s is u; one per piece of the domain, in order
 };
 
@@ -47,10 +50,15 @@ class StepOver {
 public:
     explicit StepOver(const StepOverInput& input);
 
-    /// The tip's way at v, roughly (to an eighth of the cusp), over all of the domain within `reach` of v.
-    DriveLine line(double v, double reach, const Progress& progress) const;
+    /// Share of a step that a line on either side of it reaches into it: half, and a little more, so that the
+    /// two overlap where a slanted border lies half-way between them.
+    static constexpr double reach_share = 0.55;
+
+    /// The tip's way at v, roughly (to an eighth of the cusp), over all of the domain from `back` before v to
+    /// `ahead` behind it.
+    DriveLine line(double v, double back, double ahead, const Progress& progress) const;
     /// Ranges of u of a line.
-    std::vector<Interval> ranges(double v, double reach) const;
+    std::vector<Interval> ranges(double v, double back, double ahead) const;
 
     /// Largest cusp between two neighbouring lines; without `a` (or `b`), between the border v = edge and `b`
     /// (`a`).
@@ -79,13 +87,16 @@ private:
     double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
     double height_on(const DriveLine& line, double u) const;
     double left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const;
+    /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
+    double between(const DriveLine* a, const DriveLine* b, double u, double v0, const Sample& s0, double v1,
+                   const Sample& s1, double gap, int depth) const;
     double wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from, double z_to) const;
 
     StepOverInput in_;
     LiftField field_;
     std::unique_ptr<AxialLift> needle_; ///< finds the surface under a flat bottom's centre
-    bool sharp_ = false; ///< the corner of the profile is sharp, or nearly so
-    double grid_ = 1, smallest_ = 0, largest_ = 0, guess_ = 0;
+    bool sharp_ = false;                ///< the corner of the profile is sharp, or nearly so
+    double grid_ = 1, level_ = 1, smallest_ = 0, largest_ = 0, guess_ = 0;
 };
 
 } // namespace facetmill

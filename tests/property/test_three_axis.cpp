@@ -139,6 +139,102 @@ private slots:
         }
     }
 
+    /// At a convex edge the tip goes a long way while its contact stands still.
+    void sharp_edges_are_cut_to_tolerance() {
+        for (const double slope : {0.5, 1.5}) {
+            const Mesh part =
+                height_field([=](double, double y) { return -slope * std::max(std::abs(y) - 5, 0.0); },
+                             Vec2(-20, -15), Vec2(20, 15), 4, 30);
+            for (const double angle : {0.0, slope - 0.1})
+                for (const Tool& tool : {ball_tool(6), bull_tool(6, 1.5)}) {
+                    const Mesh turned_part = turned(part, angle);
+                    const PlanContext context = context_of(turned_part, tool);
+                    for (const std::string& kind : three_axis_kinds()) {
+                        const auto op = operation(kind, 0.05);
+                        op->common().direction = {0, "x"};
+                        PathCheckOptions options;
+                        options.spacing = 0.25;
+                        options.border = 3;
+                        const PathCheckResult result =
+                            check_path(turned_part, tool.cutter(),
+                                       tips(linked(op->plan(context, Progress()), context, *op)), options);
+                        QVERIFY2(result.cusp_max <= 0.055, qPrintable(QString::number(result.cusp_max)));
+                        QVERIFY(result.cusp_samples > 8000);
+                    }
+                }
+        }
+    }
+
+    /// Slanted and curved borders are met by every pass at another place; nothing stays between their ends.
+    void borders_are_cut_to_tolerance() {
+        const auto inside = [](double x, double y) { return x * x / 400 + y * y / 200 < 1; };
+        const auto f = [](double x, double y) { return 0.02 * (x * x - y * y) + 0.3 * y; };
+        const Mesh oval = only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
+                               [&](const Vec3& p) { return inside(p.x(), p.y()); });
+        // Slightly slanted, and ever narrower passes towards the steep side.
+        Mesh slanted = height_field([](double, double y) { return y < 0 ? 0 : 0.06 * y * y; }, Vec2(-20, -15),
+                                    Vec2(20, 15), 20, 60);
+        for (Vec3& v : slanted.vertices)
+            v.y() += 0.06 * v.x() + 0.01 * v.x() * v.x();
+        for (const Mesh& part : {oval, slanted, turned(slanted, pi), turned(slanted, 0.3)})
+            for (const char* direction : {"x", "y"}) {
+                const Tool tool = ball_tool(6);
+                const PlanContext context = context_of(part, tool);
+                for (const std::string& kind : three_axis_kinds()) {
+                    const auto op = operation(kind, 0.05);
+                    op->common().direction = {0, direction};
+                    PathCheckOptions options;
+                    options.spacing = 0.3;
+                    const PathCheckResult result =
+                        check_path(part, tool.cutter(),
+                                   tips(linked(op->plan(context, Progress()), context, *op)), options);
+                    QVERIFY(result.cusp_samples > 8000);
+                    QVERIFY2(result.cusp_max <= 0.052, qPrintable(QString::number(result.cusp_max)));
+                    QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));
+                    QCOMPARE(result.uncut_fraction, 0.0);
+                }
+            }
+    }
+
+    /// What the planner expects of a constant step is what the checker finds, steep places and borders
+    /// included.
+    void the_expected_cusp_is_the_real_one() {
+        const auto concave = make_sample("concave", default_sample_tolerance, Progress());
+        const Mesh flank = height_field([](double, double y) { return y < 0 ? 0 : 0.08 * y * y; },
+                                        Vec2(-20, -15), Vec2(20, 15), 20, 90);
+        const Mesh cap = shapes()[2].mesh;
+        const Mesh edges = height_field([](double, double y) { return -std::max(std::abs(y) - 5, 0.0); },
+                                        Vec2(-20, -15), Vec2(20, 15), 4, 30);
+        struct Case {
+            const Mesh& part;
+            double diameter, step;
+        };
+        for (const auto& [part, diameter, step] :
+             {Case{flank, 6, 0.8}, Case{cap, 6, 1.0}, Case{edges, 6, 1.9}, Case{*concave, 12.7, 1.143}})
+            for (const char* direction : {"x", "y"}) {
+                if (diameter > 6 && *direction == 'y') continue; // the large one once
+                const Tool tool = ball_tool(diameter);
+                const PlanContext context = context_of(part, tool);
+                const auto op = operation("finish3", 0.05);
+                op->common().direction = {0, direction};
+                op->set("stepover", step);
+                const StrategyResult path = op->plan(context, Progress());
+                PathCheckOptions options;
+                options.spacing = 0.5 * step;
+                options.reach = 2;
+                const PathCheckResult result =
+                    check_path(part, tool.cutter(), tips(linked(path, context, *op)), options);
+                const QString figures = QString("expected %1, found %2 of %3 %4")
+                                            .arg(path.cusp_max)
+                                            .arg(result.cusp_max)
+                                            .arg(step)
+                                            .arg(direction);
+                QVERIFY2(path.cusp_max >= 0.97 * result.cusp_max, qPrintable(figures));
+                // As a bound it holds the chord tolerance too, which a path need not use.
+                QVERIFY2(path.cusp_max <= 1.2 * result.cusp_max + 0.0025, qPrintable(figures));
+            }
+    }
+
     void threads_do_not_change_a_bit() {
         const PlanContext context = context_of(make_mixed(), ball_tool(5));
         for (const std::string& kind : three_axis_kinds()) {

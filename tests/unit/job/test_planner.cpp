@@ -5,6 +5,7 @@
 #include "core/job/strict_json.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>
@@ -15,6 +16,7 @@
 #include <thread>
 
 using namespace facetmill;
+using facetmill::test::code_of;
 namespace fs = std::filesystem;
 
 namespace {
@@ -92,17 +94,6 @@ std::string text_of(const Project& project, const PlanResult& plan) {
     return text;
 }
 
-std::string code_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return std::string(code_name(e.code()));
-    } catch (const Cancelled&) {
-        return "cancelled";
-    }
-    return "none";
-}
-
 std::vector<std::string> files_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& e : fs::directory_iterator(folder))
@@ -159,8 +150,8 @@ private slots:
         QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
         p.tools[1].holder.push_back({30, 40});
         QVERIFY((work_of() == W{0, 0, 0, 1, 1, 1}));
-        p.unit = LengthUnit::inch;
-        QVERIFY((work_of() == W{0, 0, 0, 0, 0, 2}));
+        p.unit = LengthUnit::inch; // warnings speak in it
+        QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2}));
         p.stock.margin = {1, 1, 1};
         QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2}));
         p.part.tessellation_tolerance = {0.005, 0.005};
@@ -253,8 +244,10 @@ private slots:
 
     void the_report_is_in_project_units() {
         Workplace w;
+        w.project.operations[1]->common().tolerance = 0.02; // less than the step-over leaves: a warning
         Planner planner;
         const Json mm = Json::parse(report_json(w.project, *planner.plan(w.project, {}, {})));
+        QVERIFY(!mm["operations"][1]["warnings"].empty());
         w.project.unit = LengthUnit::inch;
         const auto plan = planner.plan(w.project, {}, {});
         const Json in = Json::parse(report_json(w.project, *plan));
@@ -272,6 +265,10 @@ private slots:
             QVERIFY(a["cut_length"].get<double>() > 50);
             QVERIFY(a["cusp_max"].get<double>() > 0 && a["cusp_max"].get<double>() < 0.2);
             QVERIFY(a["warnings"].is_array());
+            QCOMPARE(a["warnings"].size(), b["warnings"].size());
+            for (const Json& said : b["warnings"])
+                QVERIFY2(said.get<std::string>().find(" mm") == std::string::npos,
+                         said.get<std::string>().c_str());
             QVERIFY(a["seconds_planning"].get<double>() >= 0);
             const auto& o = *plan->operations[i];
             std::size_t cl = 0;
