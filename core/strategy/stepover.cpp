@@ -289,7 +289,8 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                     still |= s[i].valid && s[i + 1].valid
                              && (s[i + 1].point - s[i].point).norm() < still_share * (v[i + 1] - v[i]);
                 const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb) {
-                    if (worst > in_.cusp) return;
+                    // A sharp rim's contact jumps from side to side on any hollow surface.
+                    if (worst > in_.cusp || (sharp_ && !still)) return;
                     worst = std::max(worst,
                                      between(a, b, u, va, sa, vb, sb,
                                              still ? edge_gap * level_ : jump_gap * level_, deepest_between));
