@@ -15,11 +15,6 @@ namespace facetmill::simd {
 
 namespace {
 
-struct Entry {
-    float bound;
-    std::uint32_t child; ///< or slot
-};
-
 template <bool tilted>
 struct Search {
     const IndexView& index;
@@ -44,13 +39,22 @@ struct Search {
     alignas(32) double x[3][4], y[3][4], z[3][4];
     alignas(32) std::int64_t has_edge[3][4], has_plane[4];
     std::uint32_t slot[4];
-    static constexpr int most_waiting = 16;
-    Entry queue[most_waiting];
-    // Seven siblings wait on every level; with full nodes the tree is no deeper than the digits of the facet
-    // count in base 8. Beside them those of the cut.
-    Entry stack[block_width * 16];
-    int depth = 0;
+    // Lists have room for one more vector than they hold.
+    static constexpr int most_waiting = 24, most_blocks = 64;
+    float waiting_bound[most_waiting + block_width];
+    std::uint32_t waiting_slot[most_waiting + block_width];
     int waiting = 0;
+
+    // Nodes and blocks that are still to be opened. With full nodes the tree is no deeper than the digits of
+    // the facet count in base 8; seven siblings wait on every level.
+    static constexpr int most_nodes = block_width * 16;
+    float node_bound[most_nodes + block_width];
+    std::uint32_t node_child[most_nodes + block_width];
+    int nodes = 0;
+    float block_bound[most_blocks + block_width];
+    std::uint32_t block_child[most_blocks + block_width];
+    int blocks = 0;
+    std::uint32_t opened; ///< a block that was opened first
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
         : index(i), surface(s), query(q), best(b) {
@@ -241,7 +245,9 @@ struct Search {
             -1.0f / nz; // not finite where there is no plane: then the rim is as steep as may be
         Float8 mx, my;
         touched(nx * per, ny * per, mx, my);
-        const Float8 ax = mx, ay = my;
+        constexpr auto inward =
+            float(1 - 3 * kernel::rim_share); // for the lower bound a little inside of the rim
+        const Float8 ax = mx * inward, ay = my * inward;
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
         Float8 level, sx, sy;
@@ -271,10 +277,6 @@ struct Search {
                            all(-__builtin_inff()));
         }
         return select(reached, most - level + noise, all(-__builtin_inff()));
-    }
-
-    FACETMILL_MEMBER bool in_use(const FacetBlock& block, std::uint32_t lane) const {
-        return tilted ? block.facet[lane] != no_slot : block.duty[lane] & duty_upright;
     }
 
     FACETMILL_MEMBER void gather(std::uint32_t which, int w) {
@@ -344,23 +346,22 @@ struct Search {
         }
     }
 
-    /// The four most promising of those that wait.
-    FACETMILL_MEMBER void test() {
+    /// Four of those that wait, the most promising among them.
+    FACETMILL_CALLED void test() {
+        int left = 0, most = 0;
+        for (int i = 0; i < waiting; ++i) {
+            waiting_bound[left] = waiting_bound[i];
+            waiting_slot[left] = waiting_slot[i];
+            most = waiting_bound[i] > waiting_bound[most] ? left : most;
+            left += waiting_bound[i] > least;
+        }
+        waiting = left;
         int taken = 0;
-        for (; taken < double_lanes; ++taken) {
-            int most = -1;
-            float bound = least;
-            for (int i = 0; i < waiting; ++i)
-                if (queue[i].bound > bound) {
-                    bound = queue[i].bound;
-                    most = i;
-                }
-            if (most < 0) {
-                waiting = 0;
-                break;
-            }
-            gather(queue[most].child, taken);
-            queue[most] = queue[--waiting];
+        for (int next = most; taken < double_lanes && waiting > 0; next = waiting - 1) {
+            gather(waiting_slot[next], taken++);
+            --waiting;
+            waiting_bound[next] = waiting_bound[waiting];
+            waiting_slot[next] = waiting_slot[waiting];
         }
         if (taken == 0) return;
         for (int w = taken; w < double_lanes; ++w) {
@@ -396,27 +397,26 @@ struct Search {
     }
 
     /// The first block that is opened gives a lower bound too: it lets most of the tree be passed over.
-    FACETMILL_MEMBER void open_block(std::uint32_t which) {
+    template <bool first>
+    FACETMILL_CALLED void open_block(std::uint32_t which) {
         const FacetBlock& block = index.blocks[which];
-        alignas(32) float bound[block_width];
-        Float8 below, above;
-        if (sure > -__builtin_inff()) {
-            above = facet_bounds<false>(block, below);
-        } else {
-            above = facet_bounds<true>(block, below);
+        Float8 below;
+        const Float8 above = facet_bounds<first>(block, below);
+        if constexpr (first) {
+            alignas(32) float bound[block_width];
             store(below, bound);
             for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
                 const int lane = __builtin_ctz(lanes);
                 if (bound[lane] > least) least = sure = bound[lane];
             }
         }
-        store(above, bound);
-        for (unsigned lanes = bits(above > least); lanes != 0; lanes &= lanes - 1) {
-            const auto lane = std::uint32_t(__builtin_ctz(lanes));
-            if (!in_use(block, lane)) continue;
-            if (waiting == most_waiting) test();
-            queue[waiting++] = {bound[lane], which * std::uint32_t(block_width) + lane};
-        }
+        static constexpr std::uint32_t lanes[block_width] = {0, 1, 2, 3, 4, 5, 6, 7};
+        std::uint32_t slots[block_width];
+        for (std::size_t k = 0; k < block_width; ++k)
+            slots[k] = which * std::uint32_t(block_width) + lanes[k];
+        waiting += keep(bits(above > least), above, slots, waiting_bound + waiting, waiting_slot + waiting);
+        while (waiting > most_waiting)
+            test();
     }
 
     /// What is surely there is more than was asked for.
@@ -426,52 +426,73 @@ struct Search {
         return best.tip > query.enough;
     }
 
-    FACETMILL_MEMBER void open_node(const TreeNode& node) {
-        const Float8 bound = child_bounds(node);
-        alignas(32) float value[block_width];
-        store(bound, value);
-        // The best child is the next.
-        int highest = -1;
-        float most = -__builtin_inff();
-        for (unsigned lanes = bits(bound > least); lanes != 0; lanes &= lanes - 1) {
-            const int lane = __builtin_ctz(lanes);
-            if (value[lane] > most) {
-                most = value[lane];
-                highest = depth;
-            }
-            stack[depth++] = {value[lane], node.child[lane]};
+    /// Bounds of a node's children, and which of them matter.
+    FACETMILL_MEMBER unsigned promising(const TreeNode& node, Float8& bound) const {
+        bound = child_bounds(node);
+        return bits(bound > least);
+    }
+
+    FACETMILL_MEMBER static unsigned leaves(const TreeNode& node) {
+        Int8 child;
+        __builtin_memcpy(&child, node.child, sizeof child);
+        return bits(child < 0); // TreeNode::leaf is the sign
+    }
+
+    FACETMILL_CALLED void open_node(const TreeNode& node) {
+        Float8 bound;
+        const unsigned lanes = promising(node, bound), leaf = leaves(node);
+        nodes += keep(lanes & ~leaf, bound, node.child, node_bound + nodes, node_child + nodes);
+        blocks += keep(lanes & leaf, bound, node.child, block_bound + blocks, block_child + blocks);
+    }
+
+    FACETMILL_MEMBER void open_blocks() {
+        for (int i = 0; i < blocks; ++i) {
+            const std::uint32_t block = block_child[i] & ~TreeNode::leaf;
+            if (block_bound[i] > least && block != opened) open_block<false>(block);
         }
-        if (highest < 0) return;
-        const Entry e = stack[highest];
-        stack[highest] = stack[depth - 1];
-        stack[depth - 1] = e;
+        blocks = 0;
+    }
+
+    /// A block where the lift is likely to be high: from the root always to the best child. None where that
+    /// leads past the cutter.
+    FACETMILL_CALLED std::uint32_t likely_block() const {
+        std::uint32_t child = 0;
+        for (;;) {
+            alignas(32) float value[block_width];
+            Float8 bound;
+            const TreeNode& node = index.nodes[child];
+            unsigned lanes = promising(node, bound);
+            store(bound, value);
+            if (lanes == 0) return no_slot;
+            int best_lane = __builtin_ctz(lanes);
+            for (; lanes != 0; lanes &= lanes - 1) {
+                const int lane = __builtin_ctz(lanes);
+                if (value[lane] > value[best_lane]) best_lane = lane;
+            }
+            child = node.child[best_lane];
+            if (child & TreeNode::leaf) return child & ~TreeNode::leaf;
+        }
     }
 
     FACETMILL_MEMBER void run() {
-        std::uint32_t opened = no_slot;
-        if (query.hint != no_slot) { // a first guess that lets most of the tree be passed over
-            opened = query.hint / std::uint32_t(block_width);
-            open_block(opened);
-            if (is_enough()) return;
-        }
-        depth = 0;
-        if (query.cut_nodes == 0)
-            stack[depth++] = {__builtin_inff(), 0};
-        else
-            for (int i = 0; i < query.cut_nodes; ++i)
-                open_node(query.cut[i]);
-        while (depth > 0) {
-            const Entry top = stack[--depth];
-            if (!(top.bound > least)) continue;
-            if (!(top.child & TreeNode::leaf)) {
-                open_node(index.nodes[top.child]);
-                continue;
+        // A first guess lets most of the tree be passed over.
+        opened = query.hint != no_slot ? query.hint / std::uint32_t(block_width) : likely_block();
+        if (opened != no_slot) open_block<true>(opened);
+        if (is_enough()) return;
+        if (query.cut_nodes == 0) open_node(index.nodes[0]);
+        for (int i = 0; i < query.cut_nodes; ++i)
+            open_node(query.cut[i]);
+        while (nodes > 0) {
+            --nodes;
+            if (!(node_bound[nodes] > least)) continue;
+            open_node(index.nodes[node_child[nodes]]);
+            if (blocks > most_blocks) {
+                open_blocks();
+                if (is_enough()) return;
             }
-            const std::uint32_t block = top.child & ~TreeNode::leaf;
-            if (block != opened) open_block(block);
-            if (is_enough()) return;
         }
-        while (waiting > 0)
+        open_blocks();
+        while (waiting > 0 && !is_enough())
             test();
     }
 };

@@ -82,7 +82,10 @@ void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint
     block = {};
     for (std::size_t lane = 0; lane < block_width; ++lane) {
         block.facet[lane] = no_index;
-        if (begin + lane >= end) continue;
+        if (begin + lane >= end) { // out of reach of every cutter
+            block.x[0][lane] = block.x[1][lane] = block.x[2][lane] = kernel::nowhere;
+            continue;
+        }
         const Index f = items[begin + lane].facet;
         double longest = -1;
         std::size_t turned = 0;

@@ -16,8 +16,10 @@ inline constexpr double float_noise = 4e-7;
 inline constexpr double steepest_tangent = 6;
 /// The same for bounds in double precision.
 inline constexpr double double_noise = 1e-13;
+/// Coordinate (mm) of facets that are none: beyond any reach, and its square still a float.
+inline constexpr double nowhere = 1e15;
 /// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
-inline constexpr double rim_share = 1e-3;
+inline constexpr double rim_share = 1e-4;
 /// Roofs over the children of a node are no steeper.
 inline constexpr double steepest_roof = 3;
 

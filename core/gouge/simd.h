@@ -11,6 +11,8 @@
 
 #define FACETMILL_LANES [[gnu::always_inline]] static inline
 #define FACETMILL_MEMBER [[gnu::always_inline]] inline
+// The loops' bodies are called: inlined everywhere they would not fit into the instruction cache.
+#define FACETMILL_CALLED [[gnu::noinline]]
 
 namespace facetmill::simd {
 
@@ -75,6 +77,18 @@ FACETMILL_LANES Float8 magnitude(const Float8& v) {
 }
 
 #ifdef __AVX2__
+/// For every choice of lanes their numbers, four bits each, the lowest first.
+struct KeptLanes {
+    std::uint32_t of[256];
+    constexpr KeptLanes() : of{} {
+        for (unsigned chosen = 0; chosen < 256; ++chosen)
+            for (unsigned lane = 0, n = 0; lane < 8; ++lane)
+                if (chosen >> lane & 1) of[chosen] |= lane << 4 * n++;
+    }
+    constexpr std::uint32_t operator[](unsigned chosen) const { return of[chosen]; }
+};
+static constexpr KeptLanes kept_lanes;
+
 FACETMILL_LANES Double4 root(const Double4& v) {
     return Double4(_mm256_sqrt_pd(__m256d(v)));
 }
@@ -141,6 +155,28 @@ FACETMILL_LANES Float8 rough_inverse_root(const Float8& v) {
 #else
     return 1.0f / root(v);
 #endif
+}
+
+/// The lanes in `chosen` (bit k: lane k), moved together in order, of two vectors; all eight places are
+/// written. How many there are.
+FACETMILL_LANES int keep(unsigned chosen, const Float8& a, const std::uint32_t* b, float* a_out,
+                         std::uint32_t* b_out) {
+#ifdef __AVX2__
+    // Lane numbers as bytes, widened: eight nibbles a choice.
+    const __m256i lanes = _mm256_srlv_epi32(_mm256_set1_epi32(int(kept_lanes[chosen])),
+                                            _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
+    _mm256_storeu_ps(a_out, _mm256_permutevar8x32_ps(__m256(a), lanes));
+    const __m256i whole = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(b));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(b_out), _mm256_permutevar8x32_epi32(whole, lanes));
+#else
+    int n = 0;
+    for (int k = 0; k < float_lanes; ++k) {
+        a_out[n] = a[k];
+        b_out[n] = b[k];
+        n += int(chosen >> k & 1);
+    }
+#endif
+    return __builtin_popcount(chosen);
 }
 
 FACETMILL_LANES Int8 truncated(const Float8& v) {
