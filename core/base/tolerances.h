@@ -88,5 +88,13 @@ inline constexpr double like_normal_change = 0.01;
 inline constexpr double border_inset = 1e-3;
 /// Relative: a number in a project file this near to a limit of its parameter is the limit.
 inline constexpr double written_number = 1e-14;
+/// Lifts along a vector. Roundings of the coordinates that two elements may be apart and still touch.
+inline constexpr double touch_roundings = 8;
+/// A facet's plane is trusted to say where, as a share of the facet, it touches to this; else its edges and corners are
+/// asked as well.
+inline constexpr double plane_trust = 1e-3;
+/// Sine of the angle between a facet and the vector below which the facet counts as seen edge-on: its edges and corners
+/// are asked as well.
+inline constexpr double edge_on = 1e-6;
 
 } // namespace facetmill::tolerance
