@@ -2,7 +2,7 @@
 // 3.126-3.188, rebuilt). Everything in the body's frame: its axis is z, and w = (wx, 0, wz) with wx >= 0.
 //
 // The lift over a point q is the largest s with q - s w in the (closed) body; over an edge or a facet the
-// largest over its points. -inf where the body passes the element by. README-vector.md has the formulas.
+// largest over its points. -inf where the body passes the element by. README.md has the formulas.
 #pragma once
 
 #include "core/base/vec.h"
