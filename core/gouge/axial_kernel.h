@@ -15,7 +15,8 @@ struct AxialQuery {
     /// What is known: the lift is wanted only if it is higher. Along the axis from `place`.
     double least = -__builtin_inf();
     /// The search ends as soon as it is sure that something is higher than this; then the answer's tip is
-    /// between this and the lift, and its other members may say nothing.
+    /// between this and the lift, its slot that of a facet that reaches higher,
+    /// and its other members may say nothing.
     double enough = __builtin_inf();
     /// Where the search starts instead of the root: nodes whose children together are all that matters at
     /// `place`.

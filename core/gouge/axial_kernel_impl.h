@@ -22,18 +22,19 @@ struct Search {
     const AxialQuery& query;
     AxialAnswer& best;
 
-    float rim;         ///< distances beyond this are at the rim
-    float inner;       ///< distances below this are surely within the cutter
-    float radius;      ///< of the cutter, widened
-    float slack;       ///< positions of boxes in the frame are wrong by less
-    float margin;      ///< bounds are wrong by less
-    float uncertain;   ///< how much a bound changes with a position, at most
-    float per_tangent; ///< index of tangent = rho * this
-    float at[3];       ///< the index's origin from the place
-    float turn[3][3];  ///< the frame
-    double zero;       ///< bounds are relative to this height
-    float sure;        ///< lower bounds of facets seen so far say that the answer is more, from `zero`
-    float least;       ///< no less than best.tip from `zero`, and no more than the answer
+    float rim;               ///< distances beyond this are at the rim
+    float inner;             ///< distances below this are surely within the cutter
+    float radius;            ///< of the cutter, widened
+    float slack;             ///< positions of boxes in the frame are wrong by less
+    float margin;            ///< bounds are wrong by less
+    float uncertain;         ///< how much a bound changes with a position, at most
+    float per_tangent;       ///< index of tangent = rho * this
+    float at[3];             ///< the index's origin from the place
+    float turn[3][3];        ///< the frame
+    double zero;             ///< bounds are relative to this height
+    float sure;              ///< lower bounds of facets seen so far say that the answer is more, from `zero`
+    std::uint32_t sure_slot; ///< the facet that says so
+    float least;             ///< no less than best.tip from `zero`, and no more than the answer
 
     // Facets under test, and those that wait for it.
     alignas(32) double x[3][4], y[3][4], z[3][4];
@@ -407,7 +408,9 @@ struct Search {
             store(below, bound);
             for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
                 const int lane = __builtin_ctz(lanes);
-                if (bound[lane] > least) least = sure = bound[lane];
+                if (!(bound[lane] > least)) continue;
+                least = sure = bound[lane];
+                sure_slot = which * std::uint32_t(block_width) + std::uint32_t(lane);
             }
         }
         static constexpr std::uint32_t lanes[block_width] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -422,7 +425,10 @@ struct Search {
     /// What is surely there is more than was asked for.
     FACETMILL_MEMBER bool is_enough() {
         const double tip = double(sure) + zero;
-        if (tip > query.enough && tip > best.tip) best.tip = tip;
+        if (tip > query.enough && tip > best.tip) {
+            best.tip = tip;
+            best.slot = sure_slot;
+        }
         return best.tip > query.enough;
     }
 
@@ -476,7 +482,11 @@ struct Search {
 
     FACETMILL_MEMBER void run() {
         // A first guess lets most of the tree be passed over.
-        opened = query.hint != no_slot ? query.hint / std::uint32_t(block_width) : likely_block();
+        opened = no_slot;
+        if (query.hint != no_slot)
+            opened = query.hint / std::uint32_t(block_width);
+        else if (!(query.least > -__builtin_inf()))
+            opened = likely_block();
         if (opened != no_slot) open_block<true>(opened);
         if (is_enough()) return;
         if (query.cut_nodes == 0) open_node(index.nodes[0]);

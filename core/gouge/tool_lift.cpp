@@ -137,7 +137,9 @@ double ToolLift::search(const ToolPose& pose, double least, double enough, Hint&
         query.hint = hint.slot_[b];
         AxialAnswer answer;
         axial_kernels().tilted(view, body.surface, query, answer);
-        if (answer.slot != no_slot) hint.slot_[b] = answer.slot;
+        // Where nothing reached higher, the next pose is most likely free as well: then no guess is better
+        // than one.
+        hint.slot_[b] = answer.slot;
         if (!(answer.tip > query.least)) continue;
         query.least = answer.tip;
         if (contact && answer.slot != no_slot) {
