@@ -21,6 +21,7 @@ struct Point4 {
 struct Lift4 {
     Double4 tip;
     Point4 point;
+    Mask4 between; ///< edge: touched surely between its ends
 };
 
 /// sqrt(a^2 - b^2) for a >= b >= 0 without cancellation; 0 where a < b.
@@ -154,7 +155,7 @@ FACETMILL_LANES Lift4 edge_lift(const SurfaceTable& surface, const Mask4& wanted
     const Mask4 beside = (cross * cross > reach * reach * square) | ((s_low > 0.0) & (s_low * s_low > past))
                          | ((s_high < 0.0) & (s_high * s_high > past));
     const Mask4 under = wanted & (upright | ~beside);
-    if (bits(under) == 0) return {all(no_lift), a};
+    if (bits(under) == 0) return {all(no_lift), a, under};
     const Double4 rise = high.z - low.z;
     const Double4 best = line_contact(surface, under & ~upright, l, rise, run);
     // Beyond an end it is that corner's lift, unless rounding sees the corner outside of the cutter.
@@ -173,6 +174,7 @@ FACETMILL_LANES Lift4 edge_lift(const SurfaceTable& surface, const Mask4& wanted
     lift.point.z = select(at_corner, corner.z, z);
     const Double4 rho = smaller(root(select(at_corner, corner_square, l * l + s * s)), r);
     const Mask4 touches = under & (reached | ~upright);
+    lift.between = touches & ~(at_high | at_low);
     lift.tip = select(touches, lift.point.z - height(surface, rho), all(no_lift));
     return lift;
 }
@@ -182,6 +184,7 @@ struct PlaneLift4 {
     Lift4 lift;         ///< of its inside: -inf where the plane is touched outside of the facet
     Mask4 inside;       ///< touched surely inside: no edge can ask for more
     Mask4 border;       ///< not inside, but by no more than rounding
+    Mask4 outside;      ///< touched surely outside
     Double4 side[3];    ///< of edge k: twice the area with the point of contact, positive inside
     Double4 edge_slack; ///< of edges that are asked because of `border`
 };
@@ -218,6 +221,7 @@ FACETMILL_LANES PlaneLift4 plane_lift(const SurfaceTable& surface, const Mask4& 
     const Mask4 within = wanted & (least >= 0.0);
     result.inside = wanted & (least > noise);
     result.border = wanted & ~within & (least >= -noise);
+    result.outside = wanted & (least < -noise);
 
     // From the point of the longest edge abreast of q, then across: stable also on needles.
     const Double4 t = ((qx - a.x) * ux + (qy - a.y) * uy) / square, t_c = (vx * ux + vy * uy) / square;

@@ -38,6 +38,7 @@ struct Search {
 
     // Facets under test, and those that wait for it.
     alignas(32) double x[3][4], y[3][4], z[3][4];
+    alignas(32) double most_lift[4]; ///< their bounds
     alignas(32) std::int64_t has_edge[3][4], has_plane[4];
     std::uint32_t slot[4];
     // Lists have room for one more vector than they hold.
@@ -333,14 +334,14 @@ struct Search {
         has_plane[w] = duty & duty_plane ? -1 : 0;
     }
 
-    FACETMILL_MEMBER void consider(const Lift4& lift, int edge) {
+    FACETMILL_MEMBER void consider(const Lift4& lift, const int (&edge)[double_lanes]) {
         unsigned higher = bits(lift.tip > best.tip);
         for (; higher != 0; higher &= higher - 1) {
             const int k = __builtin_ctz(higher);
             if (!(lift.tip[k] > best.tip)) continue;
             best.tip = lift.tip[k];
             best.slot = slot[k];
-            best.edge = edge;
+            best.edge = edge[k];
             best.point[0] = lift.point.x[k];
             best.point[1] = lift.point.y[k];
             best.point[2] = lift.point.z[k];
@@ -359,6 +360,7 @@ struct Search {
         waiting = left;
         int taken = 0;
         for (int next = most; taken < double_lanes && waiting > 0; next = waiting - 1) {
+            most_lift[taken] = double(waiting_bound[next]) + zero;
             gather(waiting_slot[next], taken++);
             --waiting;
             waiting_bound[next] = waiting_bound[waiting];
@@ -373,6 +375,7 @@ struct Search {
                 has_edge[k][w] = 0;
             }
             has_plane[w] = 0;
+            most_lift[w] = -__builtin_inf();
         }
         const Point4 p[3] = {{load(x[0]), load(y[0]), load(z[0])},
                              {load(x[1]), load(y[1]), load(z[1])},
@@ -383,15 +386,47 @@ struct Search {
             return v;
         };
         const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, kernel::contact_roundings);
-        consider(plane.lift, -1);
-        const Mask4 outside = ~plane.inside;
-        if (bits(outside) != 0) {
+        static constexpr int no_edge[] = {-1, -1, -1, -1};
+        consider(plane.lift, no_edge);
+        const Mask4 edges[3] = {mask(has_edge[0]), mask(has_edge[1]), mask(has_edge[2])};
+        Mask4 open = ~plane.inside & (load(most_lift) > best.tip);
+        // First the edge that the way to the plane's contact leaves by. If it is touched between its ends the
+        // facet is done: from a higher place y of the facet a straight way to the plane's contact, on which
+        // the lift is nowhere lower than at y, would cross the edge's line where it is higher than its
+        // highest.
+        const Mask4 first_is_1 = plane.side[1] < plane.side[0];
+        const Double4 lower = select(first_is_1, plane.side[1], plane.side[0]);
+        const Mask4 first_is_2 = plane.side[2] < lower;
+        Mask4 asked_first = open & plane.outside & (edges[0] | edges[1] | edges[2]);
+        if (bits(asked_first) != 0) {
+            const auto one = [&](const Double4& v0, const Double4& v1, const Double4& v2)
+                __attribute__((always_inline)) {
+                return select(first_is_2, v2, select(first_is_1, v1, v0));
+            };
+            const Point4 a{one(p[0].x, p[1].x, p[2].x), one(p[0].y, p[1].y, p[2].y),
+                           one(p[0].z, p[1].z, p[2].z)};
+            const Point4 b{one(p[1].x, p[2].x, p[0].x), one(p[1].y, p[2].y, p[0].y),
+                           one(p[1].z, p[2].z, p[0].z)};
+            const Lift4 lift = edge_lift(surface, asked_first, a, b, all(0.0));
+            const unsigned one_bits = bits(first_is_1), two_bits = bits(first_is_2);
+            int edge[double_lanes];
+            for (int k = 0; k < double_lanes; ++k)
+                edge[k] = two_bits >> k & 1 ? 2 : int(one_bits >> k & 1);
+            consider(lift, edge);
+            open &= ~lift.between & (load(most_lift) > best.tip);
+        }
+        if (bits(open) != 0) {
+            const Mask4 was_first[3] = {asked_first & ~first_is_1 & ~first_is_2,
+                                        asked_first & first_is_1 & ~first_is_2, asked_first & first_is_2};
+            static constexpr int number[3][double_lanes] = {{0, 0, 0, 0}, {1, 1, 1, 1}, {2, 2, 2, 2}};
             for (int k = 0; k < 3; ++k) {
                 const Point4 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
                 const Mask4 border = plane.border & (plane.side[k] < 0.0);
-                const Mask4 asked = ((mask(has_edge[k]) & outside) | border) & (larger(a.z, b.z) > best.tip);
+                const Mask4 asked =
+                    open & (edges[k] | border) & ~was_first[k] & (larger(a.z, b.z) > best.tip);
                 if (bits(asked) == 0) continue;
-                consider(edge_lift(surface, asked, a, b, select(border, plane.edge_slack, all(0.0))), k);
+                consider(edge_lift(surface, asked, a, b, select(border, plane.edge_slack, all(0.0))),
+                         number[k]);
             }
         }
         raise(best.tip);
@@ -459,39 +494,43 @@ struct Search {
         blocks = 0;
     }
 
-    /// A block where the lift is likely to be high: from the root always to the best child. None where that
-    /// leads past the cutter.
-    FACETMILL_CALLED std::uint32_t likely_block() const {
-        std::uint32_t child = 0;
-        for (;;) {
-            alignas(32) float value[block_width];
-            Float8 bound;
-            const TreeNode& node = index.nodes[child];
-            unsigned lanes = promising(node, bound);
-            store(bound, value);
-            if (lanes == 0) return no_slot;
-            int best_lane = __builtin_ctz(lanes);
-            for (; lanes != 0; lanes &= lanes - 1) {
-                const int lane = __builtin_ctz(lanes);
-                if (value[lane] > value[best_lane]) best_lane = lane;
-            }
-            child = node.child[best_lane];
-            if (child & TreeNode::leaf) return child & ~TreeNode::leaf;
-        }
+    /// Moves the largest of the last few bounds of a list to its end.
+    FACETMILL_MEMBER static void best_last(float* bound, std::uint32_t* child, int count) {
+        int most = count - 1;
+        for (int i = count - 2; i >= 0 && i >= count - 2 * int(block_width); --i)
+            most = bound[i] > bound[most] ? i : most;
+        const float b = bound[most];
+        const std::uint32_t c = child[most];
+        bound[most] = bound[count - 1];
+        child[most] = child[count - 1];
+        bound[count - 1] = b;
+        child[count - 1] = c;
     }
 
     FACETMILL_MEMBER void run() {
-        // A first guess lets most of the tree be passed over.
+        // First guesses let most of the tree be passed over: where the last lift came from, and the most
+        // promising way down.
         opened = no_slot;
-        if (query.hint != no_slot)
+        if (query.hint != no_slot) {
             opened = query.hint / std::uint32_t(block_width);
-        else if (!(query.least > -__builtin_inf()))
-            opened = likely_block();
-        if (opened != no_slot) open_block<true>(opened);
-        if (is_enough()) return;
+            open_block<true>(opened);
+            if (is_enough()) return;
+        }
         if (query.cut_nodes == 0) open_node(index.nodes[0]);
         for (int i = 0; i < query.cut_nodes; ++i)
             open_node(query.cut[i]);
+        while (nodes > 0 && blocks == 0) {
+            best_last(node_bound, node_child, nodes);
+            --nodes;
+            if (node_bound[nodes] > least) open_node(index.nodes[node_child[nodes]]);
+        }
+        if (blocks > 0) {
+            best_last(block_bound, block_child, blocks);
+            --blocks;
+            const std::uint32_t block = block_child[blocks] & ~TreeNode::leaf;
+            if (block_bound[blocks] > least && block != opened) open_block<true>(block);
+            if (is_enough()) return;
+        }
         while (nodes > 0) {
             --nodes;
             if (!(node_bound[nodes] > least)) continue;
