@@ -191,6 +191,7 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
     std::vector<Vec3> facet_normals(mesh.facets.size());
     parallel_for(mesh.facets.size(), block, progress.part(0.1, 0.2),
                  [&](std::size_t f) { facet_normals[f] = mesh.facet_normal(f); });
+    display->sights = SightTree(mesh, progress.part(0.2, 0.3));
     const CornersByVertex by = corners_by_vertex(mesh, progress);
 
     const std::size_t blocks = (mesh.vertices.size() + block - 1) / block;

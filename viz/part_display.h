@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
+#include "viz/sight_tree.h"
 
 #include <cstdint>
 #include <memory>
@@ -30,6 +31,7 @@ struct PartDisplay {
         lines; ///< 2 per edge that is open, non-manifold or sharper than the crease angle
     std::vector<std::int32_t> edges; ///< 2 per edge, every edge once
     PartPreview preview;
+    SightTree sights;        ///< of `mesh`, for picking
     bool has_border = false; ///< some edge has one facet, or more than two: a back side may be seen
 };
 

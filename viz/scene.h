@@ -173,10 +173,11 @@ public:
     /// Brings a world point to the middle of the window, where the camera turns about it.
     void center_on(const Vec3& point);
 
-    /// Needs an attached window with a size. Takes about 10 ms for a million facets or points.
+    /// Needs an attached window with a size. Takes microseconds, whatever the size of the part.
     std::optional<PartPick> pick_part(double x, double y) const;
     /// The nearest CL or CC of the visible layers within `radius` pixels. Among those about equally near, the
-    /// one nearest to the eye; points hidden behind the visible part are passed over.
+    /// one nearest to the eye; points hidden behind the visible part are passed over. Takes about 10 ms for a
+    /// million points.
     std::optional<PathPick> pick_path(double x, double y, double radius) const;
     /// Pixel of a world point.
     Vec2 display_of(const Vec3& point) const;

@@ -1,5 +1,4 @@
 // Picking by lines of sight, on the core's own numbers (double), not on what was drawn.
-#include "core/base/parallel.h"
 #include "viz/scene_impl.h"
 
 #include <cmath>
@@ -7,40 +6,6 @@
 namespace facetmill {
 
 namespace {
-
-constexpr std::size_t block = 16384;
-
-struct Hit {
-    double distance = infinity; ///< along the line of sight
-    std::size_t facet = std::size_t(-1);
-};
-
-/// First facet on the line origin + t direction (Moeller and Trumbore 1997). The lowest facet wins among
-/// equals, so that the answer does not depend on threads.
-Hit cast(const Mesh& mesh, const Vec3& origin, const Vec3& direction) {
-    return parallel_reduce(
-        mesh.facets.size(), block, Hit{}, {},
-        [&](std::size_t begin, std::size_t end) {
-            Hit best;
-            for (std::size_t f = begin; f < end; ++f) {
-                const Vec3& a = mesh.corner(f, 0);
-                const Vec3 e1 = mesh.corner(f, 1) - a, e2 = mesh.corner(f, 2) - a;
-                const Vec3 p = direction.cross(e2);
-                const double det = e1.dot(p);
-                if (det == 0.0) continue;
-                const Vec3 s = origin - a;
-                const double u = s.dot(p) / det;
-                if (!(u >= 0.0 && u <= 1.0)) continue;
-                const Vec3 q = s.cross(e1);
-                const double v = direction.dot(q) / det;
-                if (!(v >= 0.0 && u + v <= 1.0)) continue;
-                const double t = e2.dot(q) / det;
-                if (t < best.distance) best = {t, f};
-            }
-            return best;
-        },
-        [](const Hit& a, const Hit& b) { return b.distance < a.distance ? b : a; });
-}
 
 /// A point of a path near the pixel.
 struct Candidate {
@@ -60,8 +25,8 @@ std::optional<PartPick> Scene::pick_part(double x, double y) const {
     const double back =
         2 * impl_->part->box.diagonal() + (impl_->part->box.center() - impl_->point_at(x, y)).norm();
     const Vec3 origin = impl_->point_at(x, y) - back * direction;
-    const Hit hit = cast(mesh, origin, direction);
-    if (hit.facet >= mesh.facets.size()) return std::nullopt;
+    const SightHit hit = impl_->part->sights.first(mesh, origin, direction);
+    if (!hit.found()) return std::nullopt;
     PartPick pick;
     pick.point = origin + hit.distance * direction;
     pick.normal = mesh.facet_normal(hit.facet);
@@ -133,7 +98,8 @@ std::optional<PathPick> Scene::pick_path(double x, double y, double radius) cons
         if (occluded) {
             const double back =
                 2 * impl_->part->box.diagonal() + (impl_->part->box.center() - pick.position).norm();
-            const Hit hit = cast(*impl_->part->mesh, pick.position + back * toward, -toward);
+            const SightHit hit =
+                impl_->part->sights.first(*impl_->part->mesh, pick.position + back * toward, -toward);
             // A point on the surface is seen although the facets around it lie a little before it.
             const double slack = 2 * mm + 1e-3 * impl_->part->box.diagonal();
             if (hit.distance < back - slack) continue;

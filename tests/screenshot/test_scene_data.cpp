@@ -3,6 +3,7 @@
 #include "tests/support/test_runner.h"
 #include "viz/part_display.h"
 #include "viz/path_display.h"
+#include "viz/sight_tree.h"
 #include "viz/tool_shape.h"
 
 #include <QTest>
@@ -10,6 +11,7 @@
 #include "core/base/parallel.h"
 
 #include <limits>
+#include <random>
 #include <set>
 
 using namespace facetmill;
@@ -40,6 +42,21 @@ MeshPtr sphere(double radius, int rows, int columns) {
     return mesh;
 }
 
+/// What SightTree must find, by looking at every facet.
+SightHit first_of_all(const Mesh& mesh, const Vec3& origin, const Vec3& direction) {
+    SightHit best;
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+        const Vec3 a = mesh.corner(f, 0), e1 = mesh.corner(f, 1) - a, e2 = mesh.corner(f, 2) - a;
+        Mat3 m;
+        m << e1, e2, -direction;
+        if (m.determinant() == 0) continue;
+        const Vec3 x = m.inverse() * (origin - a);
+        if (x.x() < 0 || x.y() < 0 || x.x() + x.y() > 1) continue;
+        if (x.z() < best.distance) best = {x.z(), f};
+    }
+    return best;
+}
+
 /// Signed volume and the largest angle between a facet and the normals of its corners.
 struct ShapeCheck {
     double volume = 0, least_dot = 1, least_z = infinity, largest_z = -infinity, largest_radius = 0;
@@ -66,6 +83,70 @@ ShapeCheck examine(const RevolvedShape& s) {
 class TestSceneData : public QObject {
     Q_OBJECT
 private slots:
+    void lines_of_sight_meet_what_lies_first() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+        for (const std::size_t n : {1, 7, 8, 9, 64, 65, 700}) {
+            const Vec3 middle = n == 64 ? Vec3(1e5, -2e5, 3e4) : Vec3(3, -2, 1); // also far away
+            Mesh mesh;
+            for (std::size_t f = 0; f < n; ++f) {
+                const Vec3 at = middle + 20 * any();
+                const double size = f % 5 == 0 ? 15 : 3;
+                for (int k = 0; k < 3; ++k)
+                    mesh.vertices.push_back(at + size * any());
+                mesh.facets.push_back({Index(3 * f), Index(3 * f + 1), Index(3 * f + 2)});
+            }
+            mesh.facets.push_back({0, 0, 1}); // no area
+            mesh.facets.push_back(mesh.facets.front());
+            const SightTree tree(mesh, {});
+            std::size_t met = 0;
+            for (int i = 0; i < 400; ++i) {
+                Vec3 direction = any().normalized();
+                if (i % 3 == 0) direction = Vec3::Unit(i / 3 % 3) * (i % 2 ? 1 : -1);
+                const Vec3 origin = middle + 15 * any() - (i % 4 == 0 ? 0 : 500) * direction;
+                const SightHit hit = tree.first(mesh, origin, direction),
+                               expected = first_of_all(mesh, origin, direction);
+                QCOMPARE(hit.facet, expected.facet); // of the twins the first
+                if (!hit.found()) continue;
+                ++met;
+                QVERIFY(std::abs(hit.distance - expected.distance) < 1e-6);
+            }
+            QVERIFY(n < 60 || met > 50);
+        }
+        // Level facets and lines along the axes: boxes without thickness.
+        Mesh level;
+        for (int j = 0; j <= 40; ++j)
+            for (int i = 0; i <= 40; ++i)
+                level.vertices.emplace_back(i, j, 0);
+        for (Index j = 0; j < 40; ++j)
+            for (Index i = 0; i < 40; ++i) {
+                const Index a = 41 * j + i;
+                level.facets.push_back({a, a + 1, a + 42});
+                level.facets.push_back({a, a + 42, a + 41});
+            }
+        const SightTree tree(level, {});
+        for (int i = 0; i <= 40; ++i) {
+            const Vec3 origin(i, 40 - i, 9); // on borders, edges and corners
+            const SightHit hit = tree.first(level, origin, Vec3(0, 0, -1));
+            QCOMPARE(hit.facet, first_of_all(level, origin, Vec3(0, 0, -1)).facet);
+            QCOMPARE(hit.distance, 9.0);
+        }
+        QVERIFY(!tree.first(level, Vec3(40.001, 5, 9), Vec3(0, 0, -1)).found());
+        QVERIFY(!tree.first(level, Vec3(5, 5, 0), Vec3(1, 0, 0)).found());
+        QVERIFY(!SightTree().first(level, Vec3(5, 5, 9), Vec3(0, 0, -1)).found());
+        QVERIFY(!SightTree(Mesh(), {}).first(Mesh(), Vec3(5, 5, 9), Vec3(0, 0, -1)).found());
+        Job job;
+        job.cancel();
+        bool cancelled = false;
+        try {
+            SightTree(level, Progress(job));
+        } catch (const Cancelled&) {
+            cancelled = true;
+        }
+        QVERIFY(cancelled);
+    }
+
     void a_box_has_sharp_edges() {
         const auto d = prepare_part_display(box_part({10, 20, 30}, {14, 26, 38}), {});
         QCOMPARE(d->triangles.size(), std::size_t(36));
