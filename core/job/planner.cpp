@@ -310,8 +310,11 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
             result->operations.push_back(c.operation(project, *asked[i], context, part));
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
-            const std::string place = "operation '" + printable(asked[i]->common().name) + "'";
+            const std::string& name = asked[i]->common().name;
+            const std::string place = "operation '" + printable(name) + "'";
             if (e.where().starts_with("operation '")) throw;
+            if (e.where() == name || e.where() == printable(name))
+                throw Error(e.code(), place, e.message(), e.remedy());
             throw e.within(place);
         }
     }

@@ -68,8 +68,8 @@ double cusp_budget(const Finish3Settings& settings, const PlanContext& context) 
     const double budget = settings.tolerance - out - in;
     if (!(budget > 0))
         throw Error(ErrorCode::out_of_range, "tolerance",
-                    "the tessellation tolerances (" + length_text(out, context.unit) + " out, "
-                        + length_text(in, context.unit) + " in) use up the machining tolerance of "
+                    "the tessellation tolerances (outward " + length_text(out, context.unit) + ", inward "
+                        + length_text(in, context.unit) + ") use up the machining tolerance of "
                         + length_text(settings.tolerance, context.unit),
                     "allow a larger tolerance or tessellate the part more finely");
     return budget;

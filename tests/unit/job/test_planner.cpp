@@ -242,6 +242,24 @@ private slots:
         QCOMPARE(code([](Project&) {}), std::string("none"));
     }
 
+    void the_place_of_an_error_names_the_operation_once() {
+        Workplace w;
+        Mesh wall; // nothing of it can be cut from above
+        wall.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 0, 10)};
+        wall.facets.push_back({0, 1, 2});
+        save_stl(wall, w.folder / "part.stl", LengthUnit::mm, {});
+        for (const std::string& name : {std::string("First"), std::string(100, 'n')}) {
+            w.project.operations[0]->common().name = name;
+            Planner planner;
+            try {
+                planner.plan(w.project, name, {});
+                QFAIL("no error");
+            } catch (const Error& e) {
+                QCOMPARE(e.where(), "operation '" + printable(name) + "'");
+            }
+        }
+    }
+
     void the_report_is_in_project_units() {
         Workplace w;
         w.project.operations[1]->common().tolerance = 0.02; // less than the step-over leaves: a warning

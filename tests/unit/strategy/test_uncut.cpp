@@ -172,7 +172,7 @@ private slots:
             Finish3(s).plan(context, Progress());
             QFAIL("no error");
         } catch (const Error& e) {
-            QVERIFY2(e.message().find("0.03937 in out") != std::string::npos, e.what());
+            QVERIFY2(e.message().find("(outward 0.03937 in, inward 0.03937 in)") != std::string::npos, e.what());
         }
     }
 };
