@@ -9,11 +9,11 @@ namespace facetmill {
 
 namespace {
 
-/// "12,345".
+/// "12 345", as the workbench writes it.
 std::string grouped(std::size_t n) {
     std::string text = std::to_string(n);
     for (int i = int(text.size()) - 3; i > 0; i -= 3)
-        text.insert(std::size_t(i), ",");
+        text.insert(std::size_t(i), "\u00a0");
     return text;
 }
 
