@@ -1,4 +1,5 @@
 // Every tolerance of the program, by name. Code outside this file compares against these, never against a literal.
+// Numbers only: the contact kernels, compiled for several instruction sets, include it.
 // Lengths in mm unless the name says otherwise.
 #pragma once
 
@@ -67,8 +68,17 @@ inline constexpr double contact_roundings = 64;
 /// could be all there is.
 inline constexpr double area_roundings = 8;
 inline constexpr double valley_roundings = 64;
-/// Bounds that let the index skip a block are widened by this share of the lengths in them: above all rounding.
+/// Bounds that let the index skip a block are widened by this share of the lengths in them, in double and in single
+/// precision: above all rounding.
 inline constexpr double bound_slack = 1e-13;
+inline constexpr double float_slack = 4e-7;
+/// Roofs over parts of the mesh, and support lines of a cutter, that give such bounds are no steeper.
+inline constexpr double steepest_roof = 3;
+inline constexpr double steepest_tangent = 6;
+/// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
+inline constexpr double rim_share = 1e-4;
+/// Coordinate (mm) of facets that are none: beyond any reach, and its square still a float.
+inline constexpr double nowhere = 1e15;
 /// Diameter (mm) of the cutter that stands for a line when the height of the mesh at one place is asked for.
 inline constexpr double needle_diameter = 1e-6;
 /// Area vectors of facets whose sum is below this share of their lengths make a closed surface.

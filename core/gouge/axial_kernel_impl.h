@@ -7,9 +7,9 @@
 // size of the box only. So hardly a block is opened but those where the cutter touches.
 //
 // Bounds are floats, widened above their rounding; lifts are doubles.
+#include "core/base/tolerances.h"
 #include "core/gouge/axial_elements.h"
 #include "core/gouge/axial_kernel.h"
-#include "core/gouge/kernel_tolerances.h"
 
 namespace facetmill::simd {
 
@@ -72,12 +72,12 @@ struct Search {
         zero = tilted ? 0 : index.origin[2];
         if (!tilted) at[2] = 0;
         const double r = surface.max_radius, scale = away + size + r;
-        const double steep = kernel::steepest_roof + kernel::steepest_tangent;
-        slack = float(kernel::float_noise * scale);
-        inner = float(r * (1 - kernel::rim_share));
-        radius = float(r * (1 + kernel::float_noise)) + slack;
-        rim = surface.has_rim ? float(r * (1 - kernel::rim_share)) : __builtin_inff();
-        margin = float(kernel::float_noise * (1 + steep) * (tilted ? 4 : 1) * scale);
+        const double steep = tolerance::steepest_roof + tolerance::steepest_tangent;
+        slack = float(tolerance::float_slack * scale);
+        inner = float(r * (1 - tolerance::rim_share));
+        radius = float(r * (1 + tolerance::float_slack)) + slack;
+        rim = surface.has_rim ? float(r * (1 - tolerance::rim_share)) : __builtin_inff();
+        margin = float(tolerance::float_slack * (1 + steep) * (tilted ? 4 : 1) * scale);
         uncertain = float(4 * (1 + steep));
         per_tangent = float(surface_tangents / r);
         best.tip = query.least;
@@ -126,8 +126,8 @@ struct Search {
         Float8 slope =
             select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
         const Int8 at_rim = rho >= rim;
-        const Float8 steep =
-            smaller(larger(px * ux + py * uy, all(surface.rim_slope)), all(float(kernel::steepest_tangent)));
+        const Float8 steep = smaller(larger(px * ux + py * uy, all(surface.rim_slope)),
+                                     all(float(tolerance::steepest_tangent)));
         slope = select(at_rim, steep, slope);
         level = select(at_rim, surface.rim_height - steep * radius, level);
         sx = slope * ux;
@@ -182,7 +182,7 @@ struct Search {
             const Float8 up = m[2][2] - m[2][0] * px - m[2][1] * py;
             const Float8 nx = m[0][2] - m[0][0] * px - m[0][1] * py,
                          ny = m[1][2] - m[1][0] * px - m[1][1] * py;
-            const Int8 roofed = larger(magnitude(nx), magnitude(ny)) <= float(kernel::steepest_roof) * up;
+            const Int8 roofed = larger(magnitude(nx), magnitude(ny)) <= float(tolerance::steepest_roof) * up;
             const Float8 zero8 = all(0.0f), per = 1.0f / select(roofed, up, all(1.0f));
             const Float8 sx = select(roofed, -nx * per, zero8), sy = select(roofed, -ny * per, zero8);
             const Float8 rx = m[0][0] * ax + m[0][1] * ay + m[0][2] * rz;
@@ -248,7 +248,7 @@ struct Search {
         Float8 mx, my;
         touched(nx * per, ny * per, mx, my);
         constexpr auto inward =
-            float(1 - 3 * kernel::rim_share); // for the lower bound a little inside of the rim
+            float(1 - 3 * tolerance::rim_share); // for the lower bound a little inside of the rim
         const Float8 ax = mx * inward, ay = my * inward;
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
@@ -259,7 +259,7 @@ struct Search {
         most = larger(most, pz[2] - sx * px[2] - sy * py[2]);
         const Float8 size = larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y));
         const Float8 highest_z = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
-        const Float8 noise = float(kernel::float_noise) * (highest_z + uncertain * (size + radius));
+        const Float8 noise = float(tolerance::float_slack) * (highest_z + uncertain * (size + radius));
         if constexpr (both) {
             // The point of the facet with the same barycentric coordinates, those below 0 made 0.
             const auto weight = [&](int i, int j) __attribute__((always_inline)) {
@@ -273,9 +273,9 @@ struct Search {
             const Float8 qz = share * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
             const Float8 q_square = qx * qx + qy * qy;
             // Where the cutter's side is steep, its height at a rounded distance says nothing: stay inside.
-            const Float8 q_rho = root(q_square) + float(kernel::float_noise) * (size + radius);
+            const Float8 q_rho = root(q_square) + float(tolerance::float_slack) * (size + radius);
             below = select((q_rho < inner) & (q_square >= 0.0f),
-                           qz - (1 + float(kernel::float_noise)) * rough_height(q_rho) - noise,
+                           qz - (1 + float(tolerance::float_slack)) * rough_height(q_rho) - noise,
                            all(-__builtin_inff()));
         }
         return select(reached, most - level + noise, all(-__builtin_inff()));
@@ -325,7 +325,7 @@ struct Search {
             // made has no area, and then its edges say everything.
             const double left = (x[1][w] - x[0][w]) * (y[2][w] - y[0][w]),
                          right = (y[1][w] - y[0][w]) * (x[2][w] - x[0][w]), area = left - right;
-            const double noise = kernel::area_roundings * 0.5 * __DBL_EPSILON__
+            const double noise = tolerance::area_roundings * 0.5 * __DBL_EPSILON__
                                  * ((left < 0 ? -left : left) + (right < 0 ? -right : right));
             duty = edges | (area > noise || area < -noise ? unsigned(duty_plane) : 0u);
         }
@@ -385,7 +385,7 @@ struct Search {
             __builtin_memcpy(&v, m, sizeof v);
             return v;
         };
-        const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, kernel::contact_roundings);
+        const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, tolerance::contact_roundings);
         static constexpr int no_edge[] = {-1, -1, -1, -1};
         consider(plane.lift, no_edge);
         const Mask4 edges[3] = {mask(has_edge[0]), mask(has_edge[1]), mask(has_edge[2])};

@@ -2,9 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/tolerances.h"
 #include "core/gouge/axial_kernel.h"
 #include "core/gouge/contact_impl.h"
-#include "core/gouge/kernel_tolerances.h"
 #include "core/gouge/lower_surface.h"
 
 #include <cmath>
@@ -38,7 +38,7 @@ public:
         count_ = 0;
         if (!index_.nodes) return;
         // Positions of boxes are floats: half sizes are rounded outward, the middles as good as exact.
-        const double slack = kernel::float_noise * (index_.half_size[0] + index_.half_size[1] + radius_);
+        const double slack = tolerance::float_slack * (index_.half_size[0] + index_.half_size[1] + radius_);
         const double x0 = lo.x() - index_.origin[0] - radius_ - slack,
                      x1 = hi.x() - index_.origin[0] + radius_ + slack;
         const double y0 = lo.y() - index_.origin[1] - radius_ - slack,

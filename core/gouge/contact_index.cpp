@@ -5,7 +5,6 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/facet_duties.h"
-#include "core/gouge/kernel_tolerances.h"
 
 #include <cmath>
 
@@ -83,7 +82,7 @@ void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint
     for (std::size_t lane = 0; lane < block_width; ++lane) {
         block.facet[lane] = no_index;
         if (begin + lane >= end) { // out of reach of every cutter
-            block.x[0][lane] = block.x[1][lane] = block.x[2][lane] = kernel::nowhere;
+            block.x[0][lane] = block.x[1][lane] = block.x[2][lane] = tolerance::nowhere;
             continue;
         }
         const Index f = items[begin + lane].facet;
@@ -129,7 +128,7 @@ struct Cover {
 /// (and `level`, the highest of them) relative to the middle.
 template <class HighestOver>
 Roof lower_roof(double slope_x, double slope_y, double level, HighestOver&& highest_over) {
-    const double steep = kernel::steepest_roof;
+    const double steep = tolerance::steepest_roof;
     if (!(std::abs(slope_x) <= steep && std::abs(slope_y) <= steep)) return {level, 0, 0};
     const double x = double(float(slope_x)), y = double(float(slope_y)), z = highest_over(x, y);
     return z < level ? Roof{z, x, y} : Roof{level, 0, 0};

@@ -1,7 +1,7 @@
 #include "core/gouge/lower_surface.h"
 
 #include "core/base/error.h"
-#include "core/gouge/kernel_tolerances.h"
+#include "core/base/tolerances.h"
 
 #include <cmath>
 
@@ -48,7 +48,7 @@ double slope_at(const SurfaceTable& table, double rho) {
 void add_tangents(SurfaceTable& table) {
     for (int i = 0; i < surface_tangents; ++i) {
         const double rho = (i + 0.5) / surface_tangents * table.max_radius;
-        const auto slope = float(std::min(slope_at(table, rho), kernel::steepest_tangent));
+        const auto slope = float(std::min(slope_at(table, rho), tolerance::steepest_tangent));
         const double touched = distance_of_slope(table, double(slope));
         const double at0 = height(table, touched) - double(slope) * touched;
         table.tangent_slope[i] = slope;
@@ -56,7 +56,7 @@ void add_tangents(SurfaceTable& table) {
     }
     table.rim_height = std::nextafterf(float(height(table, table.max_radius)), 0.0f);
     const double slope = slope_at(table, table.max_radius); // of a vertical rim infinite, or no number
-    table.has_rim = slope < kernel::steepest_tangent;
+    table.has_rim = slope < tolerance::steepest_tangent;
     table.rim_slope = table.has_rim ? std::nextafterf(float(slope), infinity_f) : 0;
 }
 

@@ -5,7 +5,6 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_kernel.h"
 #include "core/gouge/contact_impl.h"
-#include "core/gouge/kernel_tolerances.h"
 #include "core/gouge/lower_surface.h"
 
 #include <cmath>
@@ -133,7 +132,7 @@ double ToolLift::search(const ToolPose& pose, double least, double enough, Hint&
             top += pose.axis[k] * (view.origin[k] - place[k]) + std::abs(pose.axis[k]) * view.half_size[k];
             away += std::abs(view.origin[k] - place[k]) + view.half_size[k];
         }
-        if (top + kernel::double_noise * away <= query.least) continue;
+        if (top + tolerance::bound_slack * away <= query.least) continue;
         query.hint = hint.slot_[b];
         AxialAnswer answer;
         axial_kernels().tilted(view, body.surface, query, answer);
