@@ -7,6 +7,8 @@
 // size of the box only. So hardly a block is opened but those where the cutter touches.
 //
 // Bounds are floats, widened above their rounding; lifts are doubles.
+#pragma once
+
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_elements.h"
 #include "core/gouge/axial_kernel.h"
