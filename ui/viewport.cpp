@@ -37,6 +37,8 @@ constexpr double slow_frame_ms = 40.0;
 constexpr int coarsest = 3;
 constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
 constexpr int rest_ms = 250;
+/// Between two rehearsals of a first picture, so that the window answers.
+constexpr int rehearsal_ms = 20;
 
 Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
@@ -92,6 +94,9 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_u
     pace_timer_.setSingleShot(true);
     pace_timer_.setInterval(0);
     connect(&pace_timer_, &QTimer::timeout, this, [this] { update(); });
+    rehearsal_timer_.setSingleShot(true);
+    rehearsal_timer_.setInterval(rehearsal_ms);
+    connect(&rehearsal_timer_, &QTimer::timeout, this, &Viewport::rehearse);
 }
 
 Viewport::~Viewport() {
@@ -102,6 +107,7 @@ Viewport::~Viewport() {
 void Viewport::release() {
     if (!context()) return;
     stop_steps();
+    rehearsal_timer_.stop();
     present_ = false;
     makeCurrent();
     scene_.detach();
@@ -147,11 +153,10 @@ void Viewport::paintGL() {
     coarse_ = !std::exchange(whole_, false) && slow();
     QElapsedTimer timer;
     timer.start();
-    // New content compiles shaders in its first picture, which says nothing about the later ones; those for
-    // fewer pixels are compiled with it, lest they hold up the first turn.
+    // New content goes to the graphics card in its first picture, which says nothing about the later ones. It
+    // is drawn in fewer pixels: the shaders for that are had with it, lest they hold up the first turn.
     const bool first = full_frame_ms_ < 0;
-    if (coarse_ && first) draw(2);
-    draw(coarse_ ? coarseness_ : 0);
+    draw(!coarse_ ? 0 : first ? 2 : coarseness_);
     ++frames_;
     last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
     if (coarse_) {
@@ -164,12 +169,15 @@ void Viewport::paintGL() {
         rest_timer_.start();
     } else {
         // The first picture of all compiles shaders and says nothing about the later ones.
-        if (frames_ > 1) full_frame_ms_ = last_frame_ms_;
+        if (frames_ > 1)
+            full_frame_ms_ = last_frame_ms_;
+        else
+            rehearsal_timer_.start();
         emit drawn();
     }
 }
 
-void Viewport::draw(int coarseness) {
+void Viewport::draw(int coarseness, bool seen) {
     auto* w = window_->vtk.Get();
     const int width_px = w->GetSize()[0], height_px = w->GetSize()[1], part = std::max(1, coarseness);
     const double ratio = devicePixelRatioF();
@@ -189,13 +197,27 @@ void Viewport::draw(int coarseness) {
         w->SetFrameBlitModeToNoBlit();
         w->Render();
         state->ResetFramebufferBindings();
-        w->BlitDisplayFramebuffer(0, 0, 0, w_px, h_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
-                                  GL_LINEAR);
+        if (seen)
+            w->BlitDisplayFramebuffer(0, 0, 0, w_px, h_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
+                                      GL_LINEAR);
         w->SetFrameBlitModeToBlitToCurrent();
         w->SetSize(width_px, height_px);
         scene_.set_pixel_ratio(ratio);
     }
     state->Pop();
+}
+
+void Viewport::rehearse() {
+    const bool empty = !scene_.has(Layer::part) && !scene_.has(Layer::stock);
+    if (!empty || dirty_ || rehearsed_ >= Scene::rehearsals || !window_->vtk->GetReadyForRendering()) return;
+    makeCurrent();
+    scene_.rehearse(rehearsed_++);
+    draw(2, false);
+    scene_.end_rehearsal();
+    scene_.set_moving(false);
+    scene_.set_antialiasing(true);
+    doneCurrent();
+    rehearsal_timer_.start();
 }
 
 void Viewport::rested() {

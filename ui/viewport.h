@@ -91,7 +91,8 @@ private:
     void click(const QPointF& at);
     void hover();
     bool slow() const;
-    void draw(int coarseness);
+    void draw(int coarseness, bool seen = true);
+    void rehearse();
     void rested();
     void draw_step();
     void show_steps();
@@ -109,15 +110,16 @@ private:
     bool dragged_ = false;
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
-    QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_;
+    QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
     bool coarse_ = false;             ///< what is shown is a coarse picture
     bool whole_ = false;              ///< the next picture is a full one in any case
     int coarseness_ = 1;              ///< of the next coarse picture: what the last ones took decides
     double full_frame_ms_ = -1;       ///< of the last picture in full detail; below 0: not known
     std::optional<std::size_t> step_; ///< of the full picture that is being drawn
     std::size_t steps_ = 0;
-    double step_ms_ = 0;   ///< what the steps took until now
-    bool present_ = false; ///< the steps are through, but not on the screen
+    double step_ms_ = 0;        ///< what the steps took until now
+    bool present_ = false;      ///< the steps are through, but not on the screen
+    std::size_t rehearsed_ = 0; ///< of the scene's rehearsals
     QPointF hover_at_;
     int frames_ = 0;
     double last_frame_ms_ = 0;

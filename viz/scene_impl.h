@@ -51,7 +51,9 @@ struct Scene::Impl {
     /// What the steps of a picture draw before the last one: visible actors with many cells.
     std::vector<std::vector<SceneActor*>> heavy_groups();
     void show_step(); ///< hides what the present step leaves out of what is shown
-    bool last_step() const { return !step || *step == step_groups.size(); }
+    /// All that is light, and the smoothing; then what is flat on top of it.
+    bool light_step() const { return !step || *step == step_groups.size(); }
+    bool last_step() const { return !step || *step > step_groups.size(); }
     OverlayContent overlay_content() const;
     std::vector<LegendEntry> legend() const;
     bool shows_content() const;

@@ -277,7 +277,7 @@ void Scene::Impl::update_frame() {
                            : infinity;
     contact_dots.actor->GetProperty()->SetPointSize(float(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio)));
     contact_lines.actor->GetProperty()->SetLineWidth(float(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio)));
-    renderer->SetUseFXAA(antialiasing && last_step());
+    renderer->SetUseFXAA(antialiasing && light_step());
     renderer->SetErase(!step || *step == 0);
     axes_renderer->SetDraw(false);
     if (!step) renderer->ResetCameraClippingRange(); // the steps of one picture have one range

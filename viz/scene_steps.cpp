@@ -1,4 +1,6 @@
-// A picture in steps: large things piece by piece, then everything else with the finish.
+// A picture in steps: large things piece by piece, then everything else, then what is flat on top. And the
+// rehearsal of a first picture.
+#include "viz/poly_data.h"
 #include "viz/scene_impl.h"
 
 #include <vtkActorCollection.h>
@@ -75,7 +77,7 @@ void Scene::Impl::show_step() {
     while (vtkActor* actor = actors->GetNextActor(it)) {
         const bool heavy = std::any_of(step_groups.begin(), step_groups.end(),
                                        [&](const auto& group) { return in(group, actor); });
-        if (last_step() ? heavy : !in(step_groups[*step], actor)) actor->VisibilityOff();
+        if (last_step() || (light_step() ? heavy : !in(step_groups[*step], actor))) actor->VisibilityOff();
     }
 }
 
@@ -84,17 +86,44 @@ std::size_t Scene::begin_steps() {
     impl_->apply_visibility();
     impl_->renderer->ResetCameraClippingRange();
     impl_->step_groups = impl_->heavy_groups();
-    return impl_->step_groups.size() + 1;
+    return impl_->step_groups.size() + 2;
 }
 
 void Scene::set_step(std::size_t step) {
-    impl_->step = std::min(step, impl_->step_groups.size());
+    impl_->step = std::min(step, impl_->step_groups.size() + 1);
     impl_->apply_visibility();
 }
 
 void Scene::end_steps() {
     impl_->step.reset();
     impl_->step_groups.clear();
+    impl_->apply_visibility();
+}
+
+void Scene::rehearse(std::size_t k) {
+    static const std::vector<float> points{0, 0, 0, 10, 0, 0, 0, 0, 10},
+        normals{0, -1, 0, 0, -1, 0, 0, -1, 0};
+    static const std::vector<std::int32_t> triangle{0, 1, 2}, segments{0, 1, 1, 2};
+    end_rehearsal();
+    if (impl_->part || !impl_->stock.empty()) return;
+    const auto show = [](SceneActor& a, vtkPolyData* data) {
+        a.set_data(data, Vec3::Zero());
+        a.actor->VisibilityOn();
+    };
+    if (k == 0) {
+        show(impl_->part_surface, triangle_data(points, normals, triangle));
+    } else if (k == 1) {
+        show(impl_->part_lines, segment_data(points, segments));
+    } else {
+        show(impl_->stock_faces, triangle_data(points, {}, triangle));
+        show(impl_->stock_lines, segment_data(points, segments));
+    }
+}
+
+void Scene::end_rehearsal() {
+    if (impl_->part || !impl_->stock.empty()) return;
+    for (SceneActor* a : {&impl_->part_surface, &impl_->part_lines, &impl_->stock_faces, &impl_->stock_lines})
+        a->clear();
     impl_->apply_visibility();
 }
 
