@@ -3,11 +3,16 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLineEdit>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
+#include <QToolTip>
 
 namespace facetmill::ui {
 
@@ -157,6 +162,36 @@ private:
     bool touched_ = false;
 };
 
+/// Names of tools and machines can be longer than the form is wide: they end in dots, and the list and the
+/// tool tip have them in full.
+class ElidedCombo : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    void showPopup() override {
+        view()->setMinimumWidth(view()->sizeHintForColumn(0) + 24);
+        QComboBox::showPopup();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        const int room =
+            style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
+        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room - 4);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ToolTip && toolTip().isEmpty()) {
+            QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), currentText(), this);
+            return true;
+        }
+        return QComboBox::event(event);
+    }
+};
+
 /// choice, and anything that was given a fixed set.
 class ChoiceEditor : public ParameterEditor {
 public:
@@ -165,7 +200,7 @@ public:
         setParent(parent);
         auto* row = new QHBoxLayout(this);
         row->setContentsMargins(0, 0, 0, 0);
-        combo_ = new QComboBox(this);
+        combo_ = new ElidedCombo(this);
         combo_->setObjectName(text(info.key));
         combo_->setMinimumContentsLength(6);
         combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

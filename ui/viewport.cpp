@@ -290,6 +290,7 @@ bool Viewport::finished() const {
 
 void Viewport::content_changed() {
     full_frame_ms_ = -1;
+    place_overlays(); // what stood in the way may be gone
     refresh();
 }
 
@@ -342,7 +343,11 @@ void Viewport::place_overlays() {
     // Lower right, above the scale bar: the legend stands above, the axes on the left.
     const int margin = 8, scale_bar = 52;
     cube_->move(width() - cube_->width() - margin, height() - cube_->height() - scale_bar);
-    cube_->setVisible(width() > 260 && height() > 200);
+    bool free = width() > 260 && height() > 200;
+    for (const QWidget* other : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        if (other != cube_ && !other->isHidden() && other->geometry().intersects(cube_->geometry()))
+            free = false;
+    cube_->setVisible(free);
 }
 
 void Viewport::turn(const QPointF& by) {
