@@ -107,6 +107,43 @@ std::vector<std::string> files_in(const fs::path& folder) {
 class TestPlanner : public QObject {
     Q_OBJECT
 private slots:
+    /// However large the chord tolerance asked for, links climb over what stands between two passes.
+    void a_large_chord_tolerance_does_not_cut_through_ribs() {
+        Workplace w;
+        Mesh ribs; // across the ends of the passes, 3 mm high, between every two of them
+        const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+            const Index at = Index(ribs.vertices.size());
+            ribs.vertices.insert(ribs.vertices.end(), {a, b, c, d});
+            ribs.facets.push_back({at, at + 1, at + 2});
+            ribs.facets.push_back({at, at + 2, at + 3});
+        };
+        quad({0, 0, 0}, {20, 0, 0}, {20, 16, 0}, {0, 16, 0});
+        for (double y : {4.0, 8.0, 12.0})
+            quad({16, y - 0.3, 3}, {20, y - 0.3, 3}, {20, y + 0.3, 3}, {16, y + 0.3, 3});
+        save_stl(ribs, w.folder / "part.stl", LengthUnit::mm, {});
+        w.project.tools[0].diameter = w.project.tools[0].shank_diameter = 1.5;
+        w.project.tools[0].corner_radius = 0.75;
+        w.project.operations.resize(1);
+        Operation& op = *w.project.operations[0];
+        op.common().tolerance = 0.05;
+        op.common().direction = {0, "x"};
+        op.set("stepover", 4.0);
+        op.set("chord_tolerance", 20.0);
+        Planner planner;
+        const auto plan = planner.plan(w.project, "", Progress());
+        const auto& motions = plan->operations[0]->program.motions.motions;
+        int crossed = 0;
+        for (std::size_t i = 1; i < motions.size(); ++i) {
+            const Vec3 &a = motions[i - 1].to.tip, &b = motions[i].to.tip;
+            for (double y : {4.0, 8.0, 12.0}) {
+                if ((a.y() < y) == (b.y() < y) || std::max(a.x(), b.x()) < 16.5) continue;
+                const double z = a.z() + (b.z() - a.z()) * (y - a.y()) / (b.y() - a.y());
+                QVERIFY2(z >= 3 - 0.025, qPrintable(QString::number(z)));
+                ++crossed;
+            }
+        }
+        QVERIFY(crossed > 0);
+    }
 
     void only_what_changed_runs_again() {
         Workplace w;
