@@ -1,6 +1,7 @@
 #include "core/strategy/lift_line.h"
 
 #include "core/base/parallel.h"
+#include "core/base/tolerances.h"
 
 namespace facetmill {
 
@@ -53,8 +54,24 @@ private:
 } // namespace
 
 double safe_spacing(const CutterProfile& profile, double below) {
-    const double radius = std::max(profile.cutter().r, 0.5 * profile.max_radius());
-    return std::min(std::sqrt(8 * radius * below), 0.25 * profile.max_radius());
+    const auto round = [below](double radius) { return std::sqrt(8 * radius * below); };
+    double spacing = 0.25 * profile.max_radius(), slope = 0; // slopes as angles
+    for (const ProfilePiece& p : profile.lower_pieces()) {
+        if (p.kind == ProfilePiece::Kind::arc) {
+            // Of a sharp corner it is the roundness of its rim, sideways, that counts.
+            spacing = std::min(spacing, round(std::max(p.radius, 0.5 * (p.centre.x() + p.radius))));
+        } else if (p.angle_at_start() > slope + tolerance::cutter_angle) {
+            // A cone is as round as its inner rim. Of a peak too thin to be seen at the ends and the middle
+            // of a piece of length c, a pointed one passes at most c / 4 times the sine of its slope,
+            // measured across its side.
+            const double thin = 4 * below / std::sin(p.angle_at_start());
+            spacing = std::min(spacing, std::max(round(0.5 * p.from.x()), thin));
+        }
+        slope = p.angle_at_end();
+    }
+    if (slope < 0.5 * pi - tolerance::cutter_angle)
+        spacing = std::min(spacing, round(0.5 * profile.max_radius()));
+    return spacing;
 }
 
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,

@@ -146,6 +146,41 @@ private slots:
         }
     }
 
+    /// Teeth thinner than the places looked at are apart, under cutters that are sharp at the tip and wide at
+    /// the shoulder.
+    void thin_teeth_do_not_slip_between() {
+        for (const double tip : {0.0, 0.02, 0.1})
+            for (const double taper : {10.0, 30.0}) {
+                const AptCutter apt =
+                    tip > 0 ? AptCutter::from_shape(tip, 0, 0, radians(taper), 12)
+                            : AptCutter::cone(2 * 12 * std::tan(radians(taper)), radians(taper));
+                const CutterProfile profile(apt);
+                LineTolerance tolerance;
+                tolerance.below = tolerance.above = 0.004;
+                tolerance.spacing = safe_spacing(profile, tolerance.below);
+                for (const double pitch : {0.1, 0.13, 0.25, 0.5}) {
+                    const int teeth = int(6 / pitch);
+                    const double height = 0.5 * pitch / std::tan(radians(taper + 10));
+                    const Mesh m = height_field(
+                        [&](double x, double) { return std::lround(x / (0.5 * pitch)) & 1 ? height : 0.0; },
+                        Vec2(0, -1), Vec2(teeth * pitch, 1), 2 * teeth, 2);
+                    const PlanContext context = context_of(m, ball_tool(6));
+                    const AxialLift lift(context.contact, profile);
+                    const auto line = lift_line({&lift, -1}, Vec2(0, 0.3), Vec2(1, 0), 0.3 * pitch,
+                                                teeth * pitch - 0.01, tolerance, Progress());
+                    double worst = 0; // across the side
+                    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                        for (int k = 1; k < 16 && line[i + 1].s > line[i].s; ++k) {
+                            const double t = k / 16.0, s = line[i].s + t * (line[i + 1].s - line[i].s);
+                            const double z = line[i].z + t * (line[i + 1].z - line[i].z);
+                            worst = std::max(worst, (lift.tip_z(s, 0.3) - z) * std::sin(radians(taper)));
+                        }
+                    QVERIFY2(worst <= tolerance.below,
+                             qPrintable(QString("%1 %2 %3: %4").arg(tip).arg(taper).arg(pitch).arg(worst)));
+                }
+            }
+    }
+
     void thinning_keeps_within_its_band() {
         std::vector<LinePoint> line;
         for (int i = 0; i <= 1000; ++i)
