@@ -137,6 +137,8 @@ void run(const Arguments& arguments, Session& session) {
     const CutterProfile cutter(read_cutter(arguments.value("--cutter"), per));
     use_threads(arguments);
 
+    refuse_to_overwrite(arguments.operand(0), arguments.value("-o"));
+    if (arguments.has("--points")) refuse_to_overwrite(arguments.value("--points"), arguments.value("-o"));
     OutputFile file(arguments.value("-o")); // first, so that a place that cannot be written is told at once
     const Progress progress = session.progress();
     std::vector<Vec2> given;

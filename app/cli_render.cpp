@@ -2,6 +2,7 @@
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 #ifdef FACETMILL_HAS_PICTURES
 #include "core/job/planner.h"
@@ -50,11 +51,13 @@ void run(const Arguments& arguments, Session& session) {
     const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
     use_threads(arguments);
 
+    refuse_to_overwrite(input, arguments.value("-o"));
     const Progress progress = session.progress();
     if (project_given) {
         if (arguments.has("--units"))
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
         const Project project = load_project(input);
+        refuse_to_overwrite(project.part_path(), arguments.value("-o"));
         Planner planner;
         PlanResult result;
         bool needs_plan = false;

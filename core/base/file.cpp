@@ -212,4 +212,11 @@ void OutputSet::commit() {
         if (!k.before.empty()) fs::remove(k.before, ec);
 }
 
+void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output) {
+    std::error_code none; // a file that does not exist is no other's equal
+    if (std::filesystem::equivalent(input, output, none))
+        throw Error(ErrorCode::unwritable, printable(output.string(), 400), "is the file that is read",
+                    "write to another file");
+}
+
 } // namespace facetmill

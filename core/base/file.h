@@ -60,6 +60,10 @@ private:
     bool committed_ = false;
 };
 
+/// Throws Error(unwritable) when `output` is the file `input`, by whatever name: a job that reads its input and writes
+/// its output over it would destroy what it was given.
+void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output);
+
 /// Several outputs of one job that appear together or not at all: `commit` renames all after every one is
 /// complete, and puts back what stood there before when one of them cannot be renamed.
 class OutputSet {

@@ -150,6 +150,11 @@ private slots:
         row("no points", "drop part.stl --cutter ball:6 --points comment.txt -o x", "empty_result",
             "comment.txt");
         row("drop on nothing", "drop none.stl --cutter ball:6 --grid 5x5 -o x", "not_found", "none.stl");
+        row("drop over its part", "drop part.stl --cutter ball:6 --grid 5x5 -o ./part.stl", "unwritable",
+            "part.stl");
+        row("drop over its points", "drop part.stl --cutter ball:6 --points half.txt -o half.txt",
+            "unwritable", "half.txt");
+        row("render over its part", "render part.stl -o part.stl", "unwritable", "part.stl");
         row("no project", "plan none.facetmill -o out", "not_found", "none.facetmill");
         row("a mesh as project", "plan part.stl -o out", "syntax", "part.stl:1");
         row("a picture as part", "info picture.stl", "not_stl", "picture.stl");
