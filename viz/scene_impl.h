@@ -33,7 +33,7 @@ struct SceneActor {
 
 /// Of a large part in one actor, and about what one step of a picture draws: some 10 ms without a graphics
 /// card.
-inline constexpr std::size_t elements_in_piece = 50'000;
+inline constexpr std::size_t elements_in_piece = 30'000;
 
 struct Scene::Impl {
     Impl();
