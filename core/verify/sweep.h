@@ -1,0 +1,86 @@
+// The solid that a convex body of revolution sweeps when it moves straight without turning, and the stretch of a line
+// within it, exactly.
+//
+// The swept solid is convex, so a line p + t u meets it in one stretch. Seen along the motion the body's outline is a
+// convex curve in the plane across the motion; the line is a line there too, and where it enters and leaves the outline
+// the body touches it at some share of the motion. Where that share is between start and end, it is the answer; else it
+// is the body at the nearer end. (Of points with equal offset from the plane of line and motion all lie in one plane,
+// where the pairs (t, share) inside the body are a convex set.) The outline is a chain of circles' images (ellipses),
+// circular arcs, straight pieces and, of tori, offsets of ellipses.
+#pragma once
+
+#include "core/base/vec.h"
+#include "core/cutter/cutter.h"
+#include "core/verify/program.h"
+
+#include <optional>
+#include <vector>
+
+namespace facetmill {
+
+/// Of a line, from lo to hi; empty when lo > hi.
+struct Stretch {
+    double lo = infinity, hi = -infinity;
+    bool empty() const { return !(lo <= hi); }
+};
+
+/// A convex body of revolution about z, by its profile from the bottom of the axis outward and up to its top.
+class TurnedBody {
+public:
+    /// The cutting part of a tool: tip at 0, flat top at its height.
+    explicit TurnedBody(const CutterProfile& cutter);
+    TurnedBody(double radius, double from, double to); ///< cylinder
+
+    double radius() const { return radius_; }
+    double bottom() const { return bottom_; }
+    double top() const { return top_; }
+    /// Largest distance of a point of the body from the tip (0, 0, 0).
+    double reach() const;
+    /// Of the line p + t u in the body's frame, u of any length but 0.
+    Stretch along(const Vec3& p, const Vec3& u) const;
+
+private:
+    friend class SweepRays;
+    /// A stretch of the profile whose outward normals are between two angles from straight down: a corner (a circle in
+    /// space; r = 0) or an arc. Straight parts of the profile join one feature's end to the next one's start.
+    struct Feature {
+        Vec2 centre; ///< (rho, z)
+        double r = 0, from = 0, to = 0; ///< angles, 0 to pi
+        Vec2 at(double angle) const { return centre + r * Vec2(std::sin(angle), -std::cos(angle)); }
+    };
+    void add_corner(const Vec2& at, double to);
+    std::vector<Feature> features_; ///< angles without gaps from 0 to pi
+    double radius_ = 0, bottom_ = 0, top_ = 0;
+};
+
+/// Turns vectors of part coordinates into a frame whose z is the tool axis, by one rotation. The identity for (0, 0, 1).
+Mat3 to_tool_frame(const Vec3& axis);
+
+/// A straight motion with a fixed unit axis.
+struct StraightMove {
+    Vec3 from, to, axis; ///< tips
+    Box3 box(const TurnedBody& body) const; ///< of the swept solid, tight for vertical axes
+};
+
+/// One swept solid and all lines of one direction.
+class SweepRays {
+public:
+    /// `direction` is a unit vector. The body must outlive this.
+    SweepRays(const TurnedBody& body, const StraightMove& move, const Vec3& direction);
+    /// Of the line p + t direction, in part coordinates.
+    Stretch operator()(const Vec3& p) const;
+
+private:
+    // filled in with the implementation
+};
+
+/// Where the tool is at a share s of a motion.
+CutterLocation location_between(const CutterLocation& from, const CutterLocation& to,
+                                const std::optional<TurningAxis>& turning, double s);
+
+/// The motion from s0 to s1 (shares of it) as straight moves, each with the axis of its middle: no point within `reach`
+/// of the tip is farther than `bound` from where it should be. Appends to `moves`; one move where the axis does not turn.
+void straight_moves(const CutterLocation& from, const CutterLocation& to, const std::optional<TurningAxis>& turning,
+                    double s0, double s1, double reach, double bound, std::vector<StraightMove>& moves);
+
+} // namespace facetmill
