@@ -107,4 +107,13 @@ inline constexpr double plane_trust = 1e-3;
 /// are asked as well.
 inline constexpr double edge_on = 1e-6;
 
+/// Verification. Share of a tool's size within which a line that meets two parts of its surface at their joint meets both;
+/// and below which a motion, or the sine of its angle to a line, is none.
+inline constexpr double sweep_roundings = 1e-11;
+inline constexpr double parallel_sine = 1e-8;
+/// Below this a part of a unit vector, or an angle, is rounding.
+inline constexpr double unit_rounding = 1e-14;
+/// Share of the outline's width below which a piece of it is no piece.
+inline constexpr double vanishing_outline = 1e-13;
+
 } // namespace facetmill::tolerance

@@ -12,8 +12,8 @@
 
 namespace facetmill {
 
-/// Not for two threads at once. Positions count motions over all programs, in order: position p + s, 0 <= s < 1, is s of
-/// the way through motion p, p = motion_count() the end; before motion 0 the stock is whole.
+/// Not for two threads at once. Positions count motions over all programs, in order: position p + s, 0 <= s <
+/// 1, is s of the way through motion p, p = motion_count() the end; before motion 0 the stock is whole.
 class StockPlayback {
 public:
     /// Throws as `verify`. Cancellation per tile.
@@ -29,12 +29,13 @@ public:
     MotionKind kind(double position) const;
     double position() const;
 
-    /// Cuts or takes back. Cancellation within 20 ms; a cancelled call leaves the playback somewhere on the way, whole.
+    /// Cuts or takes back. Cancellation within 20 ms; a cancelled call leaves the playback somewhere on the
+    /// way, whole.
     void go_to(double position, const Progress& progress);
     const StockModel& stock() const;
 
-    /// The surface in patches, always the same number in the same order; a patch whose material has not changed since the
-    /// last call is the same object, one without surface is null.
+    /// The surface in patches, always the same number in the same order; a patch whose material has not
+    /// changed since the last call is the same object, one without surface is null.
     const std::vector<std::shared_ptr<const StockPatch>>& patches(const Progress& progress);
 
 private:

@@ -1,6 +1,6 @@
-// What the verifier is given: the stock before the first motion, tools, and their motions. It knows nothing of how
-// the motions came about: this room includes the mesh, the cutter's profile and the plain records of tools and
-// motions, and shares no geometry with the planners. Millimetres, radians, part coordinates.
+// What the verifier is given: the stock before the first motion, tools, and their motions. It knows nothing
+// of how the motions came about: this room includes the mesh, the cutter's profile and the plain records of
+// tools and motions, and shares no geometry with the planners. Millimetres, radians, part coordinates.
 #pragma once
 
 #include "core/cutter/cutter.h"
@@ -36,14 +36,15 @@ struct TurningAxis {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
 };
 
-/// One operation, in machining order. Motion i goes from the location of motion i - 1 to its own; of the first only
-/// the end counts. GOTO numbers are those of motions, from 1.
+/// One operation, in machining order. Motion i goes from the location of motion i - 1 to its own; of the
+/// first only the end counts. GOTO numbers are those of motions, from 1.
 struct VerifyProgram {
     std::string name;
     VerifyTool tool;
     std::shared_ptr<const ToolMotions> motions;
-    /// A part that turns (lathe-mill): between CL points the tool turns about this axis at a constant rate, and moves
-    /// along it and towards it in proportion. Else the tip moves straight and the axis turns in one plane.
+    /// A part that turns (lathe-mill): between CL points the tool turns about this axis at a constant rate,
+    /// and moves along it and towards it in proportion. Else the tip moves straight and the axis turns in one
+    /// plane.
     std::optional<TurningAxis> turning;
 };
 
@@ -58,10 +59,10 @@ struct MotionPlace {
 struct StockSolid {
     enum class Kind : std::uint8_t { box, cylinder, mesh };
     Kind kind = Kind::box;
-    Box3 box;            ///< of all kinds: nothing is outside
-    int axis = 2;        ///< cylinder: along this coordinate axis, about the box's middle, over its length
-    double radius = 0;   ///< cylinder
-    MeshPtr mesh;        ///< closed; what is inside by the count of crossings
+    Box3 box;          ///< of all kinds: nothing is outside
+    int axis = 2;      ///< cylinder: along this coordinate axis, about the box's middle, over its length
+    double radius = 0; ///< cylinder
+    MeshPtr mesh;      ///< closed; what is inside by the count of crossings
 };
 
 } // namespace facetmill

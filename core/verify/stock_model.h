@@ -1,10 +1,10 @@
-// The stock as three families of parallel rays (a tri-dexel model): along x, y and z through one lattice, each ray
-// with the stretches of it that are material. Along its ray an end of a stretch is where the swept tool enters, not a
-// lattice place; between rays, features thinner than the lattice's spacing may be missed.
+// The stock as three families of parallel rays (a tri-dexel model): along x, y and z through one lattice,
+// each ray with the stretches of it that are material. Along its ray an end of a stretch is where the swept
+// tool enters, not a lattice place; between rays, features thinner than the lattice's spacing may be missed.
 //
-// Material is removed by the exact solid that a tool sweeps on a straight line with fixed axis (sweep.h). Rays are kept
-// in tiles of 16 x 16; a tile that no tool has reached costs nothing, and copies of a model share what is the same.
-// Ends are floats from the middle of the stock: exact to 6e-8 of its size.
+// Material is removed by the exact solid that a tool sweeps on a straight line with fixed axis (sweep.h).
+// Rays are kept in tiles of 16 x 16; a tile that no tool has reached costs nothing, and copies of a model
+// share what is the same. Ends are floats from the middle of the stock: exact to 6e-8 of its size.
 #pragma once
 
 #include "core/base/progress.h"
@@ -26,15 +26,15 @@ struct StockLattice {
     std::array<int, 3> nodes{2, 2, 2};
 
     Vec3 node(int i, int j, int k) const { return origin + Vec3(i, j, k).cwiseProduct(spacing); }
-    /// About `resolution` apart in all directions, never farther. Throws Error(limit_exceeded) where the rays would
-    /// be more than `most_rays`, naming a resolution that serves.
+    /// About `resolution` apart in all directions, never farther. Throws Error(limit_exceeded) where the rays
+    /// would be more than `most_rays`, naming a resolution that serves.
     static StockLattice over(const Box3& box, double resolution, std::size_t most_rays);
     std::size_t rays() const;
 };
 
 /// Part of the stock's surface, for pictures: the cells of one block of the lattice.
 struct StockPatch {
-    std::vector<std::array<float, 3>> points, normals; ///< mm; unit, outward
+    std::vector<std::array<float, 3>> points, normals;   ///< mm; unit, outward
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from outside
     Box3 box;
 };
@@ -47,11 +47,11 @@ public:
 
     const StockLattice& lattice() const { return lattice_; }
     const StockSolid& solid() const { return solid_; }
-    /// Material stretches of the ray along `axis` through lattice node (i, j): along x (y, z), y (z, x), z (x, y).
-    /// Part coordinates along the axis, ascending, apart.
+    /// Material stretches of the ray along `axis` through lattice node (i, j): along x (y, z), y (z, x), z
+    /// (x, y). Part coordinates along the axis, ascending, apart.
     std::vector<std::array<double, 2>> stretches(int axis, int i, int j) const;
-    double volume() const;      ///< mm^3, the mean of the three families
-    std::size_t bytes() const;  ///< memory of the rays
+    double volume() const;     ///< mm^3, the mean of the three families
+    std::size_t bytes() const; ///< memory of the rays
 
 private:
     friend class MaterialRemoval;

@@ -1,18 +1,21 @@
-// The solid that a convex body of revolution sweeps when it moves straight without turning, and the stretch of a line
-// within it, exactly.
+// The solid that a convex body of revolution sweeps when it moves straight without turning, and the stretch
+// of a line within it, exactly.
 //
-// The swept solid is convex, so a line p + t u meets it in one stretch. Seen along the motion the body's outline is a
-// convex curve in the plane across the motion; the line is a line there too, and where it enters and leaves the outline
-// the body touches it at some share of the motion. Where that share is between start and end, it is the answer; else it
-// is the body at the nearer end. (Of points with equal offset from the plane of line and motion all lie in one plane,
-// where the pairs (t, share) inside the body are a convex set.) The outline is a chain of circles' images (ellipses),
-// circular arcs, straight pieces and, of tori, offsets of ellipses.
+// The swept solid is convex, so a line p + t u meets it in one stretch. Seen along the motion the body's
+// outline is a convex curve in the plane across the motion; the line is a line there too, and where it enters
+// and leaves the outline the body touches it at some share of the motion. Where that share is between start
+// and end, it is the answer; else it is the body at the nearer end. (Of points with equal offset from the
+// plane of line and motion all lie in one plane, where the pairs (t, share) inside the body are a convex
+// set.) The outline is a chain of circles' images (ellipses), circular arcs, straight pieces and, of tori,
+// offsets of ellipses.
 #pragma once
 
 #include "core/base/vec.h"
 #include "core/cutter/cutter.h"
 #include "core/verify/program.h"
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -36,29 +39,41 @@ public:
     double top() const { return top_; }
     /// Largest distance of a point of the body from the tip (0, 0, 0).
     double reach() const;
+    /// The body made smaller about a point of its axis, by at least `by` at its side: contact by rounding is
+    /// none.
+    TurnedBody shrunk(double by) const;
     /// Of the line p + t u in the body's frame, u of any length but 0.
     Stretch along(const Vec3& p, const Vec3& u) const;
 
 private:
     friend class SweepRays;
-    /// A stretch of the profile whose outward normals are between two angles from straight down: a corner (a circle in
-    /// space; r = 0) or an arc. Straight parts of the profile join one feature's end to the next one's start.
+    /// A stretch of the profile whose outward normals are between two angles from straight down: a corner (a
+    /// circle in space; r = 0) or an arc. Straight parts of the profile join one feature's end to the next
+    /// one's start.
     struct Feature {
-        Vec2 centre; ///< (rho, z)
+        Vec2 centre;                    ///< (rho, z)
         double r = 0, from = 0, to = 0; ///< angles, 0 to pi
         Vec2 at(double angle) const { return centre + r * Vec2(std::sin(angle), -std::cos(angle)); }
     };
-    void add_corner(const Vec2& at, double to);
-    std::vector<Feature> features_; ///< angles without gaps from 0 to pi
+    void add(const Vec2& centre, double r, double to);
+    void finish();
+    double radius_at(double z) const;
+    Stretch heights_at(double rho) const;
+    Stretch along_general(const Vec3& p, const Vec3& u) const;
+
+    std::vector<Feature> features_;   ///< angles without gaps from 0 to pi
+    std::vector<ProfilePiece> sides_; ///< the profile, bottom and top discs included
+    std::size_t lower_ = 0;           ///< so many of them are below the widest place
     double radius_ = 0, bottom_ = 0, top_ = 0;
 };
 
-/// Turns vectors of part coordinates into a frame whose z is the tool axis, by one rotation. The identity for (0, 0, 1).
+/// Turns vectors of part coordinates into a frame whose z is the tool axis, by one rotation. The identity for
+/// (0, 0, 1).
 Mat3 to_tool_frame(const Vec3& axis);
 
 /// A straight motion with a fixed unit axis.
 struct StraightMove {
-    Vec3 from, to, axis; ///< tips
+    Vec3 from, to, axis;                    ///< tips
     Box3 box(const TurnedBody& body) const; ///< of the swept solid, tight for vertical axes
 };
 
@@ -71,16 +86,49 @@ public:
     Stretch operator()(const Vec3& p) const;
 
 private:
-    // filled in with the implementation
+    /// One piece of the outline's chain over [c0, c1]: offsets c along `across_`; heights y along `out_`,
+    /// places l along the motion.
+    struct Link {
+        enum class Kind : std::uint8_t { line, circle, sphere, torus };
+        Kind kind = Kind::line;
+        double c0 = 0, c1 = 0;
+        double y0 = 0, l0 = 0;                           ///< line: at c0
+        double slope_y = 0, slope_l = 0;                 ///< line
+        double middle_c = 0, middle_y = 0, middle_l = 0; ///< else: image of the centre
+        double scale = 0, cos_y = 0, sin_y = 0, cos_l = 0,
+               sin_l = 0;                        ///< circle and sphere: C = (c - middle_c) scale
+        double e = 0, r = 0, psi0 = 0, psi1 = 0; ///< torus
+    };
+    struct Touch {
+        double y, l;
+    };
+    void build(double side, std::vector<Link>& chain);
+    Vec3 normal(double side, double psi) const;
+    Vec3 outline_point(const TurnedBody::Feature& f, double side, double psi, double from_psi) const;
+    Touch touch(const std::vector<Link>& chain, double side, double c) const;
+    Touch touch_torus(const Link& link, double side, double c) const;
+    Stretch at_end(const Vec3& p, bool last) const;
+
+    const TurnedBody* body_;
+    Mat3 frame_;
+    Vec3 from_; ///< tip at the start, part coordinates
+    Vec3 u_, along_, across_,
+        out_; ///< in the tool's frame: the lines' direction; of the motion; see sweep.cpp
+    Vec3 world_along_, world_across_, world_out_;
+    double length_ = 0, sine_ = 0, u_along_ = 0;
+    bool parallel_ = false; ///< lines and motion, or no motion
+    std::vector<Link> entry_, exit_;
 };
 
 /// Where the tool is at a share s of a motion.
 CutterLocation location_between(const CutterLocation& from, const CutterLocation& to,
                                 const std::optional<TurningAxis>& turning, double s);
 
-/// The motion from s0 to s1 (shares of it) as straight moves, each with the axis of its middle: no point within `reach`
-/// of the tip is farther than `bound` from where it should be. Appends to `moves`; one move where the axis does not turn.
-void straight_moves(const CutterLocation& from, const CutterLocation& to, const std::optional<TurningAxis>& turning,
-                    double s0, double s1, double reach, double bound, std::vector<StraightMove>& moves);
+/// The motion from s0 to s1 (shares of it) as straight moves, each with the axis of its middle: no point
+/// within `reach` of the tip is farther than `bound` from where it should be. Appends to `moves`; one move
+/// where the axis does not turn.
+void straight_moves(const CutterLocation& from, const CutterLocation& to,
+                    const std::optional<TurningAxis>& turning, double s0, double s1, double reach,
+                    double bound, std::vector<StraightMove>& moves);
 
 } // namespace facetmill

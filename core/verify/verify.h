@@ -1,14 +1,16 @@
-// The judge of every tool path: an independent model of the stock is cut with the motions, and what is left is compared
-// with the part. Two ways that check each other:
+// The judge of every tool path: an independent model of the stock is cut with the motions, and what is left
+// is compared with the part. Two ways that check each other:
 //
-//   probes   Through samples of the part's surface run lines along the surface's normal. The swept tool is exact on
-//            them, so gouges and what is left (cusps) are known to rounding at the samples; between samples they can be
-//            larger, by what `sample_spacing` lets through.
-//   stock    Rays on a lattice (stock_model.h) hold the stock as it is at each moment: for shank, holder and rapids,
+//   probes   Through samples of the part's surface run lines along the surface's normal. The swept tool is
+//   exact on
+//            them, so gouges and what is left (cusps) are known to rounding at the samples; between samples
+//            they can be larger, by what `sample_spacing` lets through.
+//   stock    Rays on a lattice (stock_model.h) hold the stock as it is at each moment: for shank, holder and
+//   rapids,
 //            which must not touch it, for playback, and for the surface that is written.
 //
-// Where the axis turns, a motion is cut into straight ones with a fixed axis, short enough that no point of the
-// cutting tool is farther than `motion_bound` from where it should be; probes cut finer where it matters.
+// Where the axis turns, a motion is cut into straight ones with a fixed axis, short enough that no point of
+// the cutting tool is farther than `motion_bound` from where it should be; probes cut finer where it matters.
 #pragma once
 
 #include "core/base/progress.h"
@@ -23,24 +25,26 @@
 namespace facetmill {
 
 struct VerifySettings {
-    double resolution = 0;     ///< of the stock's lattice; 0: a twentieth of the smallest cutter's radius, coarser where the
-                               ///< stock would have more than `most_rays`
-    double sample_spacing = 0; ///< of the probes; 0: as the resolution, coarser where they would be more than `most_samples`
-    double motion_bound = 0;   ///< 0: a quarter of the resolution
-    double tolerance = 0;      ///< what may be left: larger counts as over, twice that as uncut; 0: not judged
-    double gouge_limit = 0;    ///< deeper is a gouge
-    double allowance = 0;      ///< the design is the part grown by this along its normals
+    double resolution = 0; ///< of the stock's lattice; 0: a twentieth of the smallest cutter's radius,
+                           ///< coarser where the stock would have more than `most_rays`
+    double sample_spacing =
+        0; ///< of the probes; 0: as the resolution, coarser where they would be more than `most_samples`
+    double motion_bound = 0; ///< 0: a quarter of the resolution
+    double tolerance = 0;    ///< what may be left: larger counts as over, twice that as uncut; 0: not judged
+    double gouge_limit = 0;  ///< deeper is a gouge
+    double allowance = 0;    ///< the design is the part grown by this along its normals
     std::size_t most_rays = 30'000'000, most_samples = 400'000;
 };
 
-/// Signed distance along the part's normal from the surface to what is left: positive, material stands; negative,
-/// material is missing.
+/// Signed distance along the part's normal from the surface to what is left: positive, material stands;
+/// negative, material is missing.
 struct DeviationSurface {
     enum Flag : std::uint8_t {
         counted = 0, ///< in all figures
-        border = 1,  ///< within a cutter's radius of the part's open border, where no path goes on: gouges only
-        away = 2,    ///< faces no tool axis of the programs (walls, undersides): gouges only
-        bare = 4,    ///< the stock itself does not reach the surface here
+        border =
+            1,    ///< within a cutter's radius of the part's open border, where no path goes on: gouges only
+        away = 2, ///< faces no tool axis of the programs (walls, undersides): gouges only
+        bare = 4, ///< the stock itself does not reach the surface here
     };
     std::vector<std::array<float, 3>> points, normals;
     std::vector<float> deviation;
@@ -50,8 +54,8 @@ struct DeviationSurface {
 
 struct DeviationFigures {
     std::size_t samples = 0;
-    double area = 0;           ///< mm^2 the samples stand for
-    double gouge_max = 0;      ///< >= 0
+    double area = 0;      ///< mm^2 the samples stand for
+    double gouge_max = 0; ///< >= 0
     double excess_p50 = 0, excess_p95 = 0, excess_p99 = 0, excess_p999 = 0, excess_max = 0;
     double over_fraction = 0;  ///< of the area: more than the tolerance is left
     double uncut_fraction = 0; ///< of the area: more than twice the tolerance is left
@@ -81,21 +85,24 @@ struct Collision {
 struct Verification {
     std::shared_ptr<const StockModel> stock;
     std::shared_ptr<const DeviationSurface> surface;
-    DeviationFigures figures, border;     ///< away from open borders; near them
-    std::vector<SlopeBand> bands;         ///< 0-15, 15-30, ... 75-90 degrees
-    std::vector<DeviationExtreme> gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
+    DeviationFigures figures, border; ///< away from open borders; near them
+    std::vector<SlopeBand> bands;     ///< 0-15, 15-30, ... 75-90 degrees
+    std::vector<DeviationExtreme>
+        gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise
     std::vector<Collision> collisions;    ///< in the order of motions; the deepest of each motion and kind
     std::vector<std::string> remarks;     ///< one sentence each: what was not judged and why
     VerifySettings used;                  ///< with what 0 stood for
     double seconds_cutting = 0, seconds_probing = 0;
 
-    bool gouged() const { return figures.gouge_max > used.gouge_limit || border.gouge_max > used.gouge_limit; }
+    bool gouged() const {
+        return figures.gouge_max > used.gouge_limit || border.gouge_max > used.gouge_limit;
+    }
     bool passed() const { return !gouged() && collisions.empty(); }
 };
 
-/// Throws Error(out_of_range, empty_result, limit_exceeded, non_finite) naming program and GOTO; Cancelled within
-/// 100 ms. The same result for every number of threads.
+/// Throws Error(out_of_range, empty_result, limit_exceeded, non_finite) naming program and GOTO; Cancelled
+/// within 100 ms. The same result for every number of threads.
 Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
                     const VerifySettings& settings, const Progress& progress);
 
