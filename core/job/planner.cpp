@@ -107,21 +107,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The operation's own chord tolerance where it has one; as a strategy does, at most half of what the part's
-/// tessellation leaves of the machining tolerance, or links would cut straight through what they should
-/// climb.
-double chord_tolerance(const Operation& operation, const PlanContext& context) {
-    const auto [out, in] = context.tessellation_tolerance;
-    const double budget = operation.common().tolerance - out - in;
-    double chord = 0.05 * budget;
-    for (const ParameterInfo* info : operation.parameters()) {
-        if (info->key != "chord_tolerance") continue;
-        const ParameterValue value = operation.get(info->key);
-        if (const auto* d = std::get_if<double>(&value)) chord = *d;
-    }
-    return std::max(std::min(chord, 0.5 * budget), tolerance::smallest_chord);
-}
-
 } // namespace
 
 struct Planner::Cache {
@@ -243,9 +228,8 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
         program.motions = same->result->program.motions;
         result->seconds_link = same->result->seconds_link;
     } else {
-        LinkOptions options = default_link_options(result->path, context, common);
-        options.chord_tolerance = chord_tolerance(operation, context);
-        program.motions = link_three_axis(result->path, context, common.allowance, options,
+        program.motions = link_three_axis(result->path, context, common.allowance,
+                                          default_link_options(result->path, context, common),
                                           progress.part(0.85, 0.98, common.name + ": linking"));
         result->seconds_link = seconds_since(start);
         ++work.links;

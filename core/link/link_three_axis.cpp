@@ -37,7 +37,9 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
     LinkOptions options;
     options.clearance = common.clearance;
     options.link_distance = std::max(4 * path.stepover_max, 0.5 * context.tool.diameter);
-    options.chord_tolerance = 0.05 * common.tolerance;
+    // As coarse as the passes and no coarser, or links would cut straight through what they should climb.
+    const double chord = path.chord_tolerance > 0 ? path.chord_tolerance : 0.05 * common.tolerance;
+    options.chord_tolerance = std::max(chord, tolerance::smallest_chord);
     return options;
 }
 

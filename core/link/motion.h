@@ -36,7 +36,8 @@ struct LinkOptions {
     double chord_tolerance = 0.01;
 };
 
-/// What suits an operation: links as far as four step-overs or the cutter's radius, a twentieth of the tolerance.
+/// What suits an operation: links as far as four step-overs or the cutter's radius, the chord tolerance of the
+/// passes (where they have none, a twentieth of the tolerance).
 LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context, const OperationCommon& common);
 
 /// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into the part)

@@ -128,6 +128,7 @@ StrategyResult Planner::run() {
                     "check part and direction");
     // Moves may run above the exact path by the chord tolerance.
     result_.cusp_max += chord_;
+    result_.chord_tolerance = chord_;
     check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
     add_warnings();
     return std::move(result_);

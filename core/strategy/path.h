@@ -33,6 +33,7 @@ struct StrategyResult {
     double stepover_min = 0, stepover_max = 0;
     double direction = 0;          ///< angle of travel from X, radians
     double cusp_max = 0;           ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
+    double chord_tolerance = 0;    ///< how far moves may run beside the exact path; 0: the strategy has none; mm
     std::size_t cleanup_points = 0; ///< CC points left for clean-up
     std::size_t rework_regions = 0; ///< regions left for a rework operation
     std::vector<std::string> warnings;
