@@ -2,9 +2,9 @@
 // boxes finds the facets that matter, by bounds from the convexity of the cutter:
 //
 // The lift z - g(rho) over a point of a facet is a concave function where z is a plane, so its tangent plane
-// at one place bounds it everywhere. For a child of a node the tangent is that under the middle of what the
-// cutter covers of its box, and the plane is the roof of the child; the bound is wrong by second order in the
-// size of the box only. So hardly a block is opened but those where the cutter touches.
+// at one place bounds it everywhere. For a child of a node the plane is its roof, and the tangent that at the
+// point of its box nearest to where the roof touches; the bound is wrong by second order in the size of the
+// box only. So hardly a block is opened but those where the cutter touches.
 //
 // Bounds are floats, widened above their rounding; lifts are doubles.
 #pragma once
@@ -68,8 +68,9 @@ struct Search {
             if (k < 2 || tilted) away += d < 0 ? -d : d;
             size += index.half_size[k];
             at[k] = float(d);
-            for (int j = 0; j < 3; ++j)
-                turn[k][j] = float(query.frame[k][j]);
+            if constexpr (tilted)
+                for (int j = 0; j < 3; ++j)
+                    turn[k][j] = float(query.frame[k][j]);
         }
         zero = tilted ? 0 : index.origin[2];
         if (!tilted) at[2] = 0;
@@ -78,7 +79,7 @@ struct Search {
         slack = float(tolerance::float_slack * scale);
         inner = float(r * (1 - tolerance::rim_share));
         radius = float(r * (1 + tolerance::float_slack)) + slack;
-        rim = surface.has_rim ? float(r * (1 - tolerance::rim_share)) : __builtin_inff();
+        rim = surface.has_rim ? inner : __builtin_inff();
         margin = float(tolerance::float_slack * (1 + steep) * (tilted ? 4 : 1) * scale);
         uncertain = float(4 * (1 + steep));
         per_tangent = float(surface_tangents / r);
@@ -450,10 +451,9 @@ struct Search {
                 sure_slot = which * std::uint32_t(block_width) + std::uint32_t(lane);
             }
         }
-        static constexpr std::uint32_t lanes[block_width] = {0, 1, 2, 3, 4, 5, 6, 7};
         std::uint32_t slots[block_width];
-        for (std::size_t k = 0; k < block_width; ++k)
-            slots[k] = which * std::uint32_t(block_width) + lanes[k];
+        for (std::uint32_t k = 0; k < block_width; ++k)
+            slots[k] = which * std::uint32_t(block_width) + k;
         waiting += keep(bits(above > least), above, slots, waiting_bound + waiting, waiting_slot + waiting);
         while (waiting > most_waiting)
             test();
@@ -469,12 +469,6 @@ struct Search {
         return best.tip > query.enough;
     }
 
-    /// Bounds of a node's children, and which of them matter.
-    FACETMILL_MEMBER unsigned promising(const TreeNode& node, Float8& bound) const {
-        bound = child_bounds(node);
-        return bits(bound > least);
-    }
-
     FACETMILL_MEMBER static unsigned leaves(const TreeNode& node) {
         Int8 child;
         __builtin_memcpy(&child, node.child, sizeof child);
@@ -482,8 +476,8 @@ struct Search {
     }
 
     FACETMILL_CALLED void open_node(const TreeNode& node) {
-        Float8 bound;
-        const unsigned lanes = promising(node, bound), leaf = leaves(node);
+        const Float8 bound = child_bounds(node);
+        const unsigned lanes = bits(bound > least), leaf = leaves(node);
         nodes += keep(lanes & ~leaf, bound, node.child, node_bound + nodes, node_child + nodes);
         blocks += keep(lanes & leaf, bound, node.child, block_bound + blocks, block_child + blocks);
     }

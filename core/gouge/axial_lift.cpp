@@ -28,7 +28,7 @@ class SharedCut {
 public:
     SharedCut(const IndexView& index, double radius) : index_(index), radius_(radius) {}
 
-    /// For all places of a box. The children of `node` that are in reach are few enough.
+    /// For all places of a box: as far down as the boxes in reach fit into most_nodes nodes.
     void make(const Vec2& lo, const Vec2& hi) {
         struct Child {
             const TreeNode* node;

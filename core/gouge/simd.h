@@ -157,8 +157,8 @@ FACETMILL_LANES Float8 rough_inverse_root(const Float8& v) {
 #endif
 }
 
-/// The lanes in `chosen` (bit k: lane k), moved together in order, of two vectors; all eight places are
-/// written. How many there are.
+/// The lanes in `chosen` (bit k: lane k) of two vectors, moved together in order; the rest of the eight
+/// places may be overwritten. How many there are.
 FACETMILL_LANES int keep(unsigned chosen, const Float8& a, const std::uint32_t* b, float* a_out,
                          std::uint32_t* b_out) {
 #ifdef __AVX2__
