@@ -15,15 +15,6 @@ double slope_of(double angle, bool vertical) {
     return vertical ? infinity : std::tan(angle);
 }
 
-double height(const SurfaceTable& table, double rho) {
-    const SurfacePiece* p = table.piece;
-    while (p != table.piece + table.count - 1 && rho > p->rho1)
-        ++p;
-    if (p->r == 0) return p->z0 + p->slope0 * (std::min(rho, p->rho1) - p->rho0);
-    const double out = rho - p->e;
-    return p->f - std::sqrt(std::max(0.0, (p->r - out) * (p->r + out)));
-}
-
 /// Where g has this slope.
 double distance_of_slope(const SurfaceTable& table, double slope) {
     for (int i = 0; i < table.count; ++i) {
@@ -45,16 +36,16 @@ double slope_at(const SurfaceTable& table, double rho) {
 }
 
 /// Support lines of g, at distances evenly over the radius; in floats, rounded to be below g.
-void add_tangents(SurfaceTable& table) {
+void add_tangents(SurfaceTable& table, const CutterProfile& profile) {
     for (int i = 0; i < surface_tangents; ++i) {
         const double rho = (i + 0.5) / surface_tangents * table.max_radius;
         const auto slope = float(std::min(slope_at(table, rho), tolerance::steepest_tangent));
         const double touched = distance_of_slope(table, double(slope));
-        const double at0 = height(table, touched) - double(slope) * touched;
+        const double at0 = profile.height_at(touched) - double(slope) * touched;
         table.tangent_slope[i] = slope;
         table.tangent_at0[i] = std::nextafterf(float(at0), -infinity_f);
     }
-    table.rim_height = std::nextafterf(float(height(table, table.max_radius)), 0.0f);
+    table.rim_height = std::nextafterf(float(profile.height_at(table.max_radius)), 0.0f);
     const double slope = slope_at(table, table.max_radius); // of a vertical rim infinite, or no number
     table.has_rim = slope < tolerance::steepest_tangent;
     table.rim_slope = table.has_rim ? std::nextafterf(float(slope), infinity_f) : 0;
@@ -96,7 +87,7 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
         }
         table.piece[table.count++] = q;
     }
-    add_tangents(table);
+    add_tangents(table, profile);
     add_guess(table);
     return table;
 }

@@ -14,6 +14,7 @@ namespace facetmill {
 struct ToolLift::Body {
     SurfaceTable surface;
     double offset; ///< of its lowest point above the tip
+    double rim;    ///< height above the tip at which its lower surface ends
     ToolBody kind;
     int section;
 };
@@ -30,13 +31,6 @@ void across(const Vec3& axis, double (&frame)[3][3]) {
         frame[1][k] = v[k];
         frame[2][k] = axis[k];
     }
-}
-
-double rim_height(const SurfaceTable& surface) {
-    const SurfacePiece& p = surface.piece[surface.count - 1];
-    if (p.r == 0) return p.z0 + p.slope0 * (p.rho1 - p.rho0);
-    const double out = p.rho1 - p.e;
-    return p.f - std::sqrt(std::max(0.0, (p.r - out) * (p.r + out)));
 }
 
 void check_pose(const ToolPose& pose) {
@@ -102,15 +96,15 @@ ToolLift::ToolLift(ContactIndexPtr index, const Tool& tool, const ToolClearance&
 
 void ToolLift::add(const CutterProfile& profile, double offset, double clearance, ToolBody kind,
                    int section) {
-    Body body{lower_surface(profile.grown(clearance)), offset - clearance, kind, section};
+    const CutterProfile grown = profile.grown(clearance);
+    const double lowest = offset - clearance;
     for (const Body& below : bodies_)
-        if (body.surface.max_radius <= below.surface.max_radius
-            && body.offset >= below.offset + rim_height(below.surface))
-            return;
+        if (grown.max_radius() <= below.surface.max_radius && lowest >= below.rim) return;
     if (bodies_.size() == most_bodies)
         throw Error(ErrorCode::out_of_range, "holder", "has too many sections",
                     "at most " + std::to_string(most_bodies - 2));
-    bodies_.push_back(body);
+    bodies_.push_back(
+        {lower_surface(grown), lowest, lowest + grown.height_at(grown.max_radius()), kind, section});
 }
 
 double ToolLift::search(const ToolPose& pose, double least, double enough, Hint& hint,
