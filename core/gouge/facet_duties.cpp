@@ -14,6 +14,14 @@ namespace {
 
 constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
 
+/// Twice the area of the projection along Z of a triangle, with sign; 0 where rounding could have made it.
+double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
+    const double area = left - right;
+    return std::abs(area) > tolerance::area_roundings * rounding * (std::abs(left) + std::abs(right)) ? area
+                                                                                                      : 0;
+}
+
 /// True when d surely lies above the plane of the triangle a, b, c, whose projected area is `area`.
 bool surely_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double area) {
     const Vec3 u = b - a, v = c - a, w = d - a;
@@ -32,13 +40,6 @@ bool is_valley(const Mesh& mesh, Index half1, Index half2) {
 }
 
 } // namespace
-
-double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
-    const double area = left - right;
-    return std::abs(area) > tolerance::area_roundings * rounding * (std::abs(left) + std::abs(right)) ? area
-                                                                                                      : 0;
-}
 
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress) {
     constexpr std::size_t grain = 20000;

@@ -9,9 +9,6 @@
 
 namespace facetmill {
 
-/// Twice the area of the projection along Z of a triangle, with sign; 0 where rounding could have made it.
-double projected_area(const Vec3& a, const Vec3& b, const Vec3& c);
-
 /// FacetDuty bits per facet, corners as in the mesh.
 ///
 /// Every edge is owned by one facet, for cutters of any axis. For a cutter that comes down along Z it is left

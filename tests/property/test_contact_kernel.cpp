@@ -18,39 +18,9 @@ using namespace facetmill::test;
 
 namespace {
 
-std::shared_ptr<Mesh> soup(int facets, double size, std::uint64_t seed) {
-    Random rng(seed);
-    const auto mesh = std::make_shared<Mesh>();
-    for (int f = 0; f < facets; ++f) {
-        const Vec3 at(uniform(rng, 0, size), uniform(rng, 0, size), uniform(rng, 0, 0.3 * size));
-        const double extent = size * std::exp(uniform(rng, -4, -1));
-        for (int k = 0; k < 3; ++k)
-            mesh->vertices.push_back(
-                at + extent * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)));
-        if (f % 5 == 0) // a needle
-            mesh->vertices.back() =
-                mesh->vertices[mesh->vertices.size() - 2] + Vec3(1e-7, 1e-6, 1e-8) * uniform(rng, 0, 1);
-        const Index v = Index(3 * f);
-        mesh->facets.push_back({v, v + 1, v + 2});
-    }
-    return mesh;
-}
-
 /// A wavy field with shared vertices: most contacts lie on its edges and in its facets.
 std::shared_ptr<Mesh> waves(int n, double size) {
-    const auto mesh = std::make_shared<Mesh>();
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            const double x = size * i / n, y = size * j / n;
-            mesh->vertices.push_back(Vec3(x, y, 6 * std::sin(0.3 * x) * std::cos(0.2 * y)));
-        }
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const Index a = Index(j * (n + 1) + i), b = a + 1, c = a + Index(n) + 1, d = c + 1;
-            mesh->facets.push_back({a, b, d});
-            mesh->facets.push_back({a, d, c});
-        }
-    return mesh;
+    return field(n, size, [](double x, double y) { return 6 * std::sin(0.3 * x) * std::cos(0.2 * y); });
 }
 
 Posture random_posture(Random& rng, double size) {

@@ -1,117 +1,28 @@
 #include "tests/bench/scalar/facet_duties.h"
 
-#include "core/base/error.h"
-#include "core/base/parallel.h"
-#include "core/base/tolerances.h"
+#include "core/gouge/contact_blocks.h"
+#include "core/gouge/facet_duties.h"
 #include "tests/bench/scalar/contact_blocks.h"
-
-#include <atomic>
-#include <limits>
 
 namespace facetmill::scalar {
 
-namespace {
-
-constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
-
-/// True when d surely lies above the plane of the triangle a, b, c, whose projected area is `area`.
-bool surely_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double area) {
-    const Vec3 u = b - a, v = c - a, w = d - a;
-    const double det = u.cross(v).dot(w);
-    const double size = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff() * w.cwiseAbs().maxCoeff();
-    const double noise = tolerance::valley_roundings * rounding * size;
-    return area > 0 ? det > noise : det < -noise;
-}
-
-bool is_valley(const Mesh& mesh, Index half1, Index half2) {
-    const auto corner = [&](Index half, Index k) { return mesh.facets[half / 3][(half % 3 + k) % 3]; };
-    const Vec3 &a = mesh.vertices[corner(half1, 0)], &b = mesh.vertices[corner(half1, 1)];
-    const Vec3 &c = mesh.vertices[corner(half1, 2)], &d = mesh.vertices[corner(half2, 2)];
-    const double area1 = projected_area(a, b, c), area2 = projected_area(a, b, d);
-    return area1 * area2 < 0 && surely_above(a, b, c, d, area1);
-}
-
-} // namespace
-
-double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
-    const double area = left - right;
-    return std::abs(area) > tolerance::area_roundings * rounding * (std::abs(left) + std::abs(right)) ? area
-                                                                                                      : 0;
-}
-
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress) {
-    constexpr std::size_t grain = 20000;
-    const std::size_t facets = mesh.facet_count(), vertices = mesh.vertices.size();
-    // Half-edge h is edge h % 3 of facet h / 3; filed under its lower vertex, in order.
-    struct Half {
-        Index high, half;
-    };
-    std::vector<Index> first(vertices + 1, 0);
-    for (std::size_t f = 0; f < facets; ++f) {
-        if (f % grain == 0) progress.check();
-        const Facet& v = mesh.facets[f];
-        if (std::max({v[0], v[1], v[2]}) >= vertices)
-            throw Error(ErrorCode::internal, "facet " + std::to_string(f), "names a vertex that the mesh has not",
-                        "report the part");
-        for (std::size_t k = 0; k < 3; ++k)
-            ++first[std::min(v[k], v[(k + 1) % 3]) + 1];
-    }
-    for (std::size_t v = 0; v < vertices; ++v)
-        first[v + 1] += first[v];
-    std::vector<Half> halves(3 * facets);
-    {
-        std::vector<Index> next(first.begin(), first.end() - 1);
-        for (std::size_t f = 0; f < facets; ++f) {
-            if (f % grain == 0) progress.check();
-            const Facet& v = mesh.facets[f];
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Index a = v[k], b = v[(k + 1) % 3];
-                halves[next[std::min(a, b)]++] = {std::max(a, b), Index(3 * f + k)};
-            }
-        }
-    }
-
-    // Facets whose edges are decided in different blocks share a byte.
-    std::vector<std::atomic<std::uint8_t>> edges(facets), kept(vertices);
-    parallel_blocks(vertices, grain, progress.part(0.4, 0.9), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const auto from = halves.begin() + first[v], to = halves.begin() + first[v + 1];
-            std::sort(from, to, [](const Half& a, const Half& b) {
-                return a.high != b.high ? a.high < b.high : a.half < b.half;
-            });
-            for (auto h = from; h != to;) {
-                auto end_of_edge = h + 1;
-                while (end_of_edge != to && end_of_edge->high == h->high)
-                    ++end_of_edge;
-                const bool degenerate = h->high == v; // a facet that names a vertex twice
-                if (degenerate)
-                    kept[v].store(1, std::memory_order_relaxed);
-                else if (!(end_of_edge - h == 2 && is_valley(mesh, h->half, (h + 1)->half))) {
-                    edges[h->half / 3].fetch_or(std::uint8_t(duty_edge << (h->half % 3)),
-                                                std::memory_order_relaxed);
-                    kept[v].store(1, std::memory_order_relaxed);
-                    kept[h->high].store(1, std::memory_order_relaxed);
-                }
-                h = end_of_edge;
-            }
-        }
-    });
-
-    std::vector<std::uint8_t> duties(facets, 0);
-    for (std::size_t f = 0; f < facets; ++f) {
-        if (f % grain == 0) progress.check();
-        duties[f] = edges[f].load(std::memory_order_relaxed);
-        const Facet& v = mesh.facets[f];
+    const std::vector<std::uint8_t> core = facetmill::facet_duties(mesh, progress);
+    std::vector<std::uint8_t> duties(core.size(), 0), kept(mesh.vertices.size(), 0);
+    for (std::size_t f = 0; f < core.size(); ++f) {
+        if (core[f] & facetmill::duty_plane) duties[f] = duty_plane;
         for (std::size_t k = 0; k < 3; ++k) {
-            auto& keep = kept[v[k]];
-            if (keep.load(std::memory_order_relaxed) == 0) continue;
-            duties[f] |= std::uint8_t(duty_vertex << k);
-            keep.store(0, std::memory_order_relaxed); // the first facet that has it owns it
+            if (!(core[f] & (facetmill::duty_edge << k))) continue;
+            duties[f] |= std::uint8_t(duty_edge << k);
+            kept[mesh.facets[f][k]] = kept[mesh.facets[f][(k + 1) % 3]] = 1;
         }
-        if (projected_area(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)) != 0)
-            duties[f] |= duty_plane;
     }
+    for (std::size_t f = 0; f < core.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint8_t& keep = kept[mesh.facets[f][k]];
+            if (keep) duties[f] |= std::uint8_t(duty_vertex << k);
+            keep = 0; // the first facet that has it owns it
+        }
     return duties;
 }
 

@@ -9,17 +9,8 @@
 
 namespace facetmill::scalar {
 
-/// Twice the area of the projection along Z of a triangle, with sign; 0 where rounding could have made it.
-double projected_area(const Vec3& a, const Vec3& b, const Vec3& c);
-
-/// FacetDuty bits per facet, corners as in the mesh.
-///
-/// An edge is left out when it is surely a valley: two facets, on different sides of it seen along Z, the one
-/// above the plane of the other. Were q, inside such an edge, the highest contact: the plane of one facet
-/// lies below the other facet, so the lift over that plane has a maximum at q too, and the plane's own
-/// contact is found there (or at another point as high, and going there the lift never falls). A vertex is
-/// left out when all its edges are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
-/// everything. Cancellation per 20 000 facets.
+/// FacetDuty bits per facet, corners as in the mesh: the edges of core's facet_duties, and the vertices of
+/// those edges.
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress);
 
 } // namespace facetmill::scalar

@@ -4,19 +4,9 @@
 
 #include "core/cutter/cutter.h"
 #include "core/mesh/mesh.h"
-
-#include <random>
+#include "tests/support/random_meshes.h"
 
 namespace facetmill::test {
-
-using Random = std::mt19937_64;
-
-inline double uniform(Random& rng, double lo, double hi) {
-    return std::uniform_real_distribution<double>(lo, hi)(rng);
-}
-inline int whole(Random& rng, int lo, int hi) {
-    return std::uniform_int_distribution<int>(lo, hi)(rng);
-}
 
 /// Any convex cutter of about `d` in diameter; `kind` counts through the shapes.
 inline AptCutter random_cutter(Random& rng, int kind, double d) {

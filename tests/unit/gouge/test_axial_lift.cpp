@@ -7,6 +7,7 @@
 #include "core/gouge/contact_blocks.h"
 #include "core/gouge/facet_duties.h"
 #include "tests/support/brute_lift.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/gouge/lift_cases.h"
 #include "tests/unit/gouge/lift_check.h"
@@ -22,43 +23,6 @@ namespace {
 
 /// What whole meshes must reach, over coordinates up to 100 mm.
 constexpr double mesh_accuracy = 1e-7;
-
-std::shared_ptr<Mesh> field(int n, double size, const std::function<double(double, double)>& z, double jitter,
-                            std::uint64_t seed) {
-    Random rng(seed);
-    const auto mesh = std::make_shared<Mesh>();
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            const double x = size * (i + jitter * uniform(rng, -1, 1)) / n;
-            const double y = size * (j + jitter * uniform(rng, -1, 1)) / n;
-            mesh->vertices.push_back(Vec3(x, y, z(x, y)));
-        }
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const Index a = Index(j * (n + 1) + i), b = a + 1, c = a + Index(n) + 1, d = c + 1;
-            mesh->facets.push_back({a, b, d});
-            mesh->facets.push_back({a, d, c});
-        }
-    return mesh;
-}
-
-std::shared_ptr<Mesh> soup(int facets, double size, std::uint64_t seed) {
-    Random rng(seed);
-    const auto mesh = std::make_shared<Mesh>();
-    for (int f = 0; f < facets; ++f) {
-        const Vec3 at(uniform(rng, 0, size), uniform(rng, 0, size), uniform(rng, 0, 0.3 * size));
-        const double extent = size * std::exp(uniform(rng, -4, -1));
-        for (int k = 0; k < 3; ++k)
-            mesh->vertices.push_back(
-                at + extent * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)));
-        if (f % 5 == 0) // a needle
-            mesh->vertices.back() =
-                mesh->vertices[mesh->vertices.size() - 2] + Vec3(1e-7, 1e-6, 1e-8) * uniform(rng, 0, 1);
-        const Index v = Index(3 * f);
-        mesh->facets.push_back({v, v + 1, v + 2});
-    }
-    return mesh;
-}
 
 /// A closed ball of facets, seen from above half of it inside out; long fans at the poles.
 std::shared_ptr<Mesh> globe(double radius, int n) {
@@ -133,16 +97,6 @@ std::vector<AptCutter> cutters() {
     for (int kind = 0; kind < 14; ++kind)
         all.push_back(random_cutter(rng, kind, kind % 2 ? 6 : 11));
     return all;
-}
-
-template <class Call>
-ErrorCode code_of(Call&& call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return e.code();
-    }
-    return ErrorCode::usage;
 }
 
 double distance_to_facet(const Mesh& mesh, Index facet, const Vec3& p) {
@@ -373,7 +327,7 @@ private slots:
                      qPrintable(QString("%1 %2").arg(got).arg(wanted)));
         }
         QCOMPARE(code_of([&] { AxialLift(index, CutterProfile(AptCutter::ball(6, 50)), -0.1); }),
-                 ErrorCode::out_of_range);
+                 std::string("out_of_range"));
     }
 
     void valleys_are_left_to_their_facets() {
@@ -532,11 +486,11 @@ private slots:
             mesh->facets = {{0, 1, vertex}};
             return code_of([&] { ContactIndex(mesh, Progress()); });
         };
-        QCOMPARE(make(Vec3(0, 1, 0), 2), ErrorCode::usage); // no error
-        QCOMPARE(make(Vec3(0, std::nan(""), 0), 2), ErrorCode::non_finite);
-        QCOMPARE(make(Vec3(0, 0, infinity), 2), ErrorCode::non_finite);
-        QCOMPARE(make(Vec3(1e30, 0, 0), 2), ErrorCode::non_finite);
-        QCOMPARE(make(Vec3(0, 1, 0), 3), ErrorCode::internal);
+        QCOMPARE(make(Vec3(0, 1, 0), 2), std::string("none"));
+        QCOMPARE(make(Vec3(0, std::nan(""), 0), 2), std::string("non_finite"));
+        QCOMPARE(make(Vec3(0, 0, infinity), 2), std::string("non_finite"));
+        QCOMPARE(make(Vec3(1e30, 0, 0), 2), std::string("non_finite"));
+        QCOMPARE(make(Vec3(0, 1, 0), 3), std::string("internal"));
     }
 
     void cancels() {

@@ -19,24 +19,8 @@ namespace {
 constexpr double field_size = 250;
 constexpr int field_quads = 707; ///< a side: a million facets
 
-std::shared_ptr<const Mesh> field() {
-    Random rng(1);
-    const auto mesh = std::make_shared<Mesh>();
-    constexpr double quad = field_size / field_quads;
-    for (int j = 0; j <= field_quads; ++j)
-        for (int i = 0; i <= field_quads; ++i) {
-            const double x = quad * (i + uniform(rng, -0.3, 0.3)), y = quad * (j + uniform(rng, -0.3, 0.3));
-            mesh->vertices.emplace_back(
-                x, y, 10 * std::sin(0.11 * x) * std::cos(0.07 * y) + 2 * std::sin(0.5 * x + 0.3 * y));
-        }
-    for (int j = 0; j < field_quads; ++j)
-        for (int i = 0; i < field_quads; ++i) {
-            const auto a = Index(j * (field_quads + 1) + i), b = a + 1, c = a + Index(field_quads) + 1,
-                       d = c + 1;
-            mesh->facets.push_back({a, b, d});
-            mesh->facets.push_back({a, d, c});
-        }
-    return mesh;
+double waves(double x, double y) {
+    return 10 * std::sin(0.11 * x) * std::cos(0.07 * y) + 2 * std::sin(0.5 * x + 0.3 * y);
 }
 
 /// The facets whose quads may come within `reach` of a square about (x, y), by where their quads are.
@@ -86,7 +70,7 @@ private slots:
     }
     void large_field() {
         QFETCH(AptCutter, cutter);
-        static const std::shared_ptr<const Mesh> mesh = field();
+        static const std::shared_ptr<const Mesh> mesh = field(field_quads, field_size, waves, 0.3);
         static const auto index = std::make_shared<const ContactIndex>(mesh, Progress());
         constexpr int grid = 500, stride = 20;
         std::vector<Vec2> points;

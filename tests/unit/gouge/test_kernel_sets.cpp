@@ -22,18 +22,8 @@ private slots:
         QVERIFY(count >= 1);
         QCOMPARE(sets[0]->name, "baseline");
         Random rng(21);
-        const auto mesh = std::make_shared<Mesh>();
-        constexpr int n = 40;
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i)
-                mesh->vertices.push_back(Vec3(i + uniform(rng, -0.3, 0.3), j + uniform(rng, -0.3, 0.3),
-                                              3 * std::sin(0.3 * i) * std::cos(0.4 * j)));
-        for (Index j = 0; j < n; ++j)
-            for (Index i = 0; i < n; ++i) {
-                const Index a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
-                mesh->facets.push_back({a, b, d});
-                mesh->facets.push_back({a, d, c});
-            }
+        const auto mesh = field(
+            40, 40, [](double x, double y) { return 3 * std::sin(0.3 * x) * std::cos(0.4 * y); }, 0.3);
         const ContactIndex index(mesh, Progress());
         const IndexView view = index.impl().view();
         int met = 0;

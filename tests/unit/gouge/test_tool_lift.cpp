@@ -38,22 +38,13 @@ Mesh turned(const Mesh& mesh, const ToolPose& pose) {
 }
 
 std::shared_ptr<Mesh> hills(int n, double size, std::uint64_t seed, double rough) {
-    Random rng(seed);
-    const auto mesh = std::make_shared<Mesh>();
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            const double x = size * (i + uniform(rng, -0.3, 0.3)) / n,
-                         y = size * (j + uniform(rng, -0.3, 0.3)) / n;
-            mesh->vertices.push_back(
-                Vec3(x, y, 6 * std::sin(0.2 * x) * std::cos(0.17 * y) + uniform(rng, -rough, rough)));
-        }
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const Index a = Index(j * (n + 1) + i), b = a + 1, c = a + Index(n) + 1, d = c + 1;
-            mesh->facets.push_back({a, b, d});
-            mesh->facets.push_back({a, d, c});
-        }
-    return mesh;
+    Random heights(seed + 100);
+    return field(
+        n, size,
+        [&](double x, double y) {
+            return 6 * std::sin(0.2 * x) * std::cos(0.17 * y) + uniform(heights, -rough, rough);
+        },
+        0.3, seed);
 }
 
 Tool some_tool() {
