@@ -113,6 +113,10 @@ inline constexpr double sweep_roundings = 1e-11;
 inline constexpr double parallel_sine = 1e-8;
 /// Below this a part of a unit vector, or an angle, is rounding.
 inline constexpr double unit_rounding = 1e-14;
+/// How far inside the faces of the stock the outermost rays are, as a share of their spacing.
+inline constexpr double lattice_inset = 1e-3;
+/// Corners of the stock.s surface keep this share of a cell.s edge away from its ends: no triangle vanishes.
+inline constexpr double edge_margin = 5e-4;
 /// Share of the outline's width below which a piece of it is no piece.
 inline constexpr double vanishing_outline = 1e-13;
 

@@ -39,6 +39,7 @@ public:
     const std::vector<std::shared_ptr<const StockPatch>>& patches(const Progress& progress);
 
 private:
+    void forward(double position, const Progress& progress);
     struct State;
     std::unique_ptr<State> state_;
 };

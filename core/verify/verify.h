@@ -15,6 +15,7 @@
 
 #include "core/base/progress.h"
 #include "core/verify/program.h"
+#include "core/verify/removal.h"
 #include "core/verify/stock_model.h"
 
 #include <array>
@@ -71,15 +72,6 @@ struct DeviationExtreme {
     Vec3 point, normal;
     double deviation = 0;
     MotionPlace by; ///< that cut deepest there; unknown where nothing did
-};
-
-struct Collision {
-    enum class Kind : std::uint8_t { shank, holder, rapid };
-    Kind kind = Kind::rapid;
-    bool with_part = false; ///< reaches into the part itself, not only into stock
-    MotionPlace at;
-    Vec3 place = Vec3::Zero();
-    double depth = 0; ///< mm; to about the resolution
 };
 
 struct Verification {

@@ -1,0 +1,59 @@
+// Cuts a StockModel with the motions of programs, in order, and reports what must not touch: shank, holder,
+// and the whole tool in rapids, against the stock as it is at that moment.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/verify/program.h"
+#include "core/verify/stock_model.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+struct Collision {
+    enum class Kind : std::uint8_t { shank, holder, rapid };
+    Kind kind = Kind::rapid;
+    bool with_part = false; ///< reaches into the part itself, not only into stock
+    MotionPlace at;
+    Vec3 place = Vec3::Zero();
+    double depth = 0; ///< mm; of stock to about the resolution, of the part as exact as the probes
+};
+
+/// Checks the programs before anything is cut: throws Error(non_finite, coordinate_range, out_of_range,
+/// empty_result) that names program and GOTO.
+void check_programs(std::span<const VerifyProgram> programs);
+
+/// Not for two threads at once; the work within a call is spread over threads and does not depend on their
+/// number.
+class MaterialRemoval {
+public:
+    /// Motions whose axis turns are cut as straight ones that keep within `motion_bound` of the cutting
+    /// tool's true place. Bodies that must not touch are made smaller by `touch` (and by the bound where the
+    /// axis turns), so that sliding along what the same tool has just cut is no collision. The programs must
+    /// outlive this.
+    MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch);
+    ~MaterialRemoval();
+
+    /// Motions [first, last) of a program; the last one only up to the share `until`. Cancellation within 20
+    /// ms; a cancelled call leaves the stock partly cut. With `watch` the collisions are kept for
+    /// `collisions`.
+    void cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last, double until,
+             bool watch, const Progress& progress);
+    /// So far: the deepest of each motion and kind, in the order of motions.
+    std::vector<Collision> collisions() const;
+
+private:
+    struct Bodies;
+    struct Item;
+    struct Touch;
+    void flush(StockModel& stock, std::vector<Item>& items, const Progress& progress);
+
+    std::span<const VerifyProgram> programs_;
+    double motion_bound_, touch_;
+    std::vector<Bodies> bodies_; ///< per program
+    std::vector<Touch> touches_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,408 @@
+// The stock: rays, removal, collisions, surface, playback; against shapes with known answers and a plain
+// subtraction.
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/mesh_report.h"
+#include "core/verify/playback.h"
+#include "core/verify/removal.h"
+#include "core/verify/stock_surface.h"
+#include "core/verify/stock_tiles.h"
+#include "core/verify/sweep.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <map>
+#include <random>
+
+using namespace facetmill;
+using facetmill::test::code_of;
+
+namespace {
+
+StockSolid box_stock(const Vec3& lo, const Vec3& hi) {
+    StockSolid s;
+    s.box.add(lo);
+    s.box.add(hi);
+    return s;
+}
+
+std::shared_ptr<ToolMotions> motions_of(const std::vector<CutterLocation>& at,
+                                        MotionKind kind = MotionKind::cut) {
+    auto m = std::make_shared<ToolMotions>();
+    for (const CutterLocation& l : at)
+        m->motions.push_back({m->motions.empty() ? MotionKind::rapid : kind, l});
+    return m;
+}
+
+VerifyProgram program_of(const AptCutter& cutter, const std::vector<CutterLocation>& at) {
+    return {"Test", VerifyTool(cutter), motions_of(at), std::nullopt};
+}
+
+CutterLocation upright(double x, double y, double z) {
+    return {Vec3(x, y, z), Vec3::UnitZ()};
+}
+
+/// Cuts all motions; the collisions found.
+std::vector<Collision> cut_all(StockModel& stock, const std::vector<VerifyProgram>& programs,
+                               double bound = 0.01, double touch = 1e-3) {
+    MaterialRemoval removal(programs, bound, touch);
+    for (std::size_t p = 0; p < programs.size(); ++p)
+        removal.cut(stock, p, 0, programs[p].motions->motions.size(), 1, true, Progress());
+    return removal.collisions();
+}
+
+StockModel model(const StockSolid& solid, double resolution) {
+    return StockModel(solid, StockLattice::over(solid.box, resolution, 10'000'000), Progress());
+}
+
+double mesh_volume(const Mesh& m) {
+    double v = 0;
+    for (std::size_t f = 0; f < m.facet_count(); ++f)
+        v += m.corner(f, 0).dot(m.corner(f, 1).cross(m.corner(f, 2))) / 6;
+    return v;
+}
+
+/// Every edge of every facet has one partner that runs the other way.
+bool closed(const Mesh& m) {
+    std::map<std::pair<Index, Index>, int> edges;
+    for (const Facet& f : m.facets)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++edges[{f[k], f[(k + 1) % 3]}];
+    for (const auto& [e, n] : edges) {
+        const auto back = edges.find({e.second, e.first});
+        if (n != 1 || back == edges.end() || back->second != 1) return false;
+    }
+    return !edges.empty();
+}
+
+std::vector<CutterLocation> wild_path(unsigned seed, int n) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::normal_distribution<double> normal;
+    std::vector<CutterLocation> at;
+    for (int i = 0; i < n; ++i)
+        at.push_back({Vec3(40 * share(random), 30 * share(random), 8 + 12 * share(random)),
+                      Vec3(0.3 * normal(random), 0.3 * normal(random), 1).normalized()});
+    return at;
+}
+
+bool same_stock(const StockModel& a, const StockModel& b) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int j = 0; j < a.lattice().nodes[std::size_t(second_across(axis))]; ++j)
+            for (int i = 0; i < a.lattice().nodes[std::size_t(first_across(axis))]; ++i)
+                if (a.stretches(axis, i, j) != b.stretches(axis, i, j)) return false;
+    return true;
+}
+
+} // namespace
+
+class TestStock : public QObject {
+    Q_OBJECT
+private slots:
+    void rays_lose_what_is_removed() {
+        std::mt19937 random(3);
+        std::uniform_int_distribution<int> place(0, 200);
+        for (int round = 0; round < 200; ++round) {
+            RayTile tile;
+            std::vector<bool> material(200, false);
+            tile.append(5, 0, 200);
+            std::fill(material.begin(), material.end(), true);
+            for (int n = 0; n < 40; ++n) {
+                int a = place(random), b = place(random);
+                if (n % 3) b = a + (b - a) / 20;
+                if (a > b) std::swap(a, b);
+                if (a == b) continue;
+                bool expect = false;
+                for (int k = a; k < b; ++k) {
+                    expect = expect || material[std::size_t(k)];
+                    material[std::size_t(k)] = false;
+                }
+                QCOMPARE(tile.remove(5, float(a), float(b)), expect);
+                std::vector<bool> got(200, false);
+                const RayTile::Piece* p = &tile.first[5];
+                float last = -1;
+                while (!p->empty()) {
+                    QVERIFY(p->lo > last && p->hi > p->lo);
+                    last = p->hi;
+                    for (int k = int(p->lo); k < int(p->hi); ++k)
+                        got[std::size_t(k)] = true;
+                    if (p->next == RayTile::none) break;
+                    p = &tile.more[p->next];
+                }
+                QVERIFY(got == material);
+            }
+        }
+    }
+
+    void whole_stock_has_its_volume() {
+        const StockModel box = model(box_stock(Vec3(-3, 2, 0), Vec3(17, 12, 5)), 0.7);
+        QVERIFY(std::abs(box.volume() / 1000 - 1) < 0.005);
+        const Mesh m = stock_mesh(box, Progress());
+        QVERIFY(closed(m));
+        QVERIFY(std::abs(mesh_volume(m) - 1000) < 0.01);
+
+        StockSolid round = box_stock(Vec3(0, -10, -10), Vec3(50, 10, 10));
+        round.kind = StockSolid::Kind::cylinder;
+        round.axis = 0;
+        round.radius = 10;
+        double before = 1;
+        for (double resolution : {1.0, 0.5, 0.25}) {
+            const StockModel cylinder = model(round, resolution);
+            const double off = std::abs(cylinder.volume() / (pi * 100 * 50) - 1);
+            QVERIFY(off < 0.03 * resolution);
+            QVERIFY(off < before);
+            before = off;
+            const Mesh surface = stock_mesh(cylinder, Progress());
+            QVERIFY(closed(surface));
+            QVERIFY(std::abs(mesh_volume(surface) / (pi * 100 * 50) - 1) < 0.03 * resolution);
+        }
+    }
+
+    void mesh_stock_is_what_the_mesh_holds() {
+        // An octahedron, whose corners and edges lie on rays.
+        auto mesh = std::make_shared<Mesh>();
+        mesh->vertices = {{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
+        mesh->facets = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+        StockSolid solid = box_stock(Vec3(-10, -10, -10), Vec3(10, 10, 10));
+        solid.kind = StockSolid::Kind::mesh;
+        solid.mesh = mesh;
+        const StockModel stock = model(solid, 0.5);
+        QVERIFY(std::abs(stock.volume() / (4000.0 / 3) - 1) < 2e-3);
+        const int middle = stock.lattice().nodes[0] / 2;
+        const auto s = stock.stretches(2, middle, middle);
+        QCOMPARE(s.size(), std::size_t(1));
+        QVERIFY(std::abs(s[0][0] + 10) < 1e-5 && std::abs(s[0][1] - 10) < 1e-5);
+        QVERIFY(closed(stock_mesh(stock, Progress())));
+
+        auto open = std::make_shared<Mesh>(*mesh);
+        open->facets.pop_back();
+        solid.mesh = open;
+        std::string message;
+        QCOMPARE(code_of([&] { model(solid, 0.5); }, &message), std::string("out_of_range"));
+        QVERIFY(message.find("not closed") != std::string::npos);
+    }
+
+    void removal_is_plain_subtraction() {
+        for (unsigned seed : {1u, 2u, 3u}) {
+            const std::vector<AptCutter> cutters{AptCutter::bull(9, 2, 20), AptCutter::ball(8, 12),
+                                                 AptCutter::tapered_ball(2, radians(10), 20)};
+            const std::vector<VerifyProgram> programs{program_of(cutters[seed % 3], wild_path(seed, 12))};
+            StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15)), 1.3);
+            const StockModel whole = stock;
+            cut_all(stock, programs, 0.2);
+
+            std::vector<StraightMove> moves;
+            const TurnedBody body(programs[0].tool.cutter);
+            const auto& at = programs[0].motions->motions;
+            for (std::size_t i = 1; i < at.size(); ++i)
+                straight_moves(at[i - 1].to, at[i].to, std::nullopt, 0, 1, body.reach(), 0.2, moves);
+            double removed = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const int u = first_across(axis), v = second_across(axis);
+                for (int j = 0; j < stock.lattice().nodes[std::size_t(v)]; ++j)
+                    for (int i = 0; i < stock.lattice().nodes[std::size_t(u)]; ++i) {
+                        Vec3 p = stock.lattice().origin;
+                        p[u] += i * stock.lattice().spacing[u];
+                        p[v] += j * stock.lattice().spacing[v];
+                        std::vector<std::array<double, 2>> left{whole.stretches(axis, i, j)};
+                        for (const StraightMove& move : moves) {
+                            Stretch s = SweepRays(body, move, Vec3::Unit(axis))(p);
+                            if (s.empty()) continue;
+                            s.lo += p[axis];
+                            s.hi += p[axis];
+                            std::vector<std::array<double, 2>> next;
+                            for (const auto& m : left) {
+                                if (s.hi <= m[0] || s.lo >= m[1]) {
+                                    next.push_back(m);
+                                    continue;
+                                }
+                                if (s.lo > m[0]) next.push_back({m[0], s.lo});
+                                if (s.hi < m[1]) next.push_back({s.hi, m[1]});
+                            }
+                            left = std::move(next);
+                        }
+                        // Slivers of rounding apart, the same.
+                        const auto got = stock.stretches(axis, i, j);
+                        double a = 0, b = 0;
+                        for (const auto& m : got)
+                            a += m[1] - m[0];
+                        for (const auto& m : left)
+                            b += m[1] - m[0];
+                        QVERIFY2(
+                            std::abs(a - b) < 1e-4,
+                            qPrintable(QString("%1 %2 %3: %4 %5").arg(axis).arg(i).arg(j).arg(a).arg(b)));
+                        removed += 30 - b;
+                    }
+            }
+            QVERIFY(removed > 100);
+            QVERIFY(closed(stock_mesh(stock, Progress())));
+            QVERIFY(std::abs(mesh_volume(stock_mesh(stock, Progress())) / stock.volume() - 1) < 0.03);
+        }
+    }
+
+    void threads_do_not_matter() {
+        const std::vector<VerifyProgram> programs{program_of(AptCutter::bull(9, 2, 20), wild_path(9, 40))};
+        const auto run = [&](int threads) {
+            set_thread_count(threads);
+            StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15)), 0.8);
+            auto hits = cut_all(stock, programs);
+            set_thread_count(0);
+            return std::pair(std::move(stock), std::move(hits));
+        };
+        const auto one = run(1), two = run(2);
+        QVERIFY(same_stock(one.first, two.first));
+        QCOMPARE(one.second.size(), two.second.size());
+        for (std::size_t i = 0; i < one.second.size(); ++i)
+            QVERIFY(one.second[i].depth == two.second[i].depth && one.second[i].place == two.second[i].place);
+    }
+
+    void a_plunge_removes_the_cutter() {
+        // A ball of radius 4 down to 6 below the top of the stock.
+        double before = 1;
+        for (double resolution : {1.0, 0.5, 0.25}) {
+            StockModel stock = model(box_stock(Vec3(-10, -10, 0), Vec3(10, 10, 10)), resolution);
+            const double whole = stock.volume();
+            cut_all(stock,
+                    {program_of(AptCutter::ball(8, 30), {upright(0.1, 0.2, 20), upright(0.1, 0.2, 4)})});
+            const double expect = pi * 16 * 2 + 2.0 / 3 * pi * 64;
+            const double off = std::abs((whole - stock.volume()) / expect - 1);
+            QVERIFY2(off < 0.04 * resolution, qPrintable(QString::number(off)));
+            QVERIFY(off < before);
+            before = off;
+        }
+    }
+
+    void what_must_not_touch_is_found() {
+        Tool tool;
+        tool.diameter = 10;
+        tool.flute_length = 20;
+        tool.shank_diameter = 10;
+        tool.shank_length = 20;
+        tool.holder = {{30, 40}};
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(100, 60, 50));
+        const auto run = [&](const std::vector<CutterLocation>& at, MotionKind kind) {
+            std::vector<VerifyProgram> programs{
+                {"Test", VerifyTool(tool), motions_of(at, kind), std::nullopt}};
+            StockModel stock = model(solid, 1.0);
+            return cut_all(stock, programs);
+        };
+        // A slot at z = 35 from outside: flutes reach to 55, nothing else touches.
+        QVERIFY(run({upright(-20, 30, 35), upright(50, 30, 35)}, MotionKind::cut).empty());
+        // At z = 25 the shank (from 45) follows the flutes in the slot but drags through 5 mm of stock ahead
+        // of them.
+        const auto shank = run({upright(-20, 30, 25), upright(50, 30, 25)}, MotionKind::cut);
+        QCOMPARE(shank.size(), std::size_t(1));
+        QVERIFY(shank[0].kind == Collision::Kind::shank);
+        QCOMPARE(shank[0].at, (MotionPlace{0, 1}));
+        QVERIFY(std::abs(shank[0].depth - 5) < 0.01);
+        QVERIFY(shank[0].place.z() > 45 && shank[0].place.z() < 50);
+        // A hole 45 deep: the shank has the flutes' own diameter and slides; the holder (from 45) stops at z
+        // = 50.
+        QVERIFY(run({upright(50, 30, 60), upright(50, 30, 10)}, MotionKind::cut).empty());
+        const auto holder = run({upright(50, 30, 60), upright(50, 30, 7)}, MotionKind::cut);
+        QCOMPARE(holder.size(), std::size_t(1));
+        QVERIFY(holder[0].kind == Collision::Kind::holder);
+        QVERIFY(std::abs(holder[0].depth - 3) < 0.01);
+        // A rapid 2 mm below the top, and one over what a cut has opened.
+        const auto rapid = run({upright(-20, 30, 48), upright(120, 30, 48)}, MotionKind::rapid);
+        QCOMPARE(rapid.size(), std::size_t(1));
+        QVERIFY(rapid[0].kind == Collision::Kind::rapid);
+        QVERIFY(std::abs(rapid[0].depth - 2) < 0.05);
+        auto back = motions_of({upright(-20, 30, 40), upright(120, 30, 40)});
+        back->motions.push_back({MotionKind::rapid, upright(-20, 30, 40)});
+        const std::vector<VerifyProgram> programs{{"Test", VerifyTool(tool), back, std::nullopt}};
+        StockModel stock = model(solid, 1.0);
+        QVERIFY(cut_all(stock, programs).empty());
+        back->motions.push_back({MotionKind::rapid, upright(120, 30, 39.5)});
+        StockModel again = model(solid, 1.0);
+        const auto dips = cut_all(again, programs);
+        QCOMPARE(dips.size(), std::size_t(1));
+        QCOMPARE(dips[0].at.motion, std::size_t(3));
+    }
+
+    void programs_are_checked() {
+        std::string message;
+        auto bad = program_of(AptCutter::ball(8, 30), {upright(0, 0, 5), upright(std::nan(""), 0, 4)});
+        QCOMPARE(code_of([&] { check_programs(std::vector<VerifyProgram>{bad}); }, &message),
+                 std::string("non_finite"));
+        QVERIFY(message.find("GOTO 2") != std::string::npos);
+        bad = program_of(AptCutter::ball(8, 30), {upright(0, 0, 5), {Vec3(1, 0, 0), -Vec3::UnitZ()}});
+        QCOMPARE(code_of([&] { check_programs(std::vector<VerifyProgram>{bad}); }),
+                 std::string("out_of_range"));
+        bad = program_of(AptCutter::ball(8, 30), {{Vec3(1, 0, 0), Vec3(0, 0, 2)}});
+        QCOMPARE(code_of([&] { check_programs(std::vector<VerifyProgram>{bad}); }),
+                 std::string("out_of_range"));
+        bad = program_of(AptCutter::ball(8, 30), {});
+        QCOMPARE(code_of([&] { check_programs(std::vector<VerifyProgram>{bad}); }),
+                 std::string("empty_result"));
+        QCOMPARE(code_of([&] { StockLattice::over(box_stock(Vec3::Zero(), Vec3::Ones()).box, 1e-4, 1000); }),
+                 std::string("limit_exceeded"));
+    }
+
+    void playback_goes_both_ways() {
+        std::vector<VerifyProgram> programs{program_of(AptCutter::bull(9, 2, 20), wild_path(4, 150)),
+                                            program_of(AptCutter::ball(5, 20), wild_path(5, 60))};
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15));
+        StockPlayback playback(solid, programs, 1.1, Progress());
+        QCOMPARE(playback.motion_count(), std::size_t(210));
+        QCOMPARE(playback.place(149.5), (MotionPlace{0, 149}));
+        QCOMPARE(playback.place(150), (MotionPlace{1, 0}));
+        QCOMPARE(playback.place(210), (MotionPlace{1, 59}));
+        QCOMPARE(playback.first_motion(1), std::size_t(150));
+        for (double position : {40.0, 170.5, 12.25, 12.75, 210.0, 0.0, 99.0, 151.0}) {
+            playback.go_to(position, Progress());
+            QCOMPARE(playback.position(), position);
+            StockPlayback fresh(solid, programs, 1.1, Progress());
+            fresh.go_to(position, Progress());
+            QVERIFY(same_stock(playback.stock(), fresh.stock()));
+            // Patches say the same as those made from nothing.
+            const auto& a = playback.patches(Progress());
+            const auto& b = fresh.patches(Progress());
+            QCOMPARE(a.size(), b.size());
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                QCOMPARE(a[k] != nullptr, b[k] != nullptr);
+                if (a[k]) QVERIFY(a[k]->points == b[k]->points && a[k]->triangles == b[k]->triangles);
+            }
+        }
+        const auto location = playback.location(30.5);
+        const auto& m = programs[0].motions->motions;
+        QVERIFY((location.tip - 0.5 * (m[29].to.tip + m[30].to.tip)).norm() < 1e-12);
+        const auto before = playback.patches(Progress());
+        QVERIFY(before == playback.patches(Progress()));
+
+        // A cancelled call leaves a whole state.
+        Job job;
+        job.cancel();
+        QVERIFY_EXCEPTION_THROWN(playback.go_to(205, Progress(job)), Cancelled);
+        playback.go_to(160, Progress());
+        StockPlayback fresh(solid, programs, 1.1, Progress());
+        fresh.go_to(160, Progress());
+        QVERIFY(same_stock(playback.stock(), fresh.stock()));
+    }
+
+    void the_surface_is_closed_however_torn() {
+        // Thin walls and stretches that touch at corners only, in every constellation.
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> share(0, 1);
+        std::vector<CutterLocation> at;
+        std::vector<VerifyProgram> programs;
+        for (int n = 0; n < 300; ++n) {
+            const Vec3 tip(12 * share(random), 12 * share(random), 12 * share(random));
+            auto m = motions_of({upright(tip.x(), tip.y(), tip.z()), upright(tip.x(), tip.y(), tip.z())});
+            programs.push_back({"Test", VerifyTool(AptCutter::ball(1.6, 1.6)), m, std::nullopt});
+        }
+        StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(12, 12, 12)), 0.75);
+        cut_all(stock, programs);
+        const Mesh m = stock_mesh(stock, Progress());
+        QVERIFY(m.facet_count() > 2000);
+        QVERIFY(closed(m));
+        const double volume = mesh_volume(m);
+        QVERIFY(volume > 0.6 * stock.volume() && volume < 1.4 * stock.volume());
+    }
+};
+
+FACETMILL_TEST(TestStock)
+#include "test_stock.moc"
