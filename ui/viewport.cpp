@@ -11,6 +11,7 @@
 
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -72,9 +73,7 @@ QString Viewport::why_unavailable() {
         .arg(got.minorVersion());
 }
 
-Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_unique<Window>()) {
-    // The picture is kept between frames: overlays and neighbours repaint without drawing the scene again.
-    setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+Viewport::Viewport(QWidget* parent) : GlCanvas(parent), window_(std::make_unique<Window>()) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 120);
@@ -100,37 +99,22 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), window_(std::make_u
 }
 
 Viewport::~Viewport() {
-    if (context()) disconnect(context(), nullptr, this, nullptr); // it goes after this object's own part
-    release();
-}
-
-void Viewport::release() {
-    if (!context()) return;
-    stop_steps();
-    rehearsal_timer_.stop();
-    present_ = false;
-    makeCurrent();
+    if (!initialized() || !make_current()) return;
     scene_.detach();
     window_->vtk->Finalize();
     window_->vtk->SetReadyForRendering(false);
-    doneCurrent();
+    done_current();
 }
 
-void Viewport::initializeGL() {
-    // A change of screen can give the widget another context: VTK's resources of the old one go with it.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::UniqueConnection);
+void Viewport::initialize_gl() {
     auto* w = window_->vtk.Get();
     w->SetOwnContext(0);
     w->SetIsCurrent(true);
     w->SetReadyForRendering(true);
-    w->SetFrameBlitModeToBlitToCurrent();
+    w->SetFrameBlitModeToNoBlit(); // the canvas reads back what is drawn
     w->SetMultiSamples(0);
     w->OpenGLInit();
     scene_.attach(w);
-    dirty_ = true;
-}
-
-void Viewport::resizeGL(int, int) {
     dirty_ = true;
 }
 
@@ -138,15 +122,15 @@ bool Viewport::slow() const {
     return full_frame_ms_ < 0 ? scene_.has_preview() : full_frame_ms_ > slow_frame_ms;
 }
 
-void Viewport::paintGL() {
+void Viewport::paint_gl() {
     auto* w = window_->vtk.Get();
     if (!w->GetReadyForRendering()) return;
-    if (std::exchange(present_, false)) show_steps();
-    if (!dirty_) return;
-    dirty_ = false;
     const double ratio = devicePixelRatioF();
-    const QSize size(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
+    const QSize size = frame_size();
     const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
+    if (resized) stop_steps();
+    if (!dirty_ && !resized) return;
+    dirty_ = false;
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(ratio);
     if (fitted_ && resized) scene_.fit();
@@ -186,37 +170,38 @@ void Viewport::draw(int coarseness, bool seen) {
     auto* state = w->GetState();
     state->Reset();
     state->Push();
-    state->ResetFramebufferBindings();
     if (part == 1) {
         w->Render();
+        if (seen) show_frame();
     } else {
-        // Fewer pixels, drawn larger. Afterwards the window has its size again: picking counts in its pixels.
-        const int w_px = std::max(1, width_px / part), h_px = std::max(1, height_px / part);
-        w->SetSize(w_px, h_px);
+        // Fewer pixels, shown larger. Afterwards the window has its size again: picking counts in its pixels.
+        w->SetSize(std::max(1, width_px / part), std::max(1, height_px / part));
         scene_.set_pixel_ratio(ratio / part);
-        w->SetFrameBlitModeToNoBlit();
         w->Render();
-        state->ResetFramebufferBindings();
-        if (seen)
-            w->BlitDisplayFramebuffer(0, 0, 0, w_px, h_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
-                                      GL_LINEAR);
-        w->SetFrameBlitModeToBlitToCurrent();
+        if (seen) show_frame();
         w->SetSize(width_px, height_px);
         scene_.set_pixel_ratio(ratio);
     }
     state->Pop();
 }
 
+void Viewport::show_frame() {
+    auto* w = window_->vtk.Get();
+    w->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    w->GetDisplayFramebuffer()->ActivateReadBuffer(0);
+    take_picture({w->GetSize()[0], w->GetSize()[1]});
+}
+
 void Viewport::rehearse() {
     const bool empty = !scene_.has(Layer::part) && !scene_.has(Layer::stock);
     if (!empty || dirty_ || rehearsed_ >= Scene::rehearsals || !window_->vtk->GetReadyForRendering()) return;
-    makeCurrent();
+    make_current();
     scene_.rehearse(rehearsed_++);
     draw(2, false);
     scene_.end_rehearsal();
     scene_.set_moving(false);
     scene_.set_antialiasing(true);
-    doneCurrent();
+    done_current();
     rehearsal_timer_.start();
 }
 
@@ -236,44 +221,30 @@ void Viewport::rested() {
 
 void Viewport::draw_step() {
     if (!step_) return;
-    makeCurrent();
+    make_current();
     QElapsedTimer timer;
     timer.start();
     auto* w = window_->vtk.Get();
     auto* state = w->GetState();
     state->Reset();
     state->Push();
-    state->ResetFramebufferBindings();
-    w->SetFrameBlitModeToNoBlit();
     scene_.set_step(*step_);
     w->Render();
-    w->SetFrameBlitModeToBlitToCurrent();
+    const bool last = ++*step_ == steps_;
+    if (last) show_frame();
     state->Pop();
     step_ms_ += double(timer.nsecsElapsed()) * 1e-6;
-    doneCurrent();
-    if (++*step_ < steps_) {
+    done_current();
+    if (!last) {
         step_timer_.start();
         return;
     }
     stop_steps();
     full_frame_ms_ = last_frame_ms_ = step_ms_;
     coarse_ = false;
-    present_ = true;
     ++frames_;
     update();
     emit drawn();
-}
-
-void Viewport::show_steps() {
-    auto* w = window_->vtk.Get();
-    auto* state = w->GetState();
-    state->Reset();
-    state->Push();
-    state->ResetFramebufferBindings();
-    const int* size = w->GetSize();
-    w->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
-                              GL_NEAREST);
-    state->Pop();
 }
 
 void Viewport::stop_steps() {
@@ -296,7 +267,6 @@ void Viewport::content_changed() {
 
 void Viewport::refresh() {
     stop_steps();
-    present_ = false;
     dirty_ = true;
     // Pictures that take a while come by way of a timer, so that other timers and events get their turn in
     // between.
@@ -309,7 +279,7 @@ void Viewport::refresh() {
 QImage Viewport::full_picture() {
     refresh();
     whole_ = true;
-    return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    return picture();
 }
 
 void Viewport::set_view(StandardView view) {
@@ -335,8 +305,9 @@ Vec3 Viewport::up() const {
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
+    GlCanvas::resizeEvent(event);
     place_overlays();
+    refresh();
 }
 
 void Viewport::place_overlays() {
@@ -464,7 +435,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 void Viewport::leaveEvent(QEvent* event) {
     hover_timer_.stop();
     emit hovered(std::nullopt);
-    QOpenGLWidget::leaveEvent(event);
+    GlCanvas::leaveEvent(event);
 }
 
 void Viewport::click(const QPointF& at) {

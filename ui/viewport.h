@@ -1,17 +1,17 @@
-// The 3D view: a QOpenGLWidget around a vtkGenericOpenGLRenderWindow that shows a Scene. VTK is built against
+// The 3D view: a canvas around a vtkGenericOpenGLRenderWindow that shows a Scene. VTK is built against
 // another Qt than ours on some systems, so its own widget is not used anywhere.
 //
-// It draws only when something changed (`refresh`); between changes Qt composes the picture it has. Where a
+// It draws only when something changed (`refresh`); between changes it shows the picture it has. Where a
 // full picture takes long, a coarse one is drawn at once, and when nothing has changed for a moment the full
 // one follows in steps, between which the window answers. Mouse:
 // left turns, middle or Shift+left moves, right or the wheel zooms about the pointer, a click picks, a double
 // click fits.
 #pragma once
 
+#include "ui/gl_canvas.h"
 #include "viz/scene.h"
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QTimer>
 
 #include <optional>
@@ -24,13 +24,12 @@ namespace facetmill::ui {
 
 class ViewCube;
 
-class Viewport : public QOpenGLWidget {
+class Viewport : public GlCanvas {
     Q_OBJECT
 public:
     /// The surface format that VTK needs; set as the default before the application object is made.
     static void set_default_format();
-    /// Why the display cannot show a viewport; empty when it can. Asked once before the first window, because
-    /// Qt does not survive a window with a QOpenGLWidget where there is no OpenGL at all.
+    /// Why the display cannot show a viewport; empty when it can. Asked once before the first window.
     static QString why_unavailable();
 
     explicit Viewport(QWidget* parent = nullptr);
@@ -71,9 +70,8 @@ signals:
     void menu_requested(const QPoint& global);
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void initialize_gl() override;
+    void paint_gl() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -84,7 +82,6 @@ protected:
 
 private:
     enum class Drag { none, turn, move, zoom };
-    void release();
     void place_overlays();
     void turn(const QPointF& by);
     void move(const QPointF& by);
@@ -95,7 +92,7 @@ private:
     void rehearse();
     void rested();
     void draw_step();
-    void show_steps();
+    void show_frame();
     void stop_steps();
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
@@ -118,7 +115,6 @@ private:
     std::optional<std::size_t> step_; ///< of the full picture that is being drawn
     std::size_t steps_ = 0;
     double step_ms_ = 0;        ///< what the steps took until now
-    bool present_ = false;      ///< the steps are through, but not on the screen
     std::size_t rehearsed_ = 0; ///< of the scene's rehearsals
     QPointF hover_at_;
     int frames_ = 0;
