@@ -78,8 +78,10 @@ void GlCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (picture_.isNull())
         painter.fillRect(rect(), palette().window());
-    else
+    else if (picture_.size() == frame_size())
         painter.drawImage(QPoint(0, 0), picture_);
+    else
+        painter.drawImage(rect(), picture_); // until it is drawn in the new size
 }
 
 } // namespace facetmill::ui

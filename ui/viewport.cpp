@@ -135,10 +135,15 @@ void Viewport::paint_gl() {
     scene_.set_pixel_ratio(ratio);
     if (fitted_ && resized) scene_.fit();
     coarse_ = !std::exchange(whole_, false) && slow();
+    // New content goes to the graphics card in its first picture, which says nothing about the later ones. It
+    // does so by steps, as long as nobody turns it; until then the old picture stands.
+    const bool fresh = std::exchange(fresh_, false);
+    if (coarse_ && fresh && drag_ == Drag::none) {
+        rested();
+        return;
+    }
     QElapsedTimer timer;
     timer.start();
-    // New content goes to the graphics card in its first picture, which says nothing about the later ones. It
-    // is drawn in fewer pixels: the shaders for that are had with it, lest they hold up the first turn.
     const bool first = full_frame_ms_ < 0;
     draw(!coarse_ ? 0 : first ? 2 : coarseness_);
     ++frames_;
@@ -195,7 +200,7 @@ void Viewport::show_frame() {
 void Viewport::rehearse() {
     const bool empty = !scene_.has(Layer::part) && !scene_.has(Layer::stock);
     if (!empty || dirty_ || rehearsed_ >= Scene::rehearsals || !window_->vtk->GetReadyForRendering()) return;
-    make_current();
+    if (!make_current()) return;
     scene_.rehearse(rehearsed_++);
     draw(2, false);
     scene_.end_rehearsal();
@@ -221,7 +226,7 @@ void Viewport::rested() {
 
 void Viewport::draw_step() {
     if (!step_) return;
-    make_current();
+    if (!make_current()) return;
     QElapsedTimer timer;
     timer.start();
     auto* w = window_->vtk.Get();
@@ -261,6 +266,7 @@ bool Viewport::finished() const {
 
 void Viewport::content_changed() {
     full_frame_ms_ = -1;
+    fresh_ = true;
     place_overlays(); // what stood in the way may be gone
     refresh();
 }

@@ -109,6 +109,7 @@ private:
     Vec3 pivot_ = Vec3::Zero();
     QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
     bool coarse_ = false;             ///< what is shown is a coarse picture
+    bool fresh_ = false;              ///< the content was not drawn yet
     bool whole_ = false;              ///< the next picture is a full one in any case
     int coarseness_ = 1;              ///< of the next coarse picture: what the last ones took decides
     double full_frame_ms_ = -1;       ///< of the last picture in full detail; below 0: not known

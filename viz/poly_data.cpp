@@ -88,13 +88,14 @@ std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<floa
 
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments) {
-    return segment_pieces(points, segments, segments.size()).front();
+    return segment_pieces(with_points(points), segments, segments.size()).front();
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> segment_pieces(const std::vector<float>& points,
-                                                         const std::vector<std::int32_t>& segments,
-                                                         std::size_t most) {
-    return pieces_of(with_points(points), segments, 2, most, &vtkPolyData::SetLines);
+std::vector<vtkSmartPointer<vtkPolyData>>
+segment_pieces(vtkPolyData* like, const std::vector<std::int32_t>& segments, std::size_t most) {
+    vtkNew<vtkPolyData> data; // without normals: lines have no light
+    data->SetPoints(like->GetPoints());
+    return pieces_of(data, segments, 2, most, &vtkPolyData::SetLines);
 }
 
 vtkSmartPointer<vtkPolyData> polyline_data(const Polylines& lines) {

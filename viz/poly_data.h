@@ -22,8 +22,9 @@ std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<floa
 /// Separate segments, two indices each.
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments);
+/// Pieces of segments between the points of `like`, which are on the graphics card once for both.
 std::vector<vtkSmartPointer<vtkPolyData>>
-segment_pieces(const std::vector<float>& points, const std::vector<std::int32_t>& segments, std::size_t most);
+segment_pieces(vtkPolyData* like, const std::vector<std::int32_t>& segments, std::size_t most);
 vtkSmartPointer<vtkPolyData> polyline_data(const Polylines& lines);
 /// The points of the polylines as dots.
 vtkSmartPointer<vtkPolyData> dot_data(const Polylines& lines);

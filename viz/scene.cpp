@@ -80,6 +80,7 @@ void Scene::set_part(PartDisplayPtr part) {
     // The old arrays stay until the actors have the new ones.
     const PartDisplayPtr old = std::move(impl_->part);
     impl_->part = std::move(part);
+    impl_->part_is_new = true;
     const PartDisplayPtr& p = impl_->part;
     if (!p || p->triangles.empty()) {
         impl_->part = nullptr;
@@ -88,11 +89,12 @@ void Scene::set_part(PartDisplayPtr part) {
         impl_->part_lines.clear();
         impl_->part_preview.clear();
     } else {
-        impl_->set_pieces(impl_->part_surface, impl_->more_surface,
-                          triangle_pieces(p->points, p->normals, p->triangles, elements_in_piece), p->centre);
+        const auto surface = triangle_pieces(p->points, p->normals, p->triangles, elements_in_piece);
+        vtkPolyData* like = surface.front();
+        impl_->set_pieces(impl_->part_surface, impl_->more_surface, surface, p->centre);
         impl_->set_pieces(impl_->part_edges, impl_->more_edges,
-                          segment_pieces(p->points, p->edges, elements_in_piece), p->centre);
-        impl_->part_lines.set_data(segment_data(p->points, p->lines), p->centre);
+                          segment_pieces(like, p->edges, elements_in_piece), p->centre);
+        impl_->part_lines.set_data(segment_pieces(like, p->lines, p->lines.size()).front(), p->centre);
         const PartPreview& preview = p->preview;
         impl_->part_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
                                      p->centre);

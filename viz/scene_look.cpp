@@ -265,7 +265,7 @@ void Scene::Impl::update_frame() {
     if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window)) {
         gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
         if (step) {
-            // What VTK does when it clears the depth, which all but the first step leave alone.
+            // What VTK does when it clears the depth, which the steps after the first leave alone.
             gl->GetState()->vtkglDepthMask(GL_TRUE);
             gl->GetState()->vtkglEnable(GL_DEPTH_TEST);
         }
@@ -278,9 +278,9 @@ void Scene::Impl::update_frame() {
     contact_dots.actor->GetProperty()->SetPointSize(float(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio)));
     contact_lines.actor->GetProperty()->SetLineWidth(float(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio)));
     renderer->SetUseFXAA(antialiasing && light_step());
-    renderer->SetErase(!step || *step == 0);
+    renderer->SetErase(!step || *step <= first_step);
     axes_renderer->SetDraw(false);
-    if (!step) renderer->ResetCameraClippingRange(); // the steps of one picture have one range
+    if (!step) set_clipping_range(); // the steps of one picture have one range
     overlay->update(last_step() ? overlay_content() : OverlayContent());
     if (!last_step()) return;
     // The axes' renderer covers a square in the corner and turns as the camera does.

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace facetmill {
 
@@ -84,8 +85,14 @@ void Scene::Impl::show_step() {
 std::size_t Scene::begin_steps() {
     impl_->step.reset();
     impl_->apply_visibility();
-    impl_->renderer->ResetCameraClippingRange();
+    impl_->set_clipping_range();
     impl_->step_groups = impl_->heavy_groups();
+    // The points of a large part take as long as several steps to get to the graphics card, and their normals
+    // too: the lines bring the one, the first piece of the surface the other.
+    const bool apart = std::exchange(impl_->part_is_new, false) && impl_->part_lines.actor->GetVisibility()
+                       && impl_->step_groups.size() > 1;
+    if (apart) impl_->step_groups.insert(impl_->step_groups.begin(), {&impl_->part_lines});
+    impl_->first_step = apart ? 1 : 0;
     return impl_->step_groups.size() + 2;
 }
 

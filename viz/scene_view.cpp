@@ -1,8 +1,10 @@
 // Where the camera stands: standard views, fitting, zooming.
 #include "viz/scene_impl.h"
 
+#include <vtkActorCollection.h>
 #include <vtkMatrix4x4.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
@@ -157,6 +159,36 @@ Box3 Scene::bounds(bool with_tool) const {
     if (impl_->path && (visible(Layer::cc) || visible(Layer::cl))) b.add(impl_->path->box);
     if (with_tool && visible(Layer::tool)) b.add(impl_->tool_bounds());
     return b;
+}
+
+void Scene::Impl::set_clipping_range() {
+    // VTK would go through all facets of a new part, whose box is known.
+    Box3 box;
+    std::vector<vtkActor*> known;
+    if (part && (part_surface.actor->GetVisibility() || part_edges.actor->GetVisibility())) {
+        box = part->box;
+        known = {part_surface.actor, part_edges.actor, part_lines.actor};
+        for (const auto* pieces : {&more_surface, &more_edges})
+            for (const auto& piece : *pieces)
+                known.push_back(piece->actor);
+        std::sort(known.begin(), known.end());
+    }
+    vtkActorCollection* actors = renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it)) {
+        if (!actor->GetVisibility() || std::binary_search(known.begin(), known.end(), actor)) continue;
+        const double* b = actor->GetBounds();
+        if (!b || b[0] > b[1]) continue;
+        box.add(Vec3(b[0], b[2], b[4]));
+        box.add(Vec3(b[1], b[3], b[5]));
+    }
+    if (box.empty()) {
+        renderer->ResetCameraClippingRange();
+        return;
+    }
+    const double ends[6] = {box.lo.x(), box.hi.x(), box.lo.y(), box.hi.y(), box.lo.z(), box.hi.z()};
+    renderer->ResetCameraClippingRange(ends);
 }
 
 void Scene::set_view(StandardView view) {
