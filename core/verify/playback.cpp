@@ -13,7 +13,7 @@ namespace facetmill {
 namespace {
 constexpr std::size_t checkpoints = 64;
 /// Of the resolution, as in verify(): what a turning axis may be off.
-constexpr double bound_share = 0.25;
+constexpr double bound_share = 0.5;
 } // namespace
 
 struct StockPlayback::State {

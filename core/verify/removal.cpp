@@ -234,7 +234,20 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
             Vec3 p = middle;
             for (int j = jb; j < je; ++j) {
                 p[v] = lattice.origin[v] + (j0 + j) * lattice.spacing[v];
-                for (int i = ib; i < ie; ++i) {
+                p[u] = lattice.origin[u] + i0 * lattice.spacing[u];
+                double first = ib, last = ie - 1;
+                for (const SweepRays::Strip& strip : stretch_of.strips()) {
+                    const double start = strip.value.dot(p), step = strip.value[u] * lattice.spacing[u];
+                    if (step == 0) {
+                        if (start < strip.low || start > strip.high) last = -1;
+                        continue;
+                    }
+                    const double a = (strip.low - start) / step, b = (strip.high - start) / step;
+                    first = std::max(first, std::ceil(std::min(a, b)));
+                    last = std::min(last, std::floor(std::max(a, b)));
+                }
+                if (!(first <= last)) continue;
+                for (int i = int(first); i <= int(last); ++i) {
                     const int ray = i + RayTile::side * j;
                     const RayTile::Piece* piece = &tile->first[std::size_t(ray)];
                     if (piece->empty() || piece->lo >= high) continue;
@@ -242,7 +255,8 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
                         piece = &tile->more[piece->next];
                     if (piece->hi <= low || piece->lo >= high) continue;
                     p[u] = lattice.origin[u] + (i0 + i) * lattice.spacing[u];
-                    const Stretch s = stretch_of(p);
+                    const Stretch s =
+                        stretch_of(p, piece->lo, piece->next == RayTile::none ? piece->hi : infinity);
                     if (s.empty()) continue;
                     const float from = float(s.lo), to = float(s.hi);
                     if (item.cuts) {

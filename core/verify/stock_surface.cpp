@@ -46,8 +46,8 @@ struct CellPolygons {
             std::array<int, 12> next;
             next.fill(-1);
             for (const auto& face : faces) {
-                // Each run of inside corners is entered and left; the polygon goes from where it is entered to
-                // where it is left.
+                // Each run of inside corners is entered and left; the polygon goes from where it is entered
+                // to where it is left.
                 for (int k = 0; k < 4; ++k) {
                     const int a = face[k], b = face[(k + 1) % 4];
                     if (!(inside >> a & 1) || (inside >> b & 1)) continue;

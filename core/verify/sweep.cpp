@@ -52,6 +52,14 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     world_along_ = world_along;
     along_ = frame_ * world_along;
     u_along_ = direction.dot(world_along);
+    // The shadow of the cylinder round the body, which moves with it, is a strip.
+    const double noise = size * tolerance::sweep_roundings;
+    const Vec3 beside = move.axis.cross(direction);
+    if (const double lean = beside.norm(); lean > tolerance::parallel_sine) {
+        const Vec3 value = beside / lean;
+        const double a = value.dot(move.from), b = value.dot(move.to);
+        strips_[1] = {value, std::min(a, b) - body.radius() - noise, std::max(a, b) + body.radius() + noise};
+    }
     parallel_ = !(sine_ > tolerance::parallel_sine);
     if (parallel_) return;
     world_across_ = cross / sine_;
@@ -60,6 +68,10 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     out_ = frame_ * world_out_;
     build(-1, entry_);
     build(1, exit_);
+    if (!exit_.empty()) {
+        const double at = world_across_.dot(from_);
+        strips_[0] = {world_across_, at + exit_.front().c0 - noise, at + exit_.back().c1 + noise};
+    }
 }
 
 Vec3 SweepRays::normal(double side, double psi) const {
@@ -226,7 +238,7 @@ Stretch SweepRays::at_end(const Vec3& p, bool last) const {
     return body_->along(local, u_);
 }
 
-Stretch SweepRays::operator()(const Vec3& p) const {
+Stretch SweepRays::operator()(const Vec3& p, double low, double high) const {
     if (parallel_) {
         Stretch s = at_end(p, false);
         const double shift = length_ * u_along_;
@@ -241,13 +253,27 @@ Stretch SweepRays::operator()(const Vec3& p) const {
     const double y = local.dot(world_out_), l = local.dot(world_along_);
     const Touch entry = touch(entry_, -1, c), exit = touch(exit_, 1, c);
     Stretch result{(entry.y - y) / sine_, (exit.y - y) / sine_};
+    // The tool that had moved for ever would not reach it either.
+    if (result.lo >= high || result.hi <= low) return {};
     const double entry_at = l + result.lo * u_along_ - entry.l, exit_at = l + result.hi * u_along_ - exit.l;
     const int entry_end = entry_at < 0 ? -1 : entry_at > length_ ? 1 : 0;
     const int exit_end = exit_at < 0 ? -1 : exit_at > length_ ? 1 : 0;
     if (entry_end == 0 && exit_end == 0) return result;
-    Stretch first, second; // at start and end, as needed
-    if (entry_end < 0 || exit_end < 0) first = at_end(p, false);
-    if (entry_end > 0 || exit_end > 0) second = at_end(p, true);
+    // The body at the nearer end instead. An end that is beyond what matters is as good at the other end of
+    // the motion, where that is asked for anyway and is beyond as well.
+    Stretch first, second;
+    const bool apart = entry_end != 0 && exit_end != 0 && entry_end != exit_end;
+    if (apart) {
+        // First the end that the motion leads to: what is behind the tool is most often gone.
+        Stretch& ahead = second;
+        ahead = at_end(p, true);
+        const bool enough = !ahead.empty() && (entry_end > 0 ? ahead.hi >= high : ahead.lo <= low);
+        if (enough) return ahead;
+        first = at_end(p, false);
+    } else {
+        if (entry_end < 0 || exit_end < 0) first = at_end(p, false);
+        if (entry_end > 0 || exit_end > 0) second = at_end(p, true);
+    }
     if (entry_end != 0) result.lo = (entry_end < 0 ? first : second).lo;
     if (exit_end != 0) result.hi = (exit_end < 0 ? first : second).hi;
     return result;

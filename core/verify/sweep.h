@@ -14,6 +14,7 @@
 #include "core/cutter/cutter.h"
 #include "core/verify/program.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -61,10 +62,10 @@ private:
     Stretch heights_at(double rho) const;
     Stretch along_general(const Vec3& p, const Vec3& u) const;
 
-    std::vector<Feature> features_;   ///< angles without gaps from 0 to pi
-    std::vector<ProfilePiece> sides_; ///< the profile, bottom and top discs included
-    std::size_t lower_ = 0;           ///< so many of them are below the widest place
-    double radius_ = 0, bottom_ = 0, top_ = 0;
+    std::vector<Feature> features_;                       ///< angles without gaps from 0 to pi
+    std::vector<ProfilePiece> sides_;                     ///< the profile, bottom and top discs included
+    std::size_t lower_ = 0;                               ///< so many of them are below the widest place
+    double radius_ = 0, bottom_ = 0, top_ = 0, size_ = 0; ///< size: of the sphere about the body's middle
 };
 
 /// Turns vectors of part coordinates into a frame whose z is the tool axis, by one rotation. The identity for
@@ -82,8 +83,18 @@ class SweepRays {
 public:
     /// `direction` is a unit vector. The body must outlive this.
     SweepRays(const TurnedBody& body, const StraightMove& move, const Vec3& direction);
-    /// Of the line p + t direction, in part coordinates.
-    Stretch operator()(const Vec3& p) const;
+    /// Of the line p + t direction, in part coordinates. Where only what lies between `low` and `high`
+    /// matters, the answer may be empty when nothing does.
+    Stretch operator()(const Vec3& p, double low = -infinity, double high = infinity) const;
+
+    /// A condition low <= value . p <= high that every line p + t direction which meets the swept tool
+    /// fulfils.
+    struct Strip {
+        Vec3 value = Vec3::Zero();
+        double low = -infinity, high = infinity;
+    };
+    /// From the outline, and from the cylinder round the body.
+    const std::array<Strip, 2>& strips() const { return strips_; }
 
 private:
     /// One piece of the outline's chain over [c0, c1]: offsets c along `across_`; heights y along `out_`,
@@ -117,6 +128,7 @@ private:
     Vec3 world_along_, world_across_, world_out_;
     double length_ = 0, sine_ = 0, u_along_ = 0;
     bool parallel_ = false; ///< lines and motion, or no motion
+    std::array<Strip, 2> strips_;
     std::vector<Link> entry_, exit_;
 };
 

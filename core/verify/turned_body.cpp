@@ -40,10 +40,11 @@ bool passage(const Vec2& centre, double r, const Vec3& p, const Vec3& u, double 
     };
     const auto value = [&](double t) {
         const Vec3 q = p + t * u;
-        const double rho = std::hypot(q.x(), q.y());
+        const double rho = std::sqrt(q.x() * q.x() + q.y() * q.y());
         const double out = std::max(rho - centre.x(), 0.0), up = q.z() - centre.y();
-        const double distance = std::hypot(out, up);
-        const double radial = rho > 0 ? (q.x() * u.x() + q.y() * u.y()) / rho : std::hypot(u.x(), u.y());
+        const double distance = std::sqrt(out * out + up * up);
+        const double radial =
+            rho > 0 ? (q.x() * u.x() + q.y() * u.y()) / rho : std::sqrt(u.x() * u.x() + u.y() * u.y());
         return Value{distance - r, distance > 0 ? (out * radial + up * u.z()) / distance : 0};
     };
     const auto walk = [&](double t, double direction) {
@@ -108,6 +109,7 @@ void TurnedBody::finish() {
     top_ = sides_.back().to.y();
     for (const ProfilePiece& s : sides_)
         radius_ = std::max({radius_, s.from.x(), s.to.x()});
+    size_ = std::sqrt(radius_ * radius_ + 0.25 * (top_ - bottom_) * (top_ - bottom_));
     lower_ = 0;
     while (lower_ < sides_.size() && sides_[lower_].from.x() < radius_)
         ++lower_;
@@ -190,7 +192,7 @@ Stretch TurnedBody::heights_at(double rho) const {
 
 Stretch TurnedBody::along(const Vec3& p, const Vec3& u) const {
     if (u.x() == 0 && u.y() == 0) {
-        const Stretch heights = heights_at(std::hypot(p.x(), p.y()));
+        const Stretch heights = heights_at(std::sqrt(p.x() * p.x() + p.y() * p.y()));
         if (heights.empty()) return {};
         const double a = (heights.lo - p.z()) / u.z(), b = (heights.hi - p.z()) / u.z();
         return {std::min(a, b), std::max(a, b)};
@@ -214,9 +216,8 @@ Stretch TurnedBody::along_general(const Vec3& p, const Vec3& u) const {
     const Vec3 middle(0, 0, 0.5 * (bottom_ + top_));
     const double uu = u.squaredNorm(), shift = (middle - p).dot(u) / uu;
     const Vec3 q = p + shift * u;
-    const double size = std::hypot(radius_, 0.5 * (top_ - bottom_)),
-                 noise = size * tolerance::sweep_roundings;
-    if ((q - middle).norm() > size + noise) return {};
+    const double noise = size_ * tolerance::sweep_roundings;
+    if ((q - middle).squaredNorm() > (size_ + noise) * (size_ + noise)) return {};
 
     Hits hits;
     for (const ProfilePiece& s : sides_) {
@@ -225,31 +226,33 @@ Stretch TurnedBody::along_general(const Vec3& p, const Vec3& u) const {
             const double z = q.z() + t * u.z();
             if (z >= low && z <= high) hits.add(t);
         };
-        if (s.kind == ProfilePiece::Kind::arc) {
-            const double half = // beyond the whole circle's body, of which this may be a small part
-                (std::hypot(q.x(), q.y(), q.z() - s.centre.y()) + std::max(s.centre.x(), 0.0)
-                 + 1.01 * s.radius)
-                / std::sqrt(uu);
-            double first, second;
+        double first, second;
+        if (s.kind == ProfilePiece::Kind::arc && std::abs(s.centre.x()) <= noise) {
+            const Vec3 o(q.x(), q.y(), q.z() - s.centre.y());
+            if (roots(uu, o.dot(u), o.squaredNorm() - s.radius * s.radius, first, second)) {
+                try_at(first);
+                try_at(second);
+            }
+        } else if (s.kind == ProfilePiece::Kind::arc) {
+            // Beyond the whole circle's body, of which this may be a small part.
+            const Vec3 o(q.x(), q.y(), q.z() - s.centre.y());
+            const double half = (o.norm() + std::max(s.centre.x(), 0.0) + 1.01 * s.radius) / std::sqrt(uu);
             if (passage(s.centre, s.radius, q, u, -half, half, 0.01 * noise, first, second)) {
-                const auto outside = [&](double t) { // the circle's part that is the body's
-                    const Vec3 at = q + t * u;
-                    if (std::hypot(at.x(), at.y()) >= s.centre.x() - noise) try_at(t);
-                };
-                outside(first);
-                outside(second);
+                const double inner = s.centre.x() - noise;
+                for (const double t : {first, second}) { // the circle's part that is the body's
+                    const double x = q.x() + t * u.x(), y = q.y() + t * u.y();
+                    if (inner <= 0 || x * x + y * y >= inner * inner) try_at(t);
+                }
             }
         } else if (s.to.y() - s.from.y() <= noise) {
+            // A disc: bottom or top.
             const double t = (s.from.y() - q.z()) / u.z();
-            const Vec3 at = q + t * u;
-            const double rho = std::hypot(at.x(), at.y());
-            if (rho >= std::min(s.from.x(), s.to.x()) - noise
-                && rho <= std::max(s.from.x(), s.to.x()) + noise)
-                hits.add(t);
+            const double x = q.x() + t * u.x(), y = q.y() + t * u.y();
+            const double rim = std::max(s.from.x(), s.to.x()) + noise;
+            if (x * x + y * y <= rim * rim) hits.add(t);
         } else {
             const double k = (s.to.x() - s.from.x()) / (s.to.y() - s.from.y());
             const double radius = s.from.x() + k * (q.z() - s.from.y()), grow = k * u.z();
-            double first, second;
             if (roots(u.x() * u.x() + u.y() * u.y() - grow * grow,
                       q.x() * u.x() + q.y() * u.y() - radius * grow,
                       q.x() * q.x() + q.y() * q.y() - radius * radius, first, second)) {

@@ -30,7 +30,7 @@ struct VerifySettings {
                            ///< coarser where the stock would have more than `most_rays`
     double sample_spacing =
         0; ///< of the probes; 0: as the resolution, coarser where they would be more than `most_samples`
-    double motion_bound = 0; ///< 0: a quarter of the resolution
+    double motion_bound = 0; ///< 0: half the resolution
     double tolerance = 0;    ///< what may be left: larger counts as over, twice that as uncut; 0: not judged
     double gouge_limit = 0;  ///< deeper is a gouge
     double allowance = 0;    ///< the design is the part grown by this along its normals
