@@ -110,12 +110,58 @@ void run(const char* name, const MeshPtr& part, const Tool& tool,
     }
 }
 
+/// Known shapes, cut on finer and finer lattices.
+void convergence() {
+    const StockSolid solid = [] {
+        StockSolid box;
+        box.box.add(Vec3(-10, -10, 0));
+        box.box.add(Vec3(10, 10, 10));
+        return box;
+    }();
+    const auto cut = [&](const AptCutter& cutter, const std::vector<CutterLocation>& at, double resolution) {
+        auto motions = std::make_shared<ToolMotions>();
+        for (const CutterLocation& l : at)
+            motions->motions.push_back({motions->motions.empty() ? MotionKind::rapid : MotionKind::cut, l});
+        const std::vector<VerifyProgram> programs{{"Test", VerifyTool(cutter), motions, std::nullopt}};
+        StockModel stock(solid, StockLattice::over(solid.box, resolution, std::size_t(-1)), Progress());
+        MaterialRemoval(programs, 0.5 * resolution, 0).cut(stock, 0, 0, at.size(), 1, false, Progress());
+        return stock;
+    };
+    std::printf(
+        "resolution   ball hole: volume   tilted hole: volume   ball rows: highest cusp (exact %.5f)\n",
+        4 - std::sqrt(16 - 1.15 * 1.15));
+    for (double resolution : {1.0, 0.5, 0.25, 0.125}) {
+        const Vec3 up = Vec3::UnitZ(), lean = Vec3(0.6, 0, 0.8);
+        const double ball =
+            4000
+            - cut(AptCutter::ball(8, 30), {{{0.1, 0.2, 20}, up}, {{0.1, 0.2, 4}, up}}, resolution).volume();
+        // A leaning flat end that goes right through: cylinder of radius 3 between two planes.
+        const double tilted =
+            4000
+            - cut(AptCutter::flat(6, 60),
+                  {{Vec3(0, 0, 5) + 30 * lean, lean}, {Vec3(0, 0, 5) - 20 * lean, lean}}, resolution)
+                  .volume();
+        std::vector<CutterLocation> rows;
+        for (int k = -6; k <= 6; ++k)
+            for (double x : {-15.0, 15.0})
+                rows.push_back({{k % 2 ? x : -x, 2.3 * k + 0.3, 6}, up});
+        const StockModel level = cut(AptCutter::ball(8, 30), rows, resolution);
+        double highest = 0;
+        for (int j = 0; j < level.lattice().nodes[1]; ++j)
+            highest = std::max(highest, level.stretches(2, level.lattice().nodes[0] / 2, j).back()[1] - 6);
+        std::printf("%7.3f mm   %17.4f%%   %19.4f%%   %12.5f\n", resolution,
+                    100 * (ball / (pi * 16 * 2 + 2.0 / 3 * pi * 64) - 1),
+                    100 * (tilted / (pi * 9 * 10 / 0.8) - 1), highest);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     if (argc > 1) set_thread_count(std::atoi(argv[1]));
     const std::size_t turning = argc > 2 ? std::size_t(std::atoi(argv[2])) : 100'000;
+    convergence();
     const MeshPtr concave = make_sample("concave", default_sample_tolerance, Progress());
     run("concave", concave, the_tool(0.25 * inch), finish(concave));
     const MeshPtr complex = make_sample("complex", default_sample_tolerance, Progress());
