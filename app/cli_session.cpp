@@ -1,7 +1,5 @@
 #include "app/cli_session.h"
 
-#include "core/base/file.h"
-
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -17,7 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto poll = std::chrono::milliseconds(5);
-constexpr auto patience = std::chrono::milliseconds(30);
 constexpr double terminal_interval = 0.1, line_interval = 10.0; // seconds
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
@@ -68,18 +65,18 @@ void Session::finish() {
 
 void Session::watch() {
     const auto start = Clock::now();
-    Clock::time_point cancelled;
+    bool too_late = false;
     std::unique_lock lock(mutex_);
     while (!wake_.wait_for(lock, poll, [this] { return over_; })) {
         const auto now = Clock::now();
         seconds_ = std::chrono::duration<double>(now - start).count();
-        if (!job_.cancelled()) {
+        if (!job_.cancelled() || too_late) {
             show(false);
             continue;
         }
-        if (cancelled == Clock::time_point()) cancelled = now;
-        if (now - cancelled < patience) continue;
-        abandon_outputs();
+        // At once: to unwind and to give memory back piece by piece takes longer than the whole process does.
+        too_late = !abandon_outputs(committed_before_);
+        if (too_late) continue;
         show(true);
         constexpr std::string_view text = "facetmill-cli: cancelled\n";
         if (::write(STDERR_FILENO, text.data(), text.size()) < 0) ::_exit(1);

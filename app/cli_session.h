@@ -1,6 +1,7 @@
 // One run of a command: its job, its progress on stderr, its signals, its output on stdout.
 #pragma once
 
+#include "core/base/file.h"
 #include "core/base/progress.h"
 
 #include <atomic>
@@ -12,10 +13,10 @@
 
 namespace facetmill::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the job. A job that has not ended 30 ms after that is
-/// ended with the process: temporary files are removed first, so nothing is left either way. Progress goes to
-/// stderr: one line that is rewritten on a terminal, a line every ten seconds elsewhere, so that a short job
-/// that fails writes one line.
+/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the job and end the process with it within 5 ms:
+/// temporary files are removed first, so nothing is left. Where the outputs stand in their places already,
+/// the job goes on to its end. Progress goes to stderr: one line that is rewritten on a terminal, a line
+/// every ten seconds elsewhere, so that a short job that fails writes one line.
 class Session {
 public:
     Session();
@@ -34,6 +35,7 @@ private:
     void show(bool last);
 
     Job job_;
+    const std::size_t committed_before_ = committed_outputs();
     bool terminal_ = false, line_shown_ = false;
     double seconds_ = 0, next_line_ = 0;
     std::mutex mutex_;

@@ -21,6 +21,7 @@ namespace {
 struct Temporaries {
     std::recursive_mutex mutex; ///< recursive: a set commits files
     std::vector<fs::path> paths;
+    std::size_t committed = 0; ///< outputs that stand in their places
 };
 
 Temporaries& temporaries() {
@@ -32,12 +33,19 @@ using TemporariesLock = std::unique_lock<std::recursive_mutex>;
 
 } // namespace
 
-void abandon_outputs() {
+std::size_t committed_outputs() {
     TemporariesLock lock(temporaries().mutex);
+    return temporaries().committed;
+}
+
+bool abandon_outputs(std::size_t before) {
+    TemporariesLock lock(temporaries().mutex);
+    if (temporaries().committed > before) return false;
     std::error_code ec;
     for (const fs::path& p : temporaries().paths)
         fs::remove(p, ec);
     lock.release(); // stays locked
+    return true;
 }
 
 InputFile::InputFile(const fs::path& path) : path_(path) {
@@ -157,6 +165,7 @@ void OutputFile::commit() {
     fs::rename(temporary_, target_, ec);
     if (ec) fail(ec.message());
     committed_ = true;
+    ++temporaries().committed;
     forget();
 }
 
@@ -172,6 +181,7 @@ void OutputSet::commit() {
     for (auto& f : files_)
         f->close_stream();
     TemporariesLock lock(temporaries().mutex);
+    const std::size_t committed_before = temporaries().committed;
     // What stands at a target keeps a second name until all renames are done.
     struct Kept {
         OutputFile* file;
@@ -206,6 +216,7 @@ void OutputSet::commit() {
         }
     } catch (...) {
         put_back();
+        temporaries().committed = committed_before;
         throw;
     }
     for (const Kept& k : kept)

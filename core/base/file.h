@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -60,8 +61,8 @@ private:
     bool committed_ = false;
 };
 
-/// Throws Error(unwritable) when `output` is the file `input`, by whatever name: a job that reads its input and writes
-/// its output over it would destroy what it was given.
+/// Throws Error(unwritable) when `output` is the file `input`, by whatever name: a job that reads its input
+/// and writes its output over it would destroy what it was given.
 void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output);
 
 /// Several outputs of one job that appear together or not at all: `commit` renames all after every one is
@@ -76,9 +77,13 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
+/// How many outputs this process has committed.
+std::size_t committed_outputs();
+
 /// Removes the temporary files of all outputs that are not committed, waiting for a commit that is under way,
 /// and lets none be made or committed from then on: for a process that ends at once. Does not return control
-/// over outputs to anyone: threads that use one wait for ever.
-void abandon_outputs();
+/// over outputs to anyone: threads that use one wait for ever. Where more have been committed than `before`,
+/// it is too late to undo the job: does nothing and returns false.
+bool abandon_outputs(std::size_t before);
 
 } // namespace facetmill

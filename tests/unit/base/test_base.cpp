@@ -280,23 +280,35 @@ private slots:
     void an_abandoned_process_leaves_nothing() {
         QTemporaryDir dir;
         const std::filesystem::path folder = dir.path().toStdString();
-        const pid_t child = ::fork();
-        if (child == 0) { // the lock is never given back: in a process of its own
-            OutputFile done(folder / "done");
-            done.commit();
-            OutputFile half(folder / "half");
-            half.write("1");
-            abandon_outputs();
-            ::_exit(7);
-        }
-        int status = 0;
-        QCOMPARE(::waitpid(child, &status, 0), child);
-        QVERIFY(WIFEXITED(status));
-        QCOMPARE(WEXITSTATUS(status), 7);
-        QStringList names;
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-            names << QString::fromStdString(entry.path().filename().string());
-        QCOMPARE(names, QStringList{"done"});
+        const auto exit_status = [&](bool commit) {
+            const pid_t child = ::fork();
+            if (child == 0) { // the lock is never given back: in a process of its own
+                const std::size_t before = committed_outputs();
+                OutputFile half(folder / "half");
+                half.write("1");
+                if (commit) {
+                    OutputFile done(folder / "done");
+                    done.commit();
+                }
+                const bool abandoned = abandon_outputs(before);
+                // Only a process that was not told to end may still commit.
+                if (!abandoned) half.commit();
+                ::_exit(abandoned ? 7 : 8);
+            }
+            int status = 0;
+            return ::waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        };
+        const auto names = [&] {
+            QStringList all;
+            for (const auto& entry : std::filesystem::directory_iterator(folder))
+                all << QString::fromStdString(entry.path().filename().string());
+            all.sort();
+            return all;
+        };
+        QCOMPARE(exit_status(false), 7);
+        QCOMPARE(names(), QStringList());
+        QCOMPARE(exit_status(true), 8);
+        QCOMPARE(names(), (QStringList{"done", "half"}));
     }
 
     void links_lead_to_their_file() {
