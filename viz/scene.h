@@ -127,7 +127,7 @@ public:
     /// What the first picture of a part and its stock takes long for, the shaders, can be had before there is
     /// any: after `rehearse(k)`, k below `rehearsals`, a frame draws something small in one of their ways. It
     /// is not to be shown. Only while there is neither part nor stock; `end_rehearsal` before they come.
-    static constexpr std::size_t rehearsals = 3;
+    static constexpr std::size_t rehearsals = 4;
     void rehearse(std::size_t k);
     void end_rehearsal();
     /// Smooths jagged edges after drawing (FXAA). On at first.

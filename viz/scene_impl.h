@@ -51,7 +51,7 @@ struct Scene::Impl {
     /// What the steps of a picture draw before the last one: visible actors with many cells.
     std::vector<std::vector<SceneActor*>> heavy_groups();
     void set_clipping_range(); ///< from what is visible
-    void show_step(); ///< hides what the present step leaves out of what is shown
+    void show_step();          ///< hides what the present step leaves out of what is shown
     /// All that is light, and the smoothing; then what is flat on top of it.
     bool light_step() const { return !step || *step == step_groups.size(); }
     bool last_step() const { return !step || *step > step_groups.size(); }
@@ -84,6 +84,7 @@ struct Scene::Impl {
     std::vector<std::vector<SceneActor*>> step_groups; ///< of the picture being drawn in steps
     std::size_t first_step =
         0;                    ///< begins the picture; the ones before only bring points to the graphics card
+    bool all_overlay = false; ///< for its shaders, not to be shown
     bool part_is_new = false; ///< since the last picture in steps
     PartStyle part_style = PartStyle::smooth;
     std::string title, subtitle, empty_text = "Nothing to show";

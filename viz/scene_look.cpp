@@ -350,6 +350,13 @@ OverlayContent Scene::Impl::overlay_content() const {
     content.unit = unit;
     content.mm_per_pixel = pixel_size() * ratio;
     content.axes = on(Layer::axes);
+    if (all_overlay) {
+        using Sample = LegendEntry::Sample;
+        content.title = content.subtitle = "-";
+        content.scale = true;
+        for (const Sample sample : {Sample::surface, Sample::box, Sample::dot, Sample::line, Sample::dashes})
+            content.legend.push_back({sample, colors_of(palette).stock, 1, "-"});
+    }
     if (marker && on(Layer::marker)) {
         content.marker = Vec2(display_of(marker->point) / ratio);
         const Vec3 n = camera_frame() * marker->normal;

@@ -121,6 +121,8 @@ void Scene::rehearse(std::size_t k) {
         show(impl_->part_surface, triangle_data(points, normals, triangle));
     } else if (k == 1) {
         show(impl_->part_lines, segment_data(points, segments));
+    } else if (k == 3) {
+        impl_->all_overlay = true;
     } else {
         show(impl_->stock_faces, triangle_data(points, {}, triangle));
         show(impl_->stock_lines, segment_data(points, segments));
@@ -128,6 +130,7 @@ void Scene::rehearse(std::size_t k) {
 }
 
 void Scene::end_rehearsal() {
+    impl_->all_overlay = false;
     if (impl_->part || !impl_->stock.empty()) return;
     for (SceneActor* a : {&impl_->part_surface, &impl_->part_lines, &impl_->stock_faces, &impl_->stock_lines})
         a->clear();
