@@ -88,6 +88,9 @@ const std::vector<AptCutter>& cutters() {
         AptCutter::from_shape(16, 3, radians(20), radians(-12), 15),
         AptCutter::from_shape(8, 0, radians(59), 0, 25),
         AptCutter::ball(10, 3),
+        // A bullet: the arc's centre lies beyond the axis.
+        AptCutter::from_shape(10, 0.9 * AptCutter::largest_corner_radius(10, radians(40), radians(3)),
+                              radians(40), radians(3), 18),
     };
     return all;
 }
@@ -99,10 +102,10 @@ class TestSweep : public QObject {
 private slots:
     void random_lines_data() {
         QTest::addColumn<int>("kind");
-        const char* names[] = {"general",   "vertical tool",         "vertical tool, level motion",
-                               "no motion", "line along the motion", "line across the axis",
-                               "tool level"};
-        for (int k = 0; k < 7; ++k)
+        const char* names[] = {"general",    "vertical tool",         "vertical tool, level motion",
+                               "no motion",  "line along the motion", "line across the axis",
+                               "tool level", "nearly parallel"};
+        for (int k = 0; k < 8; ++k)
             QTest::newRow(names[k]) << k;
     }
     void random_lines() {
@@ -126,6 +129,11 @@ private slots:
             if (kind == 3) k.move.to = k.move.from;
             if (kind == 4) k.move.to = k.move.from + 7 * k.u;
             if (kind == 5) k.u = k.move.axis.cross(unit()).normalized();
+            if (kind == 7) {
+                const double off = std::pow(10, -4 - 9 * share(random));
+                k.u = Vec3(k.move.axis + off * unit()).normalized();
+                k.move.to = k.move.from + 9 * Vec3(k.move.axis + 0.5 * off * unit()).normalized();
+            }
             // A line through some place of the tool on its way.
             const double z = k.profile.height() * share(random);
             const Vec3 on = k.move.from + share(random) * (k.move.to - k.move.from) + z * k.move.axis;
