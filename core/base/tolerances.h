@@ -119,5 +119,9 @@ inline constexpr double lattice_inset = 1e-3;
 inline constexpr double edge_margin = 5e-4;
 /// Share of the outline's width below which a piece of it is no piece.
 inline constexpr double vanishing_outline = 1e-13;
+/// Two ends of stretches on a line that differ by less (mm) are the same.
+inline constexpr double probe_rounding = 1e-9;
+/// Shank, holder or rapid reaching less deep (mm) into the part only touch it.
+inline constexpr double collision_depth = 1e-3;
 
 } // namespace facetmill::tolerance

@@ -1,0 +1,74 @@
+// A tree of boxes over things that are known by their boxes.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/vec.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace facetmill {
+
+class BoxTree {
+public:
+    BoxTree() = default;
+    /// Cancellation within 20 ms.
+    BoxTree(const std::vector<Box3>& boxes, const Progress& progress) {
+        if (boxes.empty()) return;
+        std::vector<std::size_t> order(boxes.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        nodes_.reserve(2 * boxes.size() - 1);
+        build(boxes, order, 0, order.size(), progress);
+    }
+
+    bool empty() const { return nodes_.empty(); }
+    /// visit(item) for the items whose box, and all boxes round it, `enter(box)` says true to.
+    template <class Enter, class Visit>
+    void each(Enter&& enter, Visit&& visit) const {
+        for (std::size_t i = 0; i < nodes_.size();) {
+            const Node& node = nodes_[i];
+            const bool in = enter(node.box);
+            if (in && node.next == i + 1) visit(node.item);
+            i = in ? i + 1 : node.next;
+        }
+    }
+
+private:
+    struct Node {
+        Box3 box;
+        std::size_t next = 0; ///< the node behind this one and all below it; a leaf has none below
+        std::size_t item = 0; ///< leaf
+    };
+    void build(const std::vector<Box3>& boxes, std::vector<std::size_t>& order, std::size_t begin,
+               std::size_t end, const Progress& progress) {
+        const std::size_t place = nodes_.size();
+        nodes_.emplace_back();
+        Box3 all, middles;
+        for (std::size_t i = begin; i < end; ++i) {
+            all.add(boxes[order[i]]);
+            middles.add(boxes[order[i]].center());
+        }
+        nodes_[place].box = all;
+        if (end - begin == 1) {
+            nodes_[place].item = order[begin];
+        } else {
+            if (end - begin > 4096) progress.check();
+            int k = 0;
+            middles.size().maxCoeff(&k);
+            const std::size_t half = begin + (end - begin) / 2;
+            const auto at = [&](std::size_t i) { return order.begin() + std::ptrdiff_t(i); };
+            std::nth_element(at(begin), at(half), at(end), [&](std::size_t a, std::size_t b) {
+                const double x = boxes[a].lo[k] + boxes[a].hi[k], y = boxes[b].lo[k] + boxes[b].hi[k];
+                return x < y || (x == y && a < b);
+            });
+            build(boxes, order, begin, half, progress);
+            build(boxes, order, half, end, progress);
+        }
+        nodes_[place].next = nodes_.size();
+    }
+    std::vector<Node> nodes_;
+};
+
+} // namespace facetmill

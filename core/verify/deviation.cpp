@@ -1,0 +1,261 @@
+#include "core/verify/deviation.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/verify/probes.h"
+
+#include <numeric>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t probes_per_block = 256;
+constexpr std::size_t most_extremes = 10;
+constexpr int band_count = 6;
+
+/// Places of points in the order of a curve that fills space (Morton's), so that neighbours come one after
+/// the other.
+std::vector<std::uint32_t> neighbours_together(const std::vector<Vec3>& points, const Progress& progress) {
+    constexpr int bits = 21;
+    Box3 box;
+    for (const Vec3& p : points)
+        box.add(p);
+    const double size = std::max(box.size().maxCoeff(), tolerance::smallest_extent);
+    const double scale = double((1 << bits) - 1) / size;
+    const auto spread = [](std::uint64_t v) { // two zeros after each bit
+        v = (v | v << 32) & 0x001F00000000FFFFu;
+        v = (v | v << 16) & 0x001F0000FF0000FFu;
+        v = (v | v << 8) & 0x100F00F00F00F00Fu;
+        v = (v | v << 4) & 0x10C30C30C30C30C3u;
+        return (v | v << 2) & 0x1249249249249249u;
+    };
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 q = (points[i] - box.lo) * scale;
+        keys[i] = {spread(std::uint64_t(q.x())) | spread(std::uint64_t(q.y())) << 1
+                       | spread(std::uint64_t(q.z())) << 2,
+                   std::uint32_t(i)};
+    }
+    progress.check();
+    std::sort(keys.begin(), keys.end());
+    progress.check();
+    std::vector<std::uint32_t> order(points.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        order[i] = keys[i].second;
+    return order;
+}
+
+/// All bodies of a program that are asked.
+struct ProgramProbes {
+    struct Watch {
+        Collision::Kind kind;
+        MotionProbes probes;
+    };
+    MotionProbes cutting;
+    std::vector<Watch> watched; ///< must not touch the part
+
+    static ProgramProbes of(const VerifyProgram& program, double bound, const Progress& progress) {
+        const auto slow = std::make_shared<const MotionTree>(
+            program, [](MotionKind k) { return k != MotionKind::rapid; }, progress);
+        const auto fast = std::make_shared<const MotionTree>(
+            program, [](MotionKind k) { return k == MotionKind::rapid; }, progress);
+        const TurnedBody cutter(program.tool.cutter);
+        const BodySupport support(program.tool.cutter);
+        ProgramProbes p{MotionProbes(cutter, support, slow, bound), {}};
+        p.watched.push_back({Collision::Kind::rapid, MotionProbes(cutter, support, fast, bound)});
+        for (const ToolSection& s : program.tool.sections) {
+            const auto kind =
+                s.part == ToolSection::Part::shank ? Collision::Kind::shank : Collision::Kind::holder;
+            for (const auto& tree : {slow, fast})
+                p.watched.push_back(
+                    {kind, MotionProbes(TurnedBody(s.radius, s.from, s.to), BodySupport(s), tree, bound)});
+        }
+        std::erase_if(p.watched, [](const Watch& w) { return w.probes.motions().empty(); });
+        return p;
+    }
+};
+
+using CollisionKey = std::tuple<std::size_t, std::size_t, Collision::Kind>;
+using CollisionMap = std::map<CollisionKey, Collision>;
+
+void keep_deepest(CollisionMap& map, const Collision& c) {
+    const auto [at, is_new] = map.try_emplace({c.at.program, c.at.motion, c.kind}, c);
+    if (!is_new && c.depth > at->second.depth) at->second = c;
+}
+
+} // namespace
+
+Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
+                     std::span<const VerifyProgram> programs, double allowance, double gouge_limit,
+                     double bound, const Progress& progress) {
+    std::vector<ProgramProbes> bodies;
+    for (const VerifyProgram& program : programs)
+        bodies.push_back(ProgramProbes::of(program, bound, progress));
+    const StockExit exit_of(stock, progress);
+    const std::size_t n = samples.points.size();
+    const std::vector<std::uint32_t> order = neighbours_together(samples.points, progress);
+    const double collision_limit = std::max(gouge_limit, tolerance::collision_depth);
+
+    Probed probed;
+    probed.deviation.assign(n, 0);
+    probed.by.assign(n, {});
+    std::vector<std::vector<Collision>> found((n + probes_per_block - 1) / probes_per_block);
+    parallel_blocks(n, probes_per_block, progress.part(0.05, 1.0), [&](std::size_t begin, std::size_t end) {
+        // What cut the neighbour most likely cuts here.
+        std::vector<Index> hints(bodies.size(), no_index);
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t i = order[k];
+            const Vec3& normal = samples.normals[i];
+            const Vec3 surface = samples.points[i], p = surface + allowance * normal;
+            double value = exit_of(p, normal);
+            if (value < 0) {
+                samples.flags[i] |= DeviationSurface::bare;
+                value = 0;
+            }
+            MotionPlace by;
+            for (bool again = true; again;) {
+                again = false;
+                for (std::size_t b = bodies.size();
+                     b-- > 0;) { // the last to cut is the likeliest to cut lowest
+                    LineProbe probe{value, no_index};
+                    const bool lowered = bodies[b].cutting.lower(p, normal, hints[b], probe);
+                    if (!lowered) continue;
+                    // Where material is missing, stretches below may join.
+                    again = again || probe.value < -tolerance::contact_distance;
+                    value = probe.value;
+                    by = {b, probe.motion};
+                    hints[b] = probe.motion;
+                }
+            }
+            if (value < -gouge_limit && by.known())
+                by.motion = bodies[by.program].cutting.first_as_low(p, normal, {value, Index(by.motion)});
+            probed.deviation[i] = value;
+            probed.by[i] = by;
+            for (std::size_t b = 0; b < bodies.size(); ++b)
+                for (const auto& watch : bodies[b].watched) {
+                    LineProbe probe{-collision_limit, no_index};
+                    if (!watch.probes.lower(surface, normal, no_index, probe)) continue;
+                    const Index motion = watch.probes.first_as_low(surface, normal, probe);
+                    found[begin / probes_per_block].push_back(
+                        {watch.kind, true, {b, motion}, surface, -probe.value});
+                }
+        }
+    });
+    CollisionMap map;
+    for (const auto& block : found)
+        for (const Collision& c : block)
+            keep_deepest(map, c);
+    for (const auto& [key, collision] : map)
+        probed.collisions.push_back(collision);
+    return probed;
+}
+
+// ---- figures ----
+
+namespace {
+
+/// Gathers samples and gives their figures.
+class Gathered {
+public:
+    void add(double deviation, double weight, bool gouges_only) {
+        gouge_ = std::max(gouge_, -deviation);
+        if (gouges_only) return;
+        excess_.push_back({std::max(deviation, 0.0), weight});
+    }
+    DeviationFigures figures(double tolerance) {
+        DeviationFigures f;
+        f.gouge_max = gouge_;
+        f.samples = excess_.size();
+        std::sort(excess_.begin(), excess_.end());
+        for (const auto& [value, weight] : excess_)
+            f.area += weight;
+        if (excess_.empty()) return f;
+        f.excess_max = excess_.back().first;
+        const auto quantile = [&](double share) {
+            double sum = 0;
+            for (const auto& [value, weight] : excess_)
+                if ((sum += weight) >= share * f.area) return value;
+            return f.excess_max;
+        };
+        f.excess_p50 = quantile(0.5);
+        f.excess_p95 = quantile(0.95);
+        f.excess_p99 = quantile(0.99);
+        f.excess_p999 = quantile(0.999);
+        if (tolerance > 0 && f.area > 0)
+            for (const auto& [value, weight] : excess_) {
+                if (value > tolerance) f.over_fraction += weight / f.area;
+                if (value > 2 * tolerance) f.uncut_fraction += weight / f.area;
+            }
+        return f;
+    }
+
+private:
+    double gouge_ = 0;
+    std::vector<std::pair<double, double>> excess_;
+};
+
+/// The first of `candidates` that are far from one another.
+std::vector<DeviationExtreme> extremes(const std::vector<std::size_t>& candidates,
+                                       const SurfaceSamples& samples, const Probed& probed, double apart) {
+    std::vector<DeviationExtreme> chosen;
+    for (std::size_t i : candidates) {
+        const Vec3& p = samples.points[i];
+        const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const DeviationExtreme& e) {
+            return (e.point - p).norm() < apart;
+        });
+        if (near) continue;
+        chosen.push_back({p, samples.normals[i], probed.deviation[i], probed.by[i]});
+        if (chosen.size() == most_extremes) break;
+    }
+    return chosen;
+}
+
+} // namespace
+
+void fill_figures(Verification& v, const SurfaceSamples& samples, const Probed& probed, double apart,
+                  const Progress& progress) {
+    Gathered all, border;
+    std::array<Gathered, band_count> bands;
+    std::vector<std::size_t> gouges, excess;
+    const double band = 0.5 * pi / band_count;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        if (i % 65536 == 0) progress.check();
+        const double d = probed.deviation[i], weight = samples.weights[i];
+        const std::uint8_t flags = samples.flags[i];
+        if (d < 0 && probed.by[i].known()) {
+            double& deepest = v.program_gouges[probed.by[i].program];
+            deepest = std::max(deepest, -d);
+        }
+        const bool gouges_only = (flags & (DeviationSurface::away | DeviationSurface::bare)) != 0;
+        if (d < -v.used.gouge_limit) gouges.push_back(i);
+        if (flags & DeviationSurface::border) {
+            border.add(d, weight, gouges_only);
+            continue;
+        }
+        all.add(d, weight, gouges_only);
+        if (flags & DeviationSurface::away) continue;
+        const auto k = std::size_t(std::clamp(int(samples.slopes[i] / band), 0, band_count - 1));
+        bands[k].add(d, weight, gouges_only);
+        if (!gouges_only && v.used.tolerance > 0 && d > v.used.tolerance) excess.push_back(i);
+    }
+    v.figures = all.figures(v.used.tolerance);
+    progress.check();
+    v.border = border.figures(v.used.tolerance);
+    v.bands.clear();
+    for (int k = 0; k < band_count; ++k)
+        v.bands.push_back({k * band, (k + 1) * band, bands[std::size_t(k)].figures(v.used.tolerance)});
+    progress.check();
+    const auto by_deviation = [&](double sign) {
+        return [&probed, sign](std::size_t a, std::size_t b) {
+            const double x = sign * probed.deviation[a], y = sign * probed.deviation[b];
+            return x < y || (x == y && a < b);
+        };
+    };
+    std::sort(gouges.begin(), gouges.end(), by_deviation(1));
+    std::sort(excess.begin(), excess.end(), by_deviation(-1));
+    v.gouges = extremes(gouges, samples, probed, apart);
+    v.excess = extremes(excess, samples, probed, apart);
+}
+
+} // namespace facetmill

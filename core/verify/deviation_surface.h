@@ -1,0 +1,55 @@
+// The places of the part's surface at which it is compared with what is left.
+#pragma once
+
+#include "core/verify/verify.h"
+
+#include <vector>
+
+namespace facetmill {
+
+/// Points and unit normals on the part's facets, each standing for some area, joined by triangles.
+struct SurfaceSamples {
+    std::vector<Vec3> points, normals;
+    std::vector<double> weights; ///< mm^2: a third of the triangles round the point; they add up to the area
+    std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
+    std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    double spacing = 0; ///< that was used
+};
+
+/// Along edges neighbours are no farther apart than `spacing`, or half of it where the surface curves; none
+/// are farther than twice that. Facets that need no dividing keep the mesh's vertices, shared, with normals
+/// by angle; divided ones, and those at creases, have points of their own with the facet's normal, so that
+/// neither side of a crease is judged across it. Where the points would be more than `most`, `spacing` grows;
+/// the mesh's own vertices are never thinned out. Facets without area have no points. Cancellation within 20
+/// ms.
+SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress);
+
+/// The axes of all motions that cut, merged within about 2 degrees, and more where they are many. Unit, in
+/// the order in which they come.
+std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Progress& progress);
+
+/// Slopes, and the flags `border` (nearer than `cutter_radius` to an edge that only one facet has) and
+/// `away`.
+void flag_samples(SurfaceSamples& samples, const Mesh& part, double cutter_radius,
+                  const std::vector<Vec3>& axes, const Progress& progress);
+
+/// Along lines from the part outward: where they leave the stock.
+class StockExit {
+public:
+    /// Cancellation within 20 ms.
+    StockExit(const StockSolid& stock, const Progress& progress);
+    ~StockExit();
+    /// t >= 0 of the first exit of p + t n; below 0 where p is not in the stock.
+    double operator()(const Vec3& p, const Vec3& n) const;
+
+private:
+    struct Facets;
+    double of_box(const Vec3& p, const Vec3& n) const;
+    double of_cylinder(const Vec3& p, const Vec3& n) const;
+    double of_mesh(const Vec3& p, const Vec3& n) const;
+    StockSolid stock_;
+    std::unique_ptr<const Facets> facets_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,405 @@
+#include "core/verify/probes.h"
+
+#include "core/base/tolerances.h"
+
+#include <array>
+
+namespace facetmill {
+
+namespace {
+
+double angle_between(const Vec3& a, const Vec3& b) {
+    return 2 * std::asin(std::min(1.0, 0.5 * (a - b).norm()));
+}
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+} // namespace
+
+// ---- BodySupport ----
+
+BodySupport::BodySupport(const CutterProfile& cutter) {
+    double angle = 0;
+    for (const ProfilePiece& p : cutter.pieces()) {
+        const double start = std::max(angle, p.angle_at_start());
+        add(p.from, 0, angle, start);
+        angle = std::max(start, p.angle_at_end());
+        if (p.kind == ProfilePiece::Kind::arc) add(p.centre, p.radius, start, angle);
+    }
+    add(cutter.pieces().back().to, 0, angle, pi);
+    finish(cutter.max_radius(), 0, cutter.height());
+}
+
+BodySupport::BodySupport(const ToolSection& section) {
+    add({0, section.from}, 0, 0, 0);
+    add({section.radius, section.from}, 0, 0, 0.5 * pi);
+    add({section.radius, section.to}, 0, 0.5 * pi, pi);
+    finish(section.radius, section.from, section.to);
+}
+
+void BodySupport::add(const Vec2& centre, double r, double from, double to) {
+    const auto at = [](double angle) { return Vec2(std::sin(angle), -std::cos(angle)); };
+    features_.push_back({centre, at(from), at(to), r});
+}
+
+void BodySupport::finish(double radius, double bottom, double top) {
+    middle_ = bottom + std::min(radius, 0.5 * (top - bottom));
+    reach_ = std::hypot(radius, std::max(std::abs(bottom), std::abs(top)));
+}
+
+BodySupport::Plane BodySupport::nearest(const Vec3& point, const Vec3& axis) const {
+    // The distance from a convex set is the largest over its supporting planes, and by symmetry over those
+    // whose normal lies in the plane of point and axis.
+    const double z = point.dot(axis);
+    const Vec3 across = point - z * axis;
+    const double rho = across.norm();
+    double most = -infinity;
+    Vec2 normal(0, -1);
+    for (const Feature& f : features_) {
+        const Vec2 d(rho - f.centre.x(), z - f.centre.y());
+        double distance;
+        Vec2 u;
+        if (cross(f.first, d) > 0 && cross(d, f.last) > 0) {
+            const double length = d.norm();
+            distance = length - f.r;
+            u = d / length;
+        } else {
+            const double a = f.first.dot(d), b = f.last.dot(d);
+            distance = std::max(a, b) - f.r;
+            u = a >= b ? f.first : f.last;
+        }
+        if (distance > most) {
+            most = distance;
+            normal = u;
+        }
+    }
+    Vec3 n = normal.y() * axis;
+    if (rho > 0)
+        n += (normal.x() / rho) * across;
+    else if (normal.x() != 0)
+        n += normal.x() * axis.unitOrthogonal();
+    return {-most, n};
+}
+
+// ---- MotionTree ----
+
+MotionTree::MotionTree(const VerifyProgram& program, const std::function<bool(MotionKind)>& counts,
+                       const Progress& progress)
+    : program_(&program) {
+    const auto& motions = program.motions->motions;
+    std::vector<Node> leaves;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (i % 4096 == 0) progress.check();
+        if (!counts(motions[i].kind)) continue;
+        leaves.push_back(leaf(Index(i)));
+        turns_ = turns_ || leaves.back().cone > 0;
+    }
+    if (leaves.empty()) return;
+    nodes_.reserve(2 * leaves.size() - 1);
+    build(0, leaves.size(), leaves, progress);
+}
+
+/// Nothing is known of where the first motion comes from: it stands at its end.
+const CutterLocation& MotionTree::from(Index motion) const {
+    return program_->motions->motions[motion > 0 ? motion - 1 : 0].to;
+}
+
+MotionTree::Node MotionTree::leaf(Index motion) const {
+    const CutterLocation &a = from(motion), &b = to(motion);
+    Node node;
+    node.motion = motion;
+    Box3 box;
+    box.add(a.tip);
+    box.add(b.tip);
+    if (a.axis == b.axis) {
+        node.axis = a.axis;
+    } else {
+        node.axis = location_between(a, b, program_->turning, 0.5).axis;
+        node.cone = std::max(angle_between(a.axis, node.axis), angle_between(b.axis, node.axis));
+        if (program_->turning) { // arcs reach beyond their ends
+            constexpr int pieces = 32;
+            double sagitta = 0;
+            CutterLocation before = a;
+            for (int k = 1; k <= pieces; ++k) {
+                const CutterLocation here = location_between(a, b, program_->turning, double(k) / pieces);
+                const Vec3 middle = location_between(a, b, program_->turning, (k - 0.5) / pieces).tip;
+                sagitta = std::max(sagitta, (middle - 0.5 * (before.tip + here.tip)).norm());
+                box.add(here.tip);
+                node.cone = std::max(node.cone, angle_between(here.axis, node.axis));
+                before = here;
+            }
+            box.lo.array() -= 2 * sagitta;
+            box.hi.array() += 2 * sagitta;
+            node.cone *= 1.05; // between the pieces' ends
+        }
+        node.cone += tolerance::level_angle;
+    }
+    node.lo = box.lo;
+    node.hi = box.hi;
+    return node;
+}
+
+Index MotionTree::build(std::size_t begin, std::size_t end, std::vector<Node>& leaves,
+                        const Progress& progress) {
+    const auto place = Index(nodes_.size());
+    if (end - begin == 1) {
+        nodes_.push_back(leaves[begin]);
+        return place;
+    }
+    if (end - begin > 4096) progress.check();
+    Box3 middles;
+    for (std::size_t i = begin; i < end; ++i)
+        middles.add(Vec3(0.5 * (leaves[i].lo + leaves[i].hi)));
+    int k = 0;
+    middles.size().maxCoeff(&k);
+    const std::size_t half = begin + (end - begin) / 2;
+    const auto first = leaves.begin();
+    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+                     [k](const Node& a, const Node& b) {
+                         const double x = a.lo[k] + a.hi[k], y = b.lo[k] + b.hi[k];
+                         return x < y || (x == y && a.motion < b.motion);
+                     });
+    nodes_.emplace_back();
+    build(begin, half, leaves, progress);
+    const Index right = build(half, end, leaves, progress);
+    Node& node = nodes_[place];
+    const Node &a = nodes_[place + 1], &b = nodes_[right];
+    node.right = right;
+    node.lo = a.lo.cwiseMin(b.lo);
+    node.hi = a.hi.cwiseMax(b.hi);
+    node.axis = a.axis;
+    if (a.axis == b.axis) {
+        node.cone = std::max(a.cone, b.cone);
+    } else {
+        const Vec3 sum = a.axis + b.axis;
+        if (sum.norm() > tolerance::level_angle) node.axis = sum.normalized();
+        node.cone =
+            std::max(angle_between(a.axis, node.axis) + a.cone, angle_between(b.axis, node.axis) + b.cone);
+    }
+    return place;
+}
+
+// ---- MotionProbes ----
+
+/// The line, and the part of it, from `near` to `far`, that a motion has to reach to change anything.
+struct MotionProbes::Line {
+    Vec3 p, n;
+    double near = 0, far = 0;
+
+    void set(double value, double slack) {
+        far = value - slack;
+        near = std::min(far, 0.0);
+    }
+    /// The part's point nearest to `x`, as its t.
+    double place(const Vec3& x) const { return std::clamp(n.dot(x - p), near, far); }
+    Vec3 at(double t) const { return p + t * n; }
+    /// The most that a plane, `inside` at t, has of the part behind it.
+    double most_inside(const BodySupport::Plane& plane, double t) const {
+        const double slope = plane.normal.dot(n);
+        return plane.inside - std::min(slope * (near - t), slope * (far - t));
+    }
+};
+
+struct MotionProbes::Pose {
+    double s0 = 0, s1 = 1;
+    CutterLocation first, last;
+};
+
+MotionProbes::MotionProbes(TurnedBody body, BodySupport support, std::shared_ptr<const MotionTree> motions,
+                           double bound)
+    : body_(std::move(body)), support_(std::move(support)), tree_(std::move(motions)), bound_(bound),
+      slack_(tree_->turns() ? std::max(bound, tolerance::probe_rounding) : tolerance::probe_rounding) {}
+
+/// How far behind the nearest plane that the bodies of a node can have the line reaches: not above 0, nothing
+/// is reached.
+double MotionProbes::reaches(const MotionTree::Node& node, const Line& line) const {
+    const Vec3 up = support_.middle() * node.axis;
+    const double t = line.place(0.5 * (node.lo + node.hi) + up);
+    const Vec3 x = line.at(t);
+    const Vec3 tip = (x - up).cwiseMax(node.lo).cwiseMin(node.hi);
+    const BodySupport::Plane plane = support_.nearest(x - tip, node.axis);
+    double most = line.most_inside(plane, t);
+    for (int k = 0; k < 3; ++k)
+        most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
+    if (node.cone > 0) {
+        // A body that is turned by the cone's angle about its tip: so is the plane.
+        const double lever = (x - tip).norm() + (node.hi - node.lo).norm() + (line.far - line.near);
+        most += std::min(node.cone, 2.0) * lever;
+    }
+    return most;
+}
+
+/// A plane between the body at a pose and the line's part, if they are apart and it is soon found; the
+/// nearest one to the body from the line's point at t.
+BodySupport::Plane MotionProbes::between(const CutterLocation& pose, const Line& line, double& t) const {
+    const auto at = [&](double place) { return support_.nearest(line.at(place) - pose.tip, pose.axis); };
+    t = line.place(pose.tip + support_.middle() * pose.axis);
+    BodySupport::Plane plane = at(t);
+    const auto done = [&] { return plane.inside >= 0 || line.most_inside(plane, t) <= 0; };
+    if (done()) return plane;
+    // The distance is convex along the line, its slope that of the plane: to where that is 0, by false
+    // position.
+    double from = t, to = t, slope = plane.normal.dot(line.n), from_slope = slope, to_slope = slope;
+    t = slope > 0 ? line.near : line.far;
+    for (int round = 0; round < 20; ++round) {
+        plane = at(t);
+        if (done()) break;
+        slope = plane.normal.dot(line.n);
+        if (round == 0) {
+            if ((slope > 0) == (to_slope > 0))
+                break; // the end is nearest, and its plane is between but for rounding
+            (slope > 0 ? to : from) = t;
+            (slope > 0 ? to_slope : from_slope) = slope;
+        } else if (slope > 0) {
+            to = t;
+            to_slope = slope;
+            from_slope *= 0.5; // so that no end stays for ever
+        } else {
+            from = t;
+            from_slope = slope;
+            to_slope *= 0.5;
+        }
+        const double next = from + (to - from) * (from_slope / (from_slope - to_slope));
+        if (!(next > std::min(from, to) && next < std::max(from, to))) break;
+        t = next;
+    }
+    return plane;
+}
+
+double MotionProbes::reaches_straight(Index motion, const Line& line) const {
+    const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
+    const Vec3 up = support_.middle() * b.axis, way = b.tip - a.tip;
+    const double t = line.place(0.5 * (a.tip + b.tip) + up);
+    const Vec3 x = line.at(t);
+    const double square = way.squaredNorm();
+    const double s = square > 0 ? std::clamp((x - up - a.tip).dot(way) / square, 0.0, 1.0) : 0.0;
+    const BodySupport::Plane plane = support_.nearest(x - a.tip - s * way, b.axis);
+    const double along = plane.normal.dot(way);
+    return line.most_inside(plane, t) + std::max(-s * along, (1 - s) * along);
+}
+
+namespace {
+
+bool accept(const Stretch& s, Index motion, double slack, LineProbe& probe) {
+    if (s.empty() || !(s.lo < probe.value) || s.hi < std::min(0.0, probe.value) - slack) return false;
+    probe = {s.lo, motion};
+    return true;
+}
+
+} // namespace
+
+bool MotionProbes::ask(Index motion, Line& line, LineProbe& probe) const {
+    const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
+    if (a.axis != b.axis) return ask_turning(motion, line, probe);
+    if (!(reaches_straight(motion, line) > 0)) return false;
+    const Stretch s = SweepRays(body_, {a.tip, b.tip, b.axis}, line.n)(line.p);
+    if (!accept(s, motion, slack_, probe)) return false;
+    line.set(probe.value, slack_);
+    return true;
+}
+
+bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const {
+    const auto at = [&](double s) {
+        return location_between(tree_->from(motion), tree_->to(motion), tree_->program().turning, s);
+    };
+    std::array<Pose, 64> open; // halving ends long before that depth
+    std::size_t n = 0;
+    open[n++] = {0, 1, tree_->from(motion), tree_->to(motion)};
+    bool lowered = false;
+    while (n > 0) {
+        const Pose part = open[--n];
+        const double s = 0.5 * (part.s0 + part.s1);
+        const CutterLocation middle = at(s);
+        double t;
+        const BodySupport::Plane plane = between(middle, line, t);
+        const Vec3 x = line.at(t);
+
+        // Pose at share 1/2 + sigma: tip moved by sigma `way`, turned by 2 sigma `half` about `about`; both
+        // to within an error of second order, which is measured at the middle.
+        const Vec3 way = part.last.tip - part.first.tip, sum = part.first.axis + part.last.axis;
+        const Vec3 turn = part.first.axis.cross(part.last.axis);
+        const double sine = turn.norm();
+        const double half = 0.5 * std::atan2(sine, part.first.axis.dot(part.last.axis));
+        const double bulge = 1.1 * (middle.tip - 0.5 * (part.first.tip + part.last.tip)).norm();
+        const double lever = (middle.tip - x).norm() + 0.5 * way.norm() + bulge + (line.far - line.near);
+        const bool small = half < 0.4;
+        const double wobble = small ? 1.1 * (middle.axis - sum.normalized()).norm() : pi;
+        const double size = 0.5 * way.norm() + bulge + (half + wobble) * lever;
+
+        if (small) {
+            const Vec3 about = sine > 0 ? Vec3(turn / sine) : Vec3(Vec3::Zero());
+            const Vec3 side = half * about.cross(plane.normal);
+            const double tip = 0.5 * plane.normal.dot(way), slope = plane.normal.dot(line.n);
+            const double rest = 0.5 * half * half * lever + 0.5 * half * way.norm() + bulge + wobble * lever;
+            double most = -infinity;
+            for (double end : {line.near, line.far})
+                most = std::max(most, plane.inside - slope * (end - t)
+                                          + std::abs(tip + side.dot(middle.tip - line.at(end))));
+            if (!(most + rest > 0)) continue;
+        } else if ((x - middle.tip).norm() - (line.far - line.near)
+                   > support_.reach() + 0.5 * way.norm() + bulge) {
+            continue;
+        }
+        if (line.most_inside(plane, t) > 0) {
+            const Mat3 frame = to_tool_frame(middle.axis);
+            if (accept(body_.along(frame * (line.p - middle.tip), frame * line.n), motion, slack_, probe)) {
+                line.set(probe.value, slack_);
+                lowered = true;
+            }
+        }
+        if (size <= bound_ || n + 2 > open.size()) continue;
+        open[n++] = {part.s0, s, part.first, middle};
+        open[n++] = {s, part.s1, middle, part.last};
+    }
+    return lowered;
+}
+
+Index MotionProbes::first_as_low(const Vec3& p, const Vec3& n, const LineProbe& probe) const {
+    const auto& motions = tree_->program().motions->motions;
+    Index first = probe.motion;
+    while (first > 0
+           && (motions[first - 1].kind == MotionKind::rapid) == (motions[first].kind == MotionKind::rapid)) {
+        LineProbe before{probe.value + 2 * slack_ + tolerance::probe_rounding, no_index};
+        Line line{p, n};
+        line.set(before.value, slack_);
+        if (!ask(first - 1, line, before)) break;
+        --first;
+    }
+    return first;
+}
+
+bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const {
+    const auto& nodes = tree_->nodes_;
+    if (nodes.empty()) return false;
+    Line line{p, n};
+    line.set(probe.value, slack_);
+    bool lowered = hint != no_index && ask(hint, line, probe);
+    struct Open {
+        Index node;
+        double reach;
+    };
+    std::array<Open, 128> open; // two a level, and the tree halves
+    std::size_t count = 0;
+    const double root = reaches(nodes[0], line);
+    if (root > 0) open[count++] = {0, root};
+    bool stale = false; // what is open was judged by a higher value
+    while (count > 0) {
+        const Open top = open[--count];
+        const MotionTree::Node& node = nodes[top.node];
+        if (stale && !(reaches(node, line) > 0)) continue;
+        if (node.right == 0) {
+            if (node.motion != hint && ask(node.motion, line, probe)) lowered = stale = true;
+            continue;
+        }
+        Open a{top.node + 1, reaches(nodes[top.node + 1], line)},
+            b{node.right, reaches(nodes[node.right], line)};
+        if (a.reach > b.reach) std::swap(a, b);
+        if (a.reach > 0) open[count++] = a;
+        if (b.reach > 0) open[count++] = b;
+    }
+    return lowered;
+}
+
+} // namespace facetmill

@@ -1,0 +1,113 @@
+// Lines against one body that moves along the motions of a program: where, of all motions, it reaches lowest
+// on the line.
+//
+// A tree of boxes over the motions says which to ask. A pose is passed over by a supporting plane: the body
+// at one pose lies on one side of it, and how far the plane can come when the pose changes within a box, or
+// within a motion, is a matter of a few products. What is left is asked exactly: straight motions with fixed
+// axis by SweepRays, motions whose axis turns by halving them until nothing can be lower by more than a given
+// bound.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/verify/sweep.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace facetmill {
+
+/// A convex body of revolution by its supporting planes. As TurnedBody, made from the profile by itself.
+class BodySupport {
+public:
+    explicit BodySupport(const CutterProfile& cutter);
+    explicit BodySupport(const ToolSection& section);
+
+    struct Plane {
+        double inside; ///< how far behind it the point is; below 0: how far the body is from the point
+        Vec3 normal;   ///< unit, outward
+    };
+    /// The supporting plane nearest to a point, of a body with its tip at 0 and the unit axis given.
+    Plane nearest(const Vec3& point, const Vec3& axis) const;
+    /// Height on the axis of a point well inside, near the lower end.
+    double middle() const { return middle_; }
+    double reach() const { return reach_; } ///< no point of the body is farther from the tip
+
+private:
+    struct Feature { // outward normals `first` to `last`, (rho, z), round a point
+        Vec2 centre, first, last;
+        double r;
+    };
+    void add(const Vec2& centre, double r, double from, double to);
+    void finish(double radius, double bottom, double top);
+    std::vector<Feature> features_;
+    double middle_ = 0, reach_ = 0;
+};
+
+/// What is known of a line so far.
+struct LineProbe {
+    double value = 0;        ///< the lowest end of a stretch
+    Index motion = no_index; ///< that has it
+};
+
+/// The motions of a program, or some of them, in a tree of boxes.
+class MotionTree {
+public:
+    /// Of the motions for which `counts` says so. `program` must outlive this. Cancellation within 20 ms.
+    MotionTree(const VerifyProgram& program, const std::function<bool(MotionKind)>& counts,
+               const Progress& progress);
+
+    bool empty() const { return nodes_.empty(); }
+    bool turns() const { return turns_; }
+    const VerifyProgram& program() const { return *program_; }
+
+private:
+    friend class MotionProbes;
+    struct Node {
+        Vec3 lo, hi, axis; ///< box of the tips; middle of the axes
+        double cone = 0;   ///< no axis is farther from the middle; 0: all are the same
+        Index right = 0;   ///< the other child; 0: a leaf. The first child is the next node
+        Index motion = 0;  ///< leaf
+    };
+    const CutterLocation& from(Index motion) const;
+    const CutterLocation& to(Index motion) const { return program_->motions->motions[motion].to; }
+    Node leaf(Index motion) const;
+    Index build(std::size_t begin, std::size_t end, std::vector<Node>& leaves, const Progress& progress);
+
+    const VerifyProgram* program_;
+    bool turns_ = false;
+    std::vector<Node> nodes_;
+};
+
+class MotionProbes {
+public:
+    /// What turns is taken as exact to `bound` (mm).
+    MotionProbes(TurnedBody body, BodySupport support, std::shared_ptr<const MotionTree> motions,
+                 double bound);
+
+    const MotionTree& motions() const { return *tree_; }
+    /// Lowers `probe.value` to the least `lo` of all stretches [lo, hi] that the moving body has on the line
+    /// p + t n and that hold part of [min(value, 0), value]: so a stretch wholly below 0 counts only where it
+    /// joins what is missing above it. `hint`: a motion that is asked first, or no_index. True when it was
+    /// lowered.
+    bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const;
+    /// Of the motions just before `probe.motion` the first that, one after the other, reach as low: where a
+    /// motion ends the next one begins.
+    Index first_as_low(const Vec3& p, const Vec3& n, const LineProbe& probe) const;
+
+private:
+    struct Line;
+    struct Pose;
+    double reaches(const MotionTree::Node& node, const Line& line) const;
+    BodySupport::Plane between(const CutterLocation& pose, const Line& line, double& t) const;
+    double reaches_straight(Index motion, const Line& line) const;
+    bool ask(Index motion, Line& line, LineProbe& probe) const;
+    bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
+
+    TurnedBody body_;
+    BodySupport support_;
+    std::shared_ptr<const MotionTree> tree_;
+    double bound_ = 0, slack_ = 0;
+};
+
+} // namespace facetmill

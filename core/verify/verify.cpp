@@ -1,0 +1,195 @@
+#include "core/verify/verify.h"
+
+#include "core/base/tolerances.h"
+#include "core/base/units.h"
+#include "core/verify/deviation.h"
+#include "core/verify/removal.h"
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace facetmill {
+
+namespace {
+
+/// Shares of the smallest cutter's radius, of the resolution, of the tolerance.
+constexpr double resolution_share = 0.05, bound_share = 0.25, touch_share = 0.02, probe_share = 0.01;
+constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string percent(double share) {
+    return format_number(100 * share, 3) + " %";
+}
+
+struct Radii {
+    double least = infinity, largest = 0;
+};
+
+VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii) {
+    if (!(s.resolution > 0)) {
+        s.resolution = resolution_share * radii.least;
+        for (int round = 0; round < 100; ++round) {
+            const double rays = double(StockLattice::over(stock.box, s.resolution, std::size_t(-1)).rays());
+            if (rays <= double(s.most_rays)) break;
+            s.resolution *= std::max(1.01, std::sqrt(rays / double(s.most_rays)));
+        }
+    }
+    if (!(s.sample_spacing > 0)) s.sample_spacing = s.resolution;
+    if (!(s.motion_bound > 0)) s.motion_bound = bound_share * s.resolution;
+    return s;
+}
+
+/// Where the cutter of a program may be, all motions at feed.
+struct Reach {
+    std::size_t cuts = 0,
+                outside =
+                    0; ///< CL points cut, and of those the ones from which nothing of the stock is reached
+};
+
+Reach reach_of(const VerifyProgram& program, const Box3& stock, const Progress& progress) {
+    Reach reach;
+    const double across = program.tool.cutter.max_radius(), up = program.tool.cutter.height();
+    const auto& motions = program.motions->motions;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (i % 4096 == 0) progress.check();
+        if (motions[i].kind == MotionKind::rapid) continue;
+        ++reach.cuts;
+        Box3 box;
+        for (const Motion& m : {motions[i > 0 ? i - 1 : 0], motions[i]}) {
+            box.add(m.to.tip);
+            box.add(Vec3(m.to.tip + up * m.to.axis));
+        }
+        const bool apart = ((box.lo.array() - across) > stock.hi.array()).any()
+                           || ((box.hi.array() + across) < stock.lo.array()).any();
+        reach.outside += apart;
+    }
+    return reach;
+}
+
+void merge(std::vector<Collision>& all, const std::vector<Collision>& more) {
+    std::map<std::tuple<std::size_t, std::size_t, Collision::Kind>, Collision> map;
+    for (const std::vector<Collision>* list : {static_cast<const std::vector<Collision>*>(&all), &more})
+        for (const Collision& c : *list) {
+            const auto [at, is_new] = map.try_emplace({c.at.program, c.at.motion, c.kind}, c);
+            if (is_new) continue;
+            const bool part = at->second.with_part || c.with_part;
+            if (c.depth > at->second.depth) at->second = c;
+            at->second.with_part = part;
+        }
+    all.clear();
+    for (const auto& [key, c] : map)
+        all.push_back(c);
+}
+
+std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
+                                                  const std::vector<double>& deviation) {
+    auto surface = std::make_shared<DeviationSurface>();
+    const std::size_t n = samples.points.size();
+    surface->points.resize(n);
+    surface->normals.resize(n);
+    surface->deviation.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            surface->points[i][k] = float(samples.points[i][Eigen::Index(k)]);
+            surface->normals[i][k] = float(samples.normals[i][Eigen::Index(k)]);
+        }
+        surface->deviation[i] = float(deviation[i]);
+    }
+    surface->flags = std::move(samples.flags);
+    surface->triangles = std::move(samples.triangles);
+    return surface;
+}
+
+/// What was not judged, and why.
+std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool border) {
+    double area = 0, away = 0, bare = 0;
+    for (std::size_t i = 0; i < samples.weights.size(); ++i) {
+        area += samples.weights[i];
+        if (samples.flags[i] & DeviationSurface::away) away += samples.weights[i];
+        if (samples.flags[i] & DeviationSurface::bare) bare += samples.weights[i];
+    }
+    std::vector<std::string> remarks;
+    if (border)
+        remarks.emplace_back(
+            "Within a cutter's radius of the part's open border no path goes on: that zone has figures "
+            "of its own.");
+    if (away > 0)
+        remarks.push_back(
+            percent(away / area)
+            + " of the part's area faces no tool axis of the programs (walls, undersides): there only "
+              "gouges count.");
+    if (bare > 0)
+        remarks.push_back("The stock does not reach " + percent(bare / area)
+                          + " of the part's area: there only gouges count.");
+    if (samples.spacing > 1.001 * wanted_spacing)
+        remarks.push_back("The probes are " + format_number(samples.spacing / wanted_spacing, 3)
+                          + " times farther apart than asked: there would have been too many.");
+    return remarks;
+}
+
+} // namespace
+
+Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
+                    const VerifySettings& settings, const Progress& progress) {
+    check_programs(programs);
+    Verification v;
+    Radii radii;
+    std::vector<std::string> outside;
+    std::size_t cuts = 0, misses = 0;
+    for (const VerifyProgram& p : programs) {
+        radii.least = std::min(radii.least, p.tool.cutter.max_radius());
+        radii.largest = std::max(radii.largest, p.tool.cutter.max_radius());
+        const Reach reach = reach_of(p, stock.box, progress);
+        cuts += reach.cuts;
+        misses += reach.outside;
+        if (reach.outside > 0)
+            outside.push_back("'" + printable(p.name) + "': " + std::to_string(reach.outside) + " of "
+                              + std::to_string(reach.cuts) + " motions at feed are outside the stock.");
+    }
+    if (misses == cuts)
+        throw Error(ErrorCode::out_of_range, "'" + printable(programs.front().name) + "'",
+                    "no motion at feed comes near the stock",
+                    "check the units and the origin of the program");
+    v.used = completed(settings, stock, radii);
+
+    auto start = std::chrono::steady_clock::now();
+    const Progress cutting = progress.part(0.0, 0.6, "Removing material");
+    auto model = std::make_shared<StockModel>(
+        stock, StockLattice::over(stock.box, v.used.resolution, v.used.most_rays), cutting.part(0.0, 0.1));
+    MaterialRemoval removal(programs, v.used.motion_bound, touch_share * v.used.resolution);
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, true,
+                    cutting.part(0.1 + 0.9 * double(i) / double(programs.size()),
+                                 0.1 + 0.9 * double(i + 1) / double(programs.size())));
+    v.stock = std::move(model);
+    v.collisions = removal.collisions();
+    v.seconds_cutting = seconds_since(start);
+
+    start = std::chrono::steady_clock::now();
+    const Progress probing = progress.part(0.6, 1.0, "Comparing with the part");
+    SurfaceSamples samples =
+        sample_surface(part, v.used.sample_spacing, v.used.most_samples, probing.part(0.0, 0.05));
+    flag_samples(samples, part, radii.largest, cutting_axes(programs, probing), probing.part(0.05, 0.1));
+    double bound = finest_probe;
+    if (v.used.tolerance > 0)
+        bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
+    const Probed probed = probe_samples(samples, stock, programs, v.used.allowance, v.used.gouge_limit, bound,
+                                        probing.part(0.1, 0.98));
+    merge(v.collisions, probed.collisions);
+    v.program_gouges.assign(programs.size(), 0);
+    fill_figures(v, samples, probed, radii.least, probing);
+    v.remarks = remarks_on(samples, v.used.sample_spacing, v.border.samples > 0);
+    v.remarks.insert(v.remarks.end(), outside.begin(), outside.end());
+    v.used.sample_spacing = samples.spacing;
+    v.surface = published(std::move(samples), probed.deviation);
+    v.seconds_probing = seconds_since(start);
+    progress.set(1.0);
+    return v;
+}
+
+} // namespace facetmill

@@ -1,0 +1,610 @@
+// What is left against the part, where the answer is known: cusps, planted gouges, spheres and cylinders, an
+// axis that swings about the tip, shanks and holders in walls.
+#include "core/base/parallel.h"
+#include "core/mesh/sample.h"
+#include "core/verify/deviation.h"
+#include "core/verify/probes.h"
+#include "tests/property/shapes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+struct Path {
+    std::shared_ptr<ToolMotions> motions = std::make_shared<ToolMotions>();
+    Path& to(const Vec3& tip, const Vec3& axis = Vec3::UnitZ(), MotionKind kind = MotionKind::cut) {
+        motions->motions.push_back(
+            {motions->motions.empty() ? MotionKind::rapid : kind, {tip, axis}, no_index, no_index});
+        return *this;
+    }
+    Path& rapid(const Vec3& tip) { return to(tip, Vec3::UnitZ(), MotionKind::rapid); }
+    VerifyProgram with(const AptCutter& cutter) const { return {"Path", VerifyTool(cutter), motions, {}}; }
+    VerifyProgram with(const Tool& tool) const { return {"Path", VerifyTool(tool), motions, {}}; }
+};
+
+StockSolid block(const Box3& box) {
+    StockSolid stock;
+    stock.box = box;
+    return stock;
+}
+
+StockSolid block_over(const Mesh& part, double margin) {
+    Box3 box = part.box();
+    box.lo.array() -= margin;
+    box.hi.array() += margin;
+    return block(box);
+}
+
+struct Outcome {
+    SurfaceSamples samples;
+    Probed probed;
+    Verification verification;
+};
+
+Outcome probe(const Mesh& part, const StockSolid& stock, const std::vector<VerifyProgram>& programs,
+              double spacing, double allowance = 0, double tolerance = 0.05) {
+    Outcome o;
+    double radius = 0;
+    for (const auto& p : programs)
+        radius = std::max(radius, p.tool.cutter.max_radius());
+    o.samples = sample_surface(part, spacing, 1'000'000, Progress());
+    flag_samples(o.samples, part, radius, cutting_axes(programs, Progress()), Progress());
+    o.verification.used.tolerance = tolerance;
+    o.verification.used.gouge_limit = 1e-4;
+    o.probed = probe_samples(o.samples, stock, programs, allowance, 1e-4, 1e-4, Progress());
+    o.verification.program_gouges.assign(programs.size(), 0);
+    fill_figures(o.verification, o.samples, o.probed, radius, Progress());
+    return o;
+}
+
+Mesh plane(const Vec2& lo, const Vec2& hi, int cells = 1) {
+    return height_field([](double, double) { return 0.0; }, lo, hi, cells, cells);
+}
+
+/// Parallel passes along x over the plane z = 0, `step` apart, tip at height z.
+Path passes(double x, double y, double step, double z, int pieces) {
+    Path path;
+    double sign = -1;
+    path.to(Vec3(-x, -y, z + 30));
+    for (double at = -y; at <= y + 1e-9; at += step) {
+        for (int i = 0; i <= pieces; ++i)
+            path.to(Vec3(sign * x * (1 - 2.0 * i / pieces), at, z));
+        sign = -sign;
+    }
+    return path;
+}
+
+Vec3 random_unit(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    return Vec3(normal(random), normal(random), normal(random)).normalized();
+}
+
+/// All motions, one by one, cut finely where the axis turns.
+std::vector<StraightMove> all_moves(const VerifyProgram& program, double reach, double bound) {
+    const auto& motions = program.motions->motions;
+    std::vector<StraightMove> moves;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (motions[i].kind == MotionKind::rapid) continue;
+        straight_moves(motions[i > 0 ? i - 1 : 0].to, motions[i].to, program.turning, 0, 1, reach, bound,
+                       moves);
+    }
+    return moves;
+}
+
+double lowest_of_all(const std::vector<StraightMove>& moves, const TurnedBody& body, const Vec3& p,
+                     const Vec3& n, double value) {
+    for (bool again = true; again;) {
+        again = false;
+        for (const StraightMove& m : moves) {
+            const Stretch s = SweepRays(body, m, n)(p);
+            if (s.empty() || s.lo >= value || s.hi < std::min(value, 0.0)) continue;
+            value = s.lo;
+            again = value < 0;
+        }
+    }
+    return value;
+}
+
+} // namespace
+
+class TestDeviation : public QObject {
+    Q_OBJECT
+private slots:
+    void planes_support_the_body() {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> share(0, 1);
+        for (const AptCutter& apt :
+             {AptCutter::ball(10, 30), AptCutter::flat(8, 20), AptCutter::bull(12, 3, 25),
+              AptCutter::cone(10, 0.5), AptCutter::tapered_ball(2, 0.2, 30),
+              AptCutter::from_shape(10, 2, 0.2, -0.1, 15)}) {
+            const CutterProfile cutter(apt);
+            const BodySupport support(cutter);
+            const TurnedBody body(cutter);
+            for (int i = 0; i < 2000; ++i) {
+                const Vec3 axis = random_unit(random), x = 40 * share(random) * random_unit(random);
+                const auto plane = support.nearest(x, axis);
+                QVERIFY(std::abs(plane.normal.norm() - 1) < 1e-12);
+                const Mat3 frame = to_tool_frame(axis);
+                if (plane.inside < -1e-6) {
+                    // The body begins where the plane is, and not before.
+                    const Vec3 on = x + plane.inside * plane.normal, middle = support.middle() * axis;
+                    const Vec3 in = on + 1e-6 * (middle - on);
+                    const Vec3 beside =
+                        middle + 0.3 * axis.unitOrthogonal(); // not just through a pointed tip
+                    const Stretch s = body.along(frame * in, frame * (beside - in));
+                    if (on.norm() > 1e-3) QVERIFY(s.lo < 1e-6 && s.hi > 0);
+                    QVERIFY(
+                        body.along(frame * (on + 1e-6 * plane.normal), frame * plane.normal.unitOrthogonal())
+                            .empty());
+                } else if (plane.inside > 1e-6) {
+                    const Stretch s = body.along(frame * x, frame * random_unit(random));
+                    QVERIFY(s.lo < 0 && s.hi > 0);
+                }
+            }
+        }
+    }
+
+    void the_tree_misses_nothing_data() {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("fixed axis") << 0;
+        QTest::newRow("tilted axes") << 1;
+        QTest::newRow("turning axis") << 2;
+        QTest::newRow("turning part") << 3;
+    }
+    void the_tree_misses_nothing() {
+        QFETCH(int, kind);
+        std::mt19937 random(7 + unsigned(kind));
+        std::uniform_real_distribution<double> share(-1, 1);
+        const std::vector<AptCutter> cutters = {AptCutter::ball(6, 20), AptCutter::flat(8, 15),
+                                                AptCutter::bull(10, 2, 20),
+                                                AptCutter::tapered_ball(1.5, 0.15, 18)};
+        const double bound = kind >= 2 ? 1e-4 : 1e-9;
+        int cut = 0;
+        for (std::size_t c = 0; c < cutters.size(); ++c) {
+            Path path;
+            Vec3 tip(0, 0, 0), axis = Vec3::UnitZ();
+            for (int i = 0; i < (kind >= 2 ? 24 : 60); ++i) {
+                tip = (tip + 6 * Vec3(share(random), share(random), 0.3 * share(random)))
+                          .cwiseMax(-15.0)
+                          .cwiseMin(15.0);
+                if (kind == 1 && i % 7 == 0) {
+                    path.rapid(tip);
+                    axis = (Vec3::UnitZ() + 0.7 * random_unit(random)).normalized();
+                    path.motions->motions.back().to.axis = axis;
+                    continue;
+                }
+                if (kind == 2) axis = (axis + 0.1 * random_unit(random)).normalized();
+                if (kind == 3) {
+                    const Eigen::AngleAxisd turn(0.3 + 0.2 * share(random), Vec3::UnitX());
+                    axis = turn * axis;
+                    tip = Vec3(tip.x(), 0, 0) + (12 + share(random)) * axis;
+                }
+                path.to(tip, axis, i % 9 == 8 && kind != 3 ? MotionKind::rapid : MotionKind::cut);
+            }
+            VerifyProgram program = path.with(cutters[c]);
+            if (kind == 3) program.turning = TurningAxis{};
+            const TurnedBody body(program.tool.cutter);
+            const auto moves = all_moves(program, body.reach(), kind >= 2 ? 1e-3 : 1e-9);
+            const MotionProbes probes(
+                body, BodySupport(program.tool.cutter),
+                std::make_shared<const MotionTree>(
+                    program, [](MotionKind k) { return k != MotionKind::rapid; }, Progress()),
+                bound);
+            for (int i = 0; i < (kind >= 2 ? 30 : 500); ++i) {
+                const Vec3 p = 18 * Vec3(share(random), share(random), 0.4 * share(random));
+                const Vec3 n = i % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_unit(random);
+                const double start = 5 + 4 * share(random);
+                const double expected = lowest_of_all(moves, body, p, n, start);
+                for (Index hint : {no_index, Index(5), Index(20)}) {
+                    double value = start;
+                    for (bool again = true; again;) {
+                        LineProbe probe{value, no_index};
+                        again = probes.lower(p, n, hint, probe) && probe.value < 0;
+                        value = std::min(value, probe.value);
+                    }
+                    // Where the line grazes, an error of the pose counts manyfold.
+                    const double allowed = kind >= 2 ? 0.02 : 1e-7;
+                    QVERIFY2(std::abs(value - expected) <= allowed,
+                             qPrintable(QString("cutter %1 line %2: %3, expected %4")
+                                            .arg(c)
+                                            .arg(i)
+                                            .arg(value, 0, 'g', 12)
+                                            .arg(expected, 0, 'g', 12)));
+                }
+                cut += expected < start;
+            }
+        }
+        QVERIFY(cut > (kind >= 2 ? 10 : 400)); // lines that meet nothing show little
+    }
+
+    void cusps_between_ball_passes() {
+        const double r = 5, w = 2;
+        const Mesh part = plane(Vec2(-20, -15), Vec2(20, 15));
+        const Outcome o = probe(part, block_over(part, 3),
+                                {passes(22, 18, w, 0, 37).with(AptCutter::ball(2 * r, 30))}, 0.1);
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const double y = o.samples.points[i].y(), d = std::abs(y - w * std::round(y / w));
+            QVERIFY(std::abs(o.probed.deviation[i] - (r - std::sqrt(r * r - d * d))) < 1e-9);
+        }
+        const DeviationFigures& f = o.verification.figures;
+        const double cusp = r - std::sqrt(r * r - w * w / 4);
+        const auto at = [&](double share) { return r - std::sqrt(r * r - share * share * w * w / 4); };
+        QVERIFY(f.samples > 20000);
+        QVERIFY(std::abs(f.area - 30 * 20) < 30); // without the border, a cutter's radius wide
+        QVERIFY(f.gouge_max < 1e-9);
+        QVERIFY(f.excess_max <= cusp + 1e-9 && f.excess_max > 0.9999 * cusp);
+        QVERIFY(std::abs(f.excess_p50 - at(0.5)) < 0.06 * cusp);
+        QVERIFY(std::abs(f.excess_p95 - at(0.95)) < 0.06 * cusp);
+        QVERIFY(std::abs(f.excess_p99 - at(0.99)) < 0.04 * cusp);
+        QVERIFY(o.verification.gouges.empty());
+        // All of the tolerance: what is over it is a known share of the plane.
+        const double tolerance = at(0.5);
+        const Outcome judged =
+            probe(part, block_over(part, 3), {passes(22, 18, w, 0, 1).with(AptCutter::ball(2 * r, 30))}, 0.1,
+                  0, tolerance);
+        QVERIFY(std::abs(judged.verification.figures.over_fraction - 0.5) < 0.06);
+        QVERIFY(std::abs(judged.verification.figures.uncut_fraction - (1 - 0.5 * std::sqrt(2))) < 0.06);
+        QCOMPARE(judged.verification.excess.size(), std::size_t(10));
+        for (const DeviationExtreme& e : judged.verification.excess)
+            QVERIFY(e.by.known() && e.deviation > tolerance);
+    }
+
+    void a_tilted_flat_end_leaves_its_bottom() {
+        // Tilted about x by lambda against the travel along y, the lowest point of the rim is on the plane;
+        // seen along y the rim is an ellipse with half axes R and R sin(lambda).
+        const double r = 6, lambda = radians(8), w = 3;
+        const Mesh part = plane(Vec2(-15, -15), Vec2(15, 15));
+        const Vec3 axis(0, std::sin(lambda), std::cos(lambda));
+        Path path;
+        path.to(Vec3(0, 0, 50), axis);
+        for (double x = -21; x <= 21; x += w) {
+            path.to(Vec3(x, 30, 40), axis, MotionKind::rapid);
+            path.to(Vec3(x, 30, r * std::sin(lambda)), axis, MotionKind::rapid);
+            path.to(Vec3(x, -30, r * std::sin(lambda)), axis);
+        }
+        const Outcome o = probe(part, block_over(part, 2), {path.with(AptCutter::flat(2 * r, 40))}, 0.2);
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const double x = o.samples.points[i].x(), d = std::abs(x - w * std::round(x / w));
+            const double expected = std::sin(lambda) * (r - std::sqrt(r * r - d * d));
+            QVERIFY(std::abs(o.probed.deviation[i] - expected) < 1e-9);
+        }
+        QVERIFY(o.verification.figures.excess_max > 0.02);
+        QVERIFY(std::abs(o.verification.bands[0].figures.area - o.verification.figures.area) < 1e-6);
+    }
+
+    void planted_gouges_are_found_with_their_motion() {
+        const double r = 4;
+        const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20), 40); // vertices at whole places
+        Path path = passes(22, 22, 1, 0, 44);
+        std::vector<std::pair<std::size_t, double>> planted = {
+            {200, 0.25}, {700, 0.031}, {1201, 0.004}, {1502, 0.1}};
+        for (const auto& [at, depth] : planted)
+            path.motions->motions[at].to.tip.z() -= depth;
+        const Outcome o = probe(part, block_over(part, 5), {path.with(AptCutter::ball(2 * r, 20))}, 0.5);
+        std::sort(planted.begin(), planted.end(), [](auto& a, auto& b) { return a.second > b.second; });
+        QCOMPARE(o.verification.gouges.size(), planted.size());
+        for (std::size_t i = 0; i < planted.size(); ++i) {
+            const DeviationExtreme& e = o.verification.gouges[i];
+            const Vec3& tip = path.motions->motions[planted[i].first].to.tip;
+            QVERIFY(std::abs(-e.deviation - planted[i].second) < 1e-6);
+            QVERIFY((e.point - Vec3(tip.x(), tip.y(), 0)).norm() < 1e-9);
+            QCOMPARE(e.by, (MotionPlace{0, planted[i].first}));
+        }
+        QVERIFY(std::abs(std::max(o.verification.figures.gouge_max, o.verification.border.gouge_max) - 0.25)
+                < 1e-6);
+    }
+
+    void allowance_is_part_of_the_design() {
+        const Mesh part = plane(Vec2(-10, -10), Vec2(10, 10));
+        const std::vector<VerifyProgram> programs = {passes(14, 14, 1, 0.3, 1).with(AptCutter::flat(8, 20))};
+        const Outcome o = probe(part, block_over(part, 2), programs, 1, 0.3);
+        for (double d : o.probed.deviation)
+            QVERIFY(std::abs(d) < 1e-9);
+        const Outcome bare = probe(part, block_over(part, 2), programs, 1, 0);
+        for (double d : bare.probed.deviation)
+            QVERIFY(std::abs(d - 0.3) < 1e-9);
+    }
+
+    void sphere_by_a_ball() {
+        // The ball's centre on spirals about a sphere: on the pass nothing is left; parallel circles leave a
+        // known cusp.
+        const double radius = 12, r = 3;
+        const Mesh part = dome(radius, 37);
+        Path path;
+        path.to(Vec3(0, 0, 40));
+        const int rings = 60, around = 720;
+        for (int k = 0; k <= rings; ++k) {
+            const double polar = 0.5 * pi * k / rings, out = (radius + r) * std::sin(polar);
+            for (int i = 0; i <= around; ++i) {
+                const double a = 2 * pi * i / around;
+                path.to(Vec3(out * std::cos(a), out * std::sin(a), (radius + r) * std::cos(polar) - r));
+            }
+        }
+        const Outcome o = probe(part, block_over(part, 2), {path.with(AptCutter::ball(2 * r, 30))}, 1);
+        const double step = 0.25 * pi / rings, chord = (radius + r) * (1 - std::cos(pi / around));
+        // Half way between two passes: from the sphere's centre to where two balls meet.
+        const double far =
+            (radius + r) * std::cos(step) - std::sqrt(r * r - std::pow((radius + r) * std::sin(step), 2));
+        const double cusp = far - radius;
+        double most = 0;
+        std::size_t tops = 0;
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const Vec3& p = o.samples.points[i];
+            // The mesh's vertices are on the sphere, its facets are not.
+            if (p.z() < 0.5 || std::abs(p.norm() - radius) > 1e-9
+                || o.samples.normals[i].dot(p) < 0.9999 * radius)
+                continue;
+            if (p.x() > 0 && std::abs(p.y()) < 0.5) continue; // there the path goes on to the next ring
+            ++tops;
+            most = std::max(most, o.probed.deviation[i]);
+            QVERIFY(o.probed.deviation[i] > -2 * chord - 1e-5);
+        }
+        QVERIFY(tops > 1000);
+        QVERIFY2(most < 1.05 * cusp + 1e-4 && most > 0,
+                 qPrintable(QString("%1, cusp %2").arg(most).arg(cusp)));
+    }
+
+    void cylinder_by_a_turning_part() {
+        // A roller of radius 10 along x, milled by a flat end that stays radial while the part turns: the
+        // middle of its bottom runs on the roller, but the rim does not reach below.
+        const double radius = 10;
+        Mesh part;
+        const int around = 90, along = 20;
+        for (int i = 0; i <= along; ++i)
+            for (int k = 0; k < around; ++k)
+                part.vertices.push_back(Vec3(-10 + 20.0 * i / along, radius * std::cos(2 * pi * k / around),
+                                             radius * std::sin(2 * pi * k / around)));
+        for (Index i = 0; i < Index(along); ++i)
+            for (Index k = 0; k < Index(around); ++k) {
+                const Index a = i * around + k, b = i * around + (k + 1) % around;
+                part.facets.push_back({a, b, b + around});
+                part.facets.push_back({a, b + around, a + around});
+            }
+        if (part.facet_normal(0).dot(part.corner(0, 0)) < 0)
+            for (Facet& f : part.facets)
+                std::swap(f[1], f[2]);
+        Path path;
+        const int turns = 24, per_turn = 12; // 30 degrees a motion
+        for (int i = 0; i <= turns * per_turn; ++i) {
+            const double a = 2 * pi * i / per_turn;
+            const Vec3 out(0, std::cos(a), std::sin(a));
+            path.to(Vec3(-12 + 24.0 * i / (turns * per_turn), 0, 0) + radius * out, out);
+        }
+        VerifyProgram program = path.with(AptCutter::flat(4, 30));
+        program.turning = TurningAxis{};
+        StockSolid stock = block_over(part, 2);
+        stock.kind = StockSolid::Kind::cylinder;
+        stock.axis = 0;
+        stock.radius = 12;
+        const Outcome o = probe(part, stock, {program}, 3);
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            if (std::abs(o.samples.points[i].x()) > 8) continue;
+            ++seen;
+            // To the bound; never below, for the bottom is tangent.
+            QVERIFY2(std::abs(o.probed.deviation[i]) < 1.5e-4,
+                     qPrintable(QString::number(o.probed.deviation[i])));
+        }
+        QVERIFY(seen > 1000);
+        // On straight chords the same path would cut deep.
+        program.turning.reset();
+        const Outcome chords = probe(part, stock, {program}, 3);
+        QVERIFY(chords.verification.figures.gouge_max + chords.verification.border.gouge_max > 0.3);
+    }
+
+    void a_swing_about_the_tip() {
+        // A flat end stands on its tip and leans from -20 to 20 degrees about y: the rim goes down by R
+        // sin(angle) at its two ends, and what is cut is known along z: the lowest of all poses.
+        const double r = 5, lean = radians(20);
+        const Mesh part = plane(Vec2(-8, -8), Vec2(8, 8), 16);
+        Path path;
+        path.to(Vec3(0, 0, 0), Vec3(-std::sin(lean), 0, std::cos(lean)));
+        path.to(Vec3(0, 0, 0), Vec3(std::sin(lean), 0, std::cos(lean)));
+        const Outcome o = probe(part, block_over(part, 6), {path.with(AptCutter::flat(2 * r, 30))}, 1);
+        std::size_t cut = 0;
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const Vec3& p = o.samples.points[i];
+            // At lean a > 0 the bottom plane is below 0 for x > 0: at x it is at height -x tan(a), up to the
+            // rim.
+            const double x = std::abs(p.x()), y = p.y();
+            if (y * y > r * r - 0.1) continue;
+            const double out = std::sqrt(r * r - y * y);
+            double expected = 6;
+            for (double a = 1e-5; a <= lean; a += 1e-5) {
+                const double rim = out * std::cos(a);
+                expected = std::min(expected, x <= rim ? -x * std::tan(a)
+                                                       : -out * std::sin(a) + (x - rim) / std::tan(a));
+            }
+            if (x > out) continue;
+            ++cut;
+            QVERIFY2(std::abs(o.probed.deviation[i] - expected) < 4e-4,
+                     qPrintable(QString("%1 %2: %3, expected %4")
+                                    .arg(p.x())
+                                    .arg(p.y())
+                                    .arg(o.probed.deviation[i])
+                                    .arg(expected)));
+        }
+        QVERIFY(cut > 60);
+    }
+
+    void behind_a_thin_wall() {
+        // A plate 1 thick, cut from below: nothing is missing on top as long as the cut does not come
+        // through.
+        const Mesh part = box(Vec3(-10, -10, -1), Vec3(10, 10, 0));
+        Path path;
+        const Vec3 down(0, 0, -1);
+        path.to(Vec3(-20, 0, -0.4), down).to(Vec3(20, 0, -0.4), down);
+        const StockSolid stock = block(part.box());
+        const Outcome o = probe(part, stock, {path.with(AptCutter::flat(6, 10))}, 1);
+        double top = 0, bottom = 0;
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            if (o.samples.normals[i].z() > 0.9) top = std::min(top, o.probed.deviation[i]);
+            if (o.samples.normals[i].z() < -0.9) bottom = std::min(bottom, o.probed.deviation[i]);
+        }
+        QCOMPARE(top, 0.0);
+        QVERIFY(std::abs(bottom + 0.6) < 1e-9);
+        // From both sides: cut 0.7 from above and 0.6 from below is through: 10 above the top's level below
+        // the plate.
+        Path above;
+        above.to(Vec3(-20, 0, -0.7)).to(Vec3(20, 0, -0.7));
+        const Outcome through =
+            probe(part, stock, {above.with(AptCutter::flat(6, 10)), path.with(AptCutter::flat(6, 10))}, 1);
+        double deepest = 0;
+        for (std::size_t i = 0; i < through.samples.points.size(); ++i)
+            if (through.samples.normals[i].z() > 0.9)
+                deepest = std::min(deepest, through.probed.deviation[i]);
+        QVERIFY(std::abs(deepest + 10.4) < 1e-9);
+    }
+
+    void weights_add_up_and_points_keep_the_spacing() {
+        for (const Mesh& part :
+             {dome(10, 12), box(Vec3(0, 0, 0), Vec3(40, 3, 0.1)), plane(Vec2(-20, -20), Vec2(20, 20), 100)})
+            for (double spacing : {5.0, 0.7, 0.2}) {
+                const SurfaceSamples s = sample_surface(part, spacing, 1'000'000, Progress());
+                double area = 0, sum = 0;
+                for (std::size_t f = 0; f < part.facet_count(); ++f)
+                    area += 0.5 * part.facet_cross(f).norm();
+                for (double w : s.weights)
+                    sum += w;
+                QVERIFY(std::abs(sum - area) < 1e-9 * area);
+                for (const auto& t : s.triangles) {
+                    for (std::size_t k = 0; k < 3; ++k)
+                        QVERIFY((s.points[t[k]] - s.points[t[(k + 1) % 3]]).norm() < 2.01 * spacing);
+                    const Vec3 n = (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]);
+                    for (auto p : t)
+                        QVERIFY(n.dot(s.normals[p]) >= 0); // wound as the facets are
+                }
+            }
+        const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20));
+        const SurfaceSamples few = sample_surface(part, 0.01, 5000, Progress());
+        QVERIFY(few.points.size() <= 5000 && few.points.size() > 3000);
+        QVERIFY(few.spacing > 0.4);
+    }
+
+    void borders_and_walls_are_flagged() {
+        const Mesh part = step(-5, 0);
+        const Outcome o =
+            probe(part, block_over(part, 1), {passes(22, 18, 1, 0, 1).with(AptCutter::ball(6, 30))}, 0.5);
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const Vec3& p = o.samples.points[i];
+            const Box3 box = part.box();
+            const double edge =
+                std::min((p - box.lo).head<2>().minCoeff(), (box.hi - p).head<2>().minCoeff());
+            if (std::abs(edge - 3) > 1e-6 && std::abs(o.samples.normals[i].z()) > 0.9)
+                QCOMPARE((o.samples.flags[i] & DeviationSurface::border) != 0, edge < 3);
+            QCOMPARE((o.samples.flags[i] & DeviationSurface::away) != 0,
+                     std::abs(o.samples.normals[i].z()) < 0.5);
+        }
+    }
+
+    void stock_that_does_not_reach_is_not_judged() {
+        const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20));
+        Box3 half = part.box();
+        half.lo.z() = -5;
+        half.hi = Vec3(0, 20, 5);
+        const Outcome o =
+            probe(part, block(half), {passes(25, 25, 0.5, 0, 1).with(AptCutter::flat(4, 10))}, 1);
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i)
+            QCOMPARE((o.samples.flags[i] & DeviationSurface::bare) != 0, o.samples.points[i].x() > 1e-6);
+    }
+
+    void lines_leave_every_kind_of_stock() {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> share(-1, 1);
+        StockSolid as_box = block({Vec3(-10, -8, -6), Vec3(10, 8, 6)}), as_mesh = as_box;
+        as_mesh.kind = StockSolid::Kind::mesh;
+        as_mesh.mesh = std::make_shared<Mesh>(box(as_box.box.lo, as_box.box.hi));
+        StockSolid round = as_box;
+        round.kind = StockSolid::Kind::cylinder;
+        round.axis = 0;
+        round.radius = 5;
+        const StockExit by_box(as_box, Progress()), by_mesh(as_mesh, Progress()), by_round(round, Progress());
+        for (int i = 0; i < 5000; ++i) {
+            const Vec3 p = 13 * Vec3(share(random), share(random), share(random)), n = random_unit(random);
+            const double a = by_box(p, n), b = by_mesh(p, n), c = by_round(p, n);
+            QVERIFY(std::abs(std::max(a, -1.0) - std::max(b, -1.0)) < 1e-9);
+            const bool in = std::abs(p.x()) <= 10 && std::hypot(p.y(), p.z()) <= 5;
+            QCOMPARE(c >= 0, in);
+            if (!in) continue;
+            const Vec3 q = p + c * n;
+            QVERIFY(std::abs(std::abs(q.x()) - 10) < 1e-9 || std::abs(std::hypot(q.y(), q.z()) - 5) < 1e-9);
+        }
+    }
+
+    void shank_and_holder_in_a_wall() {
+        const Mesh part = step(-30, 0); // a wall 30 high along y = 0, low where y > 0
+        Tool tool = ball_tool(6);
+        tool.flute_length = 10;
+        tool.shank_diameter = 5;
+        tool.shank_length = 12;
+        tool.holder = {{20, 30}};
+        // At y = 7 the holder (radius 10, from 22 up) stands 3 in the wall; the shank (radius 2.5) is clear.
+        Path path;
+        path.to(Vec3(-25, 7, 20)).to(Vec3(-10, 7, -30)).to(Vec3(10, 7, -30)).to(Vec3(10, 7, 20));
+        Outcome o = probe(part, block_over(part, 2), {path.with(tool)}, 0.5);
+        QVERIFY(!o.probed.collisions.empty());
+        double holder = 0;
+        for (const Collision& c : o.probed.collisions) {
+            QVERIFY(c.with_part && c.at.program == 0);
+            QCOMPARE(int(c.kind), int(Collision::Kind::holder));
+            holder = std::max(holder, c.depth);
+        }
+        // Horizontally into the wall by 3, and down from its top by 8.
+        QVERIFY(std::abs(holder - 8) < 1e-6);
+        // A thicker shank, at y = 2.4: 0.1 in the wall.
+        tool.holder.clear();
+        Path near;
+        near.to(Vec3(0, 2.4, 40)).to(Vec3(0, 2.4, -20));
+        o = probe(part, block_over(part, 2), {near.with(tool)}, 0.5);
+        QCOMPARE(o.probed.collisions.size(), std::size_t(1));
+        QCOMPARE(int(o.probed.collisions[0].kind), int(Collision::Kind::shank));
+        QCOMPARE(o.probed.collisions[0].at, (MotionPlace{0, 1}));
+        // A rapid through the upper level, 2 deep.
+        Path fast;
+        fast.to(Vec3(-30, -5, 20)).to(Vec3(-30, -5, -2)).rapid(Vec3(30, -5, -2)).to(Vec3(30, -5, 20));
+        o = probe(part, block_over(part, 2), {fast.with(tool)}, 0.5);
+        QCOMPARE(o.probed.collisions.size(), std::size_t(1));
+        QCOMPARE(int(o.probed.collisions[0].kind), int(Collision::Kind::rapid));
+        QCOMPARE(o.probed.collisions[0].at, (MotionPlace{0, 2}));
+        QVERIFY(std::abs(o.probed.collisions[0].depth - 2) < 1e-3);
+    }
+
+    void threads_do_not_matter_and_cancel_is_heard() {
+        const Mesh part = *make_sample("concave", 0.2, Progress());
+        const Box3 box = part.box();
+        Path path;
+        path.to(Vec3(box.lo.x(), box.lo.y(), box.hi.z() + 20));
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> share(0, 1);
+        Vec3 tip = box.center();
+        for (int i = 0; i < 600; ++i) {
+            tip += 4 * Vec3(share(random) - 0.5, share(random) - 0.5, 0.2 * share(random) - 0.1);
+            tip = tip.cwiseMax(box.lo).cwiseMin(box.hi);
+            path.to(tip, (Vec3::UnitZ() + 0.05 * random_unit(random)).normalized());
+        }
+        const std::vector<VerifyProgram> programs = {path.with(AptCutter::ball(12, 40))};
+        const int before = thread_count();
+        set_thread_count(1);
+        const Outcome one = probe(part, block_over(part, 5), programs, 5);
+        set_thread_count(2);
+        const Outcome two = probe(part, block_over(part, 5), programs, 5);
+        set_thread_count(before);
+        QVERIFY(one.probed.deviation == two.probed.deviation);
+        QVERIFY(one.probed.by == two.probed.by);
+        QVERIFY(one.samples.flags == two.samples.flags);
+        Job job;
+        job.cancel();
+        SurfaceSamples samples = one.samples;
+        QVERIFY_THROWS_EXCEPTION(
+            Cancelled, probe_samples(samples, block_over(part, 5), programs, 0, 1e-4, 1e-4, Progress(job)));
+    }
+};
+
+FACETMILL_TEST(TestDeviation)
+#include "test_deviation.moc"
