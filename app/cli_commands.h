@@ -8,6 +8,7 @@ namespace facetmill::cli {
 Command info_command();
 Command sample_command();
 Command plan_command();
+Command simulate_command();
 Command drop_command();
 Command render_command();
 Command reference_command();

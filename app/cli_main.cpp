@@ -15,8 +15,9 @@
 namespace facetmill::cli {
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {info_command(), sample_command(), plan_command(),
-                                             drop_command(), render_command(), reference_command()};
+    static const std::vector<Command> all = {info_command(),     sample_command(), plan_command(),
+                                             simulate_command(), drop_command(),   render_command(),
+                                             reference_command()};
     return all;
 }
 
@@ -64,7 +65,7 @@ int run_command(const Command& command, const std::vector<std::string>& words) {
     Session session;
     command.run(arguments, session);
     session.finish();
-    return done;
+    return session.failed() ? failed : done;
 }
 
 int run(const std::vector<std::string>& words) {

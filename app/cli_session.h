@@ -27,6 +27,9 @@ public:
     Progress progress() { return Progress(job_); }
     /// The job is over, its files are in place: clears the progress line and gives the signals back.
     void finish();
+    /// The job is done, but what it found is bad: exit status 1.
+    void fail() { failed_ = true; }
+    bool failed() const { return failed_; }
     /// Ends the session and writes a result. Throws Error(unwritable) when stdout takes no more.
     void print(std::string_view text);
 
@@ -40,7 +43,7 @@ private:
     double seconds_ = 0, next_line_ = 0;
     std::mutex mutex_;
     std::condition_variable wake_;
-    bool over_ = false;
+    bool over_ = false, failed_ = false;
     std::thread watcher_;
 };
 

@@ -1,5 +1,6 @@
 // What a plan leaves on disk: APT programs and report.json.
 #include "core/base/file.h"
+#include "core/job/new_folder.h"
 #include "core/job/planner.h"
 #include "core/job/strict_json.h"
 #include "core/output/apt.h"
@@ -25,36 +26,29 @@ Json box_json(const Box3& box, double per) {
     return Json{{"low", numbers(box.lo, per)}, {"high", numbers(box.hi, per)}};
 }
 
-/// Removes the folders that this job made and left empty: the job failed.
-class NewFolder {
-public:
-    explicit NewFolder(const fs::path& path) {
-        std::error_code ec;
-        fs::path top = path;
-        while (!top.empty() && !fs::exists(top, ec)) {
-            made_.push_back(top);
-            top = top.has_relative_path() ? top.parent_path() : fs::path();
-        }
-        fs::create_directories(path, ec);
-        if (std::error_code none; !fs::is_directory(path, none)) {
-            remove();
-            throw Error(ErrorCode::unwritable, printable(path.string(), 400),
-                        "cannot make the folder" + (ec ? ": " + ec.message() : std::string()),
-                        "name a folder that exists or can be made");
-        }
-    }
-    ~NewFolder() { remove(); }
-
-private:
-    void remove() {
-        std::error_code ec;
-        for (const fs::path& p : made_)
-            fs::remove(p, ec); // only when empty
-    }
-    std::vector<fs::path> made_;
-};
-
 } // namespace
+
+NewFolder::NewFolder(const fs::path& path) {
+    std::error_code ec;
+    fs::path top = path;
+    while (!top.empty() && !fs::exists(top, ec)) {
+        made_.push_back(top);
+        top = top.has_relative_path() ? top.parent_path() : fs::path();
+    }
+    fs::create_directories(path, ec);
+    if (std::error_code none; !fs::is_directory(path, none)) {
+        remove();
+        throw Error(ErrorCode::unwritable, printable(path.string(), 400),
+                    "cannot make the folder" + (ec ? ": " + ec.message() : std::string()),
+                    "name a folder that exists or can be made");
+    }
+}
+
+void NewFolder::remove() {
+    std::error_code ec;
+    for (const fs::path& p : made_)
+        fs::remove(p, ec); // only when empty
+}
 
 std::string report_json(const Project& project, const PlanResult& result) {
     const double per = mm_per(project.unit);

@@ -3,6 +3,7 @@
 // is mm.
 #pragma once
 
+#include "core/base/file.h"
 #include "core/base/progress.h"
 #include "core/base/units.h"
 #include "core/mesh/mesh.h"
@@ -37,5 +38,7 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit
 /// mm_per(unit). Throws Error(unwritable, no_facets, non_finite, coordinate_range, too_large); the file
 /// appears complete or not at all.
 void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
+/// The same into an output that the caller commits.
+void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress);
 
 } // namespace facetmill

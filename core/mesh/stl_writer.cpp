@@ -24,16 +24,14 @@ void put_vector(char* to, const Vec3& v) {
 
 } // namespace
 
-void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit,
-              const Progress& progress) {
-    const std::string name = printable(path.string(), 400);
+void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress) {
+    const std::string name = printable(file.target().string(), 400);
     if (mesh.facets.empty())
         throw Error(ErrorCode::no_facets, name, "the mesh to write has no facet", "nothing was written");
     if (mesh.facets.size() >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::too_large, name, "an STL file holds at most 4 294 967 294 facets",
                     "write the part in pieces");
     const double mm = mm_per(unit);
-    OutputFile file(path);
     std::array<char, 84> header{};
     // Not "solid": that would look like a text.
     const std::string title = "facetmill binary STL, " + std::string(unit_name(unit));
@@ -63,6 +61,12 @@ void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit un
         file.write({buffer.data(), (end - begin) * record});
     }
     progress.check();
+}
+
+void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit,
+              const Progress& progress) {
+    OutputFile file(path);
+    write_stl(mesh, file, unit, progress);
     file.commit();
 }
 

@@ -1,0 +1,127 @@
+// facetmill-cli simulate: removes material by a project's plan, or by CL files, and compares what is left
+// with the part.
+#include "app/cli_commands.h"
+#include "app/cli_session.h"
+#include "core/base/file.h"
+#include "core/job/verification.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace facetmill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+double positive_length(const Arguments& arguments, const char* option, double per) {
+    if (!arguments.has(option)) return 0;
+    const double v = arguments.number(option, 0) * per;
+    if (!(v > 0))
+        throw Error(ErrorCode::usage, option, "'" + printable(arguments.value(option)) + "' is not above 0",
+                    "give a length in the project's units");
+    return v;
+}
+
+void run(const Arguments& arguments, Session& session) {
+    use_threads(arguments);
+    const std::string file = arguments.operand(0);
+    const Project project = load_project(file);
+    const double per = mm_per(project.unit);
+    const double resolution = positive_length(arguments, "--resolution", per);
+    const double spacing = positive_length(arguments, "--spacing", per);
+    const std::vector<std::string> cl_files = arguments.values("--cl");
+    if (!cl_files.empty() && arguments.has("--op"))
+        throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
+                    "give --cl or --op");
+    const fs::path folder = arguments.value("-o");
+    if (std::error_code ec; fs::exists(folder, ec) && !fs::is_directory(folder, ec))
+        throw Error(ErrorCode::unwritable, printable(folder.string(), 400), "is not a folder",
+                    "name a folder to write to");
+    for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
+        refuse_to_overwrite(file, folder / name);
+        refuse_to_overwrite(project.part_path(), folder / name);
+        for (const std::string& cl : cl_files)
+            refuse_to_overwrite(cl, folder / name);
+    }
+
+    const Progress progress = session.progress();
+    Planner planner;
+    std::shared_ptr<const PreparedPart> part;
+    std::vector<VerifyProgram> programs;
+    VerifySettings settings;
+    std::vector<std::string> ignored;
+    if (cl_files.empty()) {
+        std::shared_ptr<const PlanResult> plan;
+        try {
+            plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.3));
+        } catch (const Error& e) {
+            const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
+            throw named ? e : e.within(printable(file, 400));
+        }
+        part = plan->part;
+        programs = verify_programs(project, plan);
+        settings = verify_settings(project, plan.get());
+    } else {
+        check_project(project);
+        const double n = double(cl_files.size());
+        for (std::size_t i = 0; i < cl_files.size(); ++i) {
+            std::vector<std::string> lines;
+            programs.push_back(read_verify_program(
+                project, cl_files[i], lines,
+                progress.part(0.2 * double(i) / n, 0.2 * double(i + 1) / n, "Reading CL")));
+            for (const std::string& line : lines)
+                ignored.push_back(printable(cl_files[i], 400) + ": " + line);
+        }
+        part = planner.prepare(project, progress.part(0.2, 0.3));
+        settings = verify_settings(project, nullptr);
+    }
+    settings.resolution = resolution;
+    settings.sample_spacing = spacing;
+    const StockSolid stock = stock_solid(project, *part, progress);
+    const Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
+    write_verification(project, programs, result, folder, progress.part(0.95, 1.0));
+    const std::string findings = findings_line(project, programs, result);
+    session.print(verify_json(project, programs, result));
+    for (const std::string& line : ignored)
+        std::fprintf(stderr, "facetmill-cli: read over: %s\n", printable(line, 400).c_str());
+    if (findings.empty()) return;
+    std::fprintf(stderr, "facetmill-cli: not verified: %s\n", findings.c_str());
+    session.fail();
+}
+
+} // namespace
+
+Command simulate_command() {
+    return {
+        .name = "simulate",
+        .operands = {"PROJECT"},
+        .summary =
+            "Removes material and compares with the part: writes stock.stl, deviation.vtp, verify.json.",
+        .help =
+            "Plans the project first, or takes CL files (APT) instead. Prints verify.json. Either all files "
+            "appear or none.\n"
+            "Exit status 1 also when a gouge or collision is found: the files are written then, and the "
+            "figures are on\n"
+            "stderr. Shank and holder are those of the project's tool with the CL file's tool number.",
+        .options = {{.name = "--cl",
+                     .value = "FILE.apt",
+                     .help = "simulates this file instead of a plan; more than one run in order",
+                     .repeated = true},
+                    {.name = "--op", .value = "NAME", .help = "plans and simulates only this operation"},
+                    {.name = "--resolution",
+                     .value = "R",
+                     .help = "of the stock, in the project's units (default: 1/20 of the cutter's radius)"},
+                    {.name = "--spacing",
+                     .value = "S",
+                     .help = "of the places compared, in the project's units (default: the resolution)"},
+                    threads_option(),
+                    {.name = "-o",
+                     .value = "DIR",
+                     .help = "the folder to write to; made if missing",
+                     .required = true}},
+        .run = run};
+}
+
+} // namespace facetmill::cli

@@ -1,0 +1,260 @@
+#include "core/job/verification.h"
+
+#include "core/base/tolerances.h"
+#include "core/job/strict_json.h"
+#include "core/output/apt.h"
+
+#include <array>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double least_gouge_limit = 1e-4; // mm
+constexpr double chord_share = 0.05; // of the tolerance, where nobody says what chord tolerance was kept
+
+const char* kind_name(Collision::Kind kind) {
+    switch (kind) {
+    case Collision::Kind::shank:
+        return "shank";
+    case Collision::Kind::holder:
+        return "holder";
+    case Collision::Kind::rapid:
+        return "rapid";
+    }
+    return "";
+}
+
+/// Values of a verification in the project's units.
+class Numbers {
+public:
+    explicit Numbers(const Project& project) : per_(mm_per(project.unit)) {}
+    Json plain(double v) const { return json_number(v, "verify.json"); }
+    Json length(double mm) const { return plain(mm / per_); }
+    Json area(double mm2) const { return plain(mm2 / (per_ * per_)); }
+    Json volume(double mm3) const { return plain(mm3 / (per_ * per_ * per_)); }
+    Json point(const Vec3& p) const { return Json::array({length(p.x()), length(p.y()), length(p.z())}); }
+    static Json direction(const Vec3& n) {
+        Json list = Json::array();
+        for (int k = 0; k < 3; ++k)
+            list.push_back(json_number(n[k], "verify.json"));
+        return list;
+    }
+
+    void put(Json& to, const DeviationFigures& f) const {
+        to["gouge_max"] = length(f.gouge_max);
+        to["excess_p50"] = length(f.excess_p50);
+        to["excess_p95"] = length(f.excess_p95);
+        to["excess_p99"] = length(f.excess_p99);
+        to["excess_p999"] = length(f.excess_p999);
+        to["excess_max"] = length(f.excess_max);
+        to["over_fraction"] = plain(f.over_fraction);
+        to["uncut_fraction"] = plain(f.uncut_fraction);
+        to["area"] = area(f.area);
+        to["samples"] = f.samples;
+    }
+
+private:
+    double per_;
+};
+
+void put_place(Json& to, const MotionPlace& at, std::span<const VerifyProgram> programs) {
+    if (!at.known()) return;
+    to["operation"] = printable(programs[at.program].name, 200);
+    to["goto"] = at.motion + 1;
+}
+
+Json extremes(const Numbers& n, const std::vector<DeviationExtreme>& list,
+              std::span<const VerifyProgram> programs) {
+    Json all = Json::array();
+    for (const DeviationExtreme& e : list) {
+        Json one;
+        one["deviation"] = n.length(e.deviation);
+        put_place(one, e.by, programs);
+        one["place"] = n.point(e.point);
+        one["normal"] = Numbers::direction(e.normal);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> programs) {
+    if (!at.known()) return "nowhere";
+    return "'" + printable(programs[at.program].name) + "', GOTO " + std::to_string(at.motion + 1);
+}
+
+} // namespace
+
+std::vector<VerifyProgram> verify_programs(const Project& project,
+                                           const std::shared_ptr<const PlanResult>& plan) {
+    std::vector<VerifyProgram> programs;
+    for (const auto& o : plan->operations) {
+        const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
+                                       [&](const Tool& t) { return t.number == o->program.tool_number; });
+        VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : VerifyTool(o->program.cutter);
+        programs.push_back({o->name, std::move(used), {o, &o->program.motions}, std::nullopt});
+    }
+    return programs;
+}
+
+VerifyProgram read_verify_program(const Project& project, const fs::path& path,
+                                  std::vector<std::string>& ignored, const Progress& progress) {
+    const std::string file = printable(path.string(), 400);
+    AptReadResult read = read_apt(path, project.unit, progress);
+    ignored.insert(ignored.end(), read.ignored.begin(), read.ignored.end());
+    const long number = read.program.tool_number;
+    const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
+                                   [&](const Tool& t) { return t.number == number; });
+    if (!read.had_cutter && tool == project.tools.end())
+        throw Error(ErrorCode::missing_reference, file,
+                    "there is no CUTTER, and the project has no tool " + std::to_string(number),
+                    "add a CUTTER statement, or the tool to the project");
+    const auto cutter = [&]() -> VerifyTool {
+        try {
+            return VerifyTool(read.program.cutter);
+        } catch (const Error& e) {
+            throw Error(e.code(), file + ": CUTTER", e.message(), e.remedy());
+        }
+    };
+    VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : cutter();
+    if (read.had_cutter && tool != project.tools.end()) {
+        // Shank and holder stand on the cutter that the file has.
+        VerifyTool own = cutter();
+        const double longer = own.cutter.height() - used.cutter.height();
+        for (ToolSection& s : used.sections) {
+            s.from += longer;
+            s.to += longer;
+        }
+        used.cutter = std::move(own.cutter);
+    }
+    return {path.filename().string(), std::move(used),
+            std::make_shared<const ToolMotions>(std::move(read.program.motions)), std::nullopt};
+}
+
+StockSolid stock_solid(const Project& project, const PreparedPart& part, const Progress& progress) {
+    progress.check();
+    StockSolid solid;
+    solid.box = stock_box(project.stock, part.box);
+    return solid;
+}
+
+VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
+    VerifySettings settings;
+    const OperationCommon* last = nullptr;
+    for (const auto& o : project.operations) {
+        const bool planned = !plan
+                             || std::any_of(plan->operations.begin(), plan->operations.end(),
+                                            [&](const auto& r) { return r->name == o->common().name; });
+        if (planned) last = &o->common();
+    }
+    if (last) {
+        settings.tolerance = last->tolerance;
+        settings.allowance = last->allowance;
+        settings.gouge_limit = chord_share * last->tolerance;
+    }
+    if (plan && !plan->operations.empty()) {
+        settings.gouge_limit = 0;
+        for (const auto& o : plan->operations)
+            settings.gouge_limit = std::max(settings.gouge_limit, o->path.chord_tolerance);
+    }
+    settings.gouge_limit = std::max(settings.gouge_limit, least_gouge_limit);
+    return settings;
+}
+
+std::string verify_json(const Project& project, std::span<const VerifyProgram> programs,
+                        const Verification& v) {
+    const Numbers n(project);
+    Json out;
+    out["units"] = std::string(unit_name(project.unit));
+    out["verdict"] = v.passed() ? "verified" : "failed";
+    DeviationFigures all = v.figures;
+    all.gouge_max = std::max(all.gouge_max, v.border.gouge_max);
+    n.put(out, all);
+    out["samples"] = v.surface->points.size();
+    out["samples_judged"] = v.figures.samples;
+
+    Json collisions = Json::array();
+    for (const Collision& c : v.collisions) {
+        Json one;
+        one["kind"] = kind_name(c.kind);
+        one["with"] = c.with_part ? "part" : "stock";
+        put_place(one, c.at, programs);
+        one["depth"] = n.length(c.depth);
+        one["place"] = n.point(c.place);
+        collisions.push_back(std::move(one));
+    }
+    out["collisions"] = std::move(collisions);
+    out["gouges"] = extremes(n, v.gouges, programs);
+    out["excess"] = extremes(n, v.excess, programs);
+
+    Json operations = Json::array();
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const auto count = std::count_if(v.collisions.begin(), v.collisions.end(),
+                                         [&](const Collision& c) { return c.at.program == i; });
+        Json one;
+        one["name"] = printable(programs[i].name, 200);
+        one["motions"] = programs[i].motions->motions.size();
+        one["gouge_max"] = n.length(v.program_gouges[i]);
+        one["collisions"] = count;
+        one["verdict"] = count == 0 && !(v.program_gouges[i] > v.used.gouge_limit) ? "verified" : "failed";
+        operations.push_back(std::move(one));
+    }
+    out["operations"] = std::move(operations);
+
+    Json bands = Json::array();
+    for (const SlopeBand& b : v.bands) {
+        Json one;
+        one["slope_degrees"] = Json::array({n.plain(degrees(b.from)), n.plain(degrees(b.to))});
+        n.put(one, b.figures);
+        bands.push_back(std::move(one));
+    }
+    out["slope_bands"] = std::move(bands);
+    Json border;
+    n.put(border, v.border);
+    out["border"] = std::move(border);
+
+    Json used;
+    used["tolerance"] = n.length(v.used.tolerance);
+    used["gouge_limit"] = n.length(v.used.gouge_limit);
+    used["allowance"] = n.length(v.used.allowance);
+    used["resolution"] = n.length(v.used.resolution);
+    used["sample_spacing"] = n.length(v.used.sample_spacing);
+    used["motion_bound"] = n.length(v.used.motion_bound);
+    out["settings"] = std::move(used);
+    out["stock_volume"] = n.volume(v.stock->volume());
+    out["seconds"] = Json{{"cutting", n.plain(v.seconds_cutting)}, {"probing", n.plain(v.seconds_probing)}};
+    Json remarks = Json::array();
+    for (const std::string& r : v.remarks)
+        remarks.push_back(r);
+    out["remarks"] = std::move(remarks);
+    return pretty_json(out);
+}
+
+std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,
+                          const Verification& v) {
+    std::string line;
+    if (v.gouged()) {
+        line = "gouge of " + length_text(std::max(v.figures.gouge_max, v.border.gouge_max), project.unit);
+        if (!v.gouges.empty()) line += " (" + place_text(v.gouges.front().by, programs) + ")";
+        line += ", limit " + length_text(v.used.gouge_limit, project.unit);
+    }
+    if (!v.collisions.empty()) {
+        const auto worst =
+            std::max_element(v.collisions.begin(), v.collisions.end(),
+                             [](const Collision& a, const Collision& b) { return a.depth < b.depth; });
+        const std::size_t count = v.collisions.size();
+        line += (line.empty() ? "" : "; ") + std::to_string(count)
+                + (count == 1 ? " collision" : " collisions") + ", the deepest "
+                + length_text(worst->depth, project.unit) + " by "
+                + (worst->kind == Collision::Kind::rapid ? "a rapid"
+                                                         : std::string("the ") + kind_name(worst->kind))
+                + " in the " + (worst->with_part ? "part" : "stock") + " (" + place_text(worst->at, programs)
+                + ")";
+    }
+    if (!line.empty()) line += "; excess " + length_text(v.figures.excess_max, project.unit);
+    return line;
+}
+
+} // namespace facetmill

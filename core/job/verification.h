@@ -1,0 +1,46 @@
+// Verification of a project: what the verifier is given, and what it leaves on disk.
+#pragma once
+
+#include "core/job/planner.h"
+#include "core/verify/verify.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+/// One program per planned operation. Motions are shared with the plan, not copied.
+std::vector<VerifyProgram> verify_programs(const Project& project,
+                                           const std::shared_ptr<const PlanResult>& plan);
+
+/// A CL file as a program to verify: shank and holder of the project's tool of the file's number, cutter of
+/// the file's CUTTER, or of that tool where there is none. What was read over goes to `ignored`. Throws what
+/// read_apt does, and Error(missing_reference) without CUTTER and tool.
+VerifyProgram read_verify_program(const Project& project, const std::filesystem::path& path,
+                                  std::vector<std::string>& ignored, const Progress& progress);
+
+/// The project's stock around its part.
+StockSolid stock_solid(const Project& project, const PreparedPart& part, const Progress& progress);
+
+/// Tolerance and allowance of the last operation planned, or without a plan (null) of the project's last; the
+/// gouge limit is the chord tolerance that the operations keep, at least 1e-4 mm.
+VerifySettings verify_settings(const Project& project, const PlanResult* plan);
+
+/// verify.json as the contract says, in the project's units: lengths in `units`, angles in degrees, seconds.
+std::string verify_json(const Project& project, std::span<const VerifyProgram> programs,
+                        const Verification& result);
+
+/// One line: the deepest gouge and the first collision, with operation and GOTO. Empty where all is well.
+std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,
+                          const Verification& result);
+
+/// Writes stock.stl (closed), deviation.vtp (VTK PolyData: points, `Normals`, `deviation`, `flag`) and
+/// verify.json into `folder` (made if missing), lengths in the project's units: all of them or none. Returns
+/// the paths. Throws Error(unwritable, no_facets where nothing of the stock is left) or Cancelled.
+std::vector<std::filesystem::path>
+write_verification(const Project& project, std::span<const VerifyProgram> programs,
+                   const Verification& result, const std::filesystem::path& folder, const Progress& progress);
+
+} // namespace facetmill
