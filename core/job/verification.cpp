@@ -107,10 +107,10 @@ VerifyProgram read_verify_program(const Project& project, const fs::path& path,
     const long number = read.program.tool_number;
     const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                    [&](const Tool& t) { return t.number == number; });
-    if (!read.had_cutter && tool == project.tools.end())
-        throw Error(ErrorCode::missing_reference, file,
-                    "there is no CUTTER, and the project has no tool " + std::to_string(number),
-                    "add a CUTTER statement, or the tool to the project");
+    // A cutter that is assumed would make the verdict worth nothing.
+    if (!read.had_cutter)
+        throw Error(ErrorCode::missing_key, file, "there is no CUTTER statement",
+                    "add CUTTER/d,r,e,f,alpha,beta,h before the first GOTO");
     const auto cutter = [&]() -> VerifyTool {
         try {
             return VerifyTool(read.program.cutter);
@@ -119,7 +119,7 @@ VerifyProgram read_verify_program(const Project& project, const fs::path& path,
         }
     };
     VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : cutter();
-    if (read.had_cutter && tool != project.tools.end()) {
+    if (tool != project.tools.end()) {
         // Shank and holder stand on the cutter that the file has.
         VerifyTool own = cutter();
         const double longer = own.cutter.height() - used.cutter.height();

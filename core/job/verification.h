@@ -15,9 +15,9 @@ namespace facetmill {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan);
 
-/// A CL file as a program to verify: shank and holder of the project's tool of the file's number, cutter of
-/// the file's CUTTER, or of that tool where there is none. What was read over goes to `ignored`. Throws what
-/// read_apt does, and Error(missing_reference) without CUTTER and tool.
+/// A CL file as a program to verify: cutter of the file's CUTTER, shank and holder of the project's tool of
+/// the file's number, if there is one. What was read over goes to `ignored`. Throws what read_apt does, and
+/// Error(missing_key) without CUTTER.
 VerifyProgram read_verify_program(const Project& project, const std::filesystem::path& path,
                                   std::vector<std::string>& ignored, const Progress& progress);
 

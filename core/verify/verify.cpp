@@ -15,7 +15,7 @@ namespace facetmill {
 namespace {
 
 /// Shares of the smallest cutter's radius, of the resolution, of the tolerance.
-constexpr double resolution_share = 0.05, bound_share = 0.25, touch_share = 0.02, probe_share = 0.01;
+constexpr double resolution_share = 0.05, bound_share = 0.5, touch_share = 0.02, probe_share = 0.01;
 constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
