@@ -75,6 +75,11 @@ inline constexpr double float_slack = 4e-7;
 /// Roofs over parts of the mesh, and support lines of a cutter, that give such bounds are no steeper.
 inline constexpr double steepest_roof = 3;
 inline constexpr double steepest_tangent = 6;
+/// Bounds for many places at once trust the plane of a facet to say where it touches when its slope is known to this, is
+/// no steeper than this, and positions are known to this share of the facet's height. Cutters are followed up to a slope,
+/// edges up to a slope.
+inline constexpr double trusted_slope = 0.05, steepest_trusted = 1e3, trusted_height = 0.01;
+inline constexpr double steepest_followed = 12, steepest_edge = 100;
 /// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
 inline constexpr double rim_share = 1e-4;
 /// Coordinate (mm) of facets that are none: beyond any reach, and its square still a float.

@@ -32,10 +32,23 @@ struct AxialAnswer {
     double point[3] = {0, 0, 0};  ///< touched point, in the cutter's frame
 };
 
+/// One cutter with its axis along Z over places that lie no farther from each other than its radius.
+struct AxialPacket {
+    static constexpr int most_places = 8;
+    double x[most_places], y[most_places];
+    int count = 0;
+    const TreeNode* cut = nullptr; ///< as for AxialQuery; wanted
+    int cut_nodes = 0;
+};
+
 /// Axis along Z, and any axis.
 using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
+/// The tips over the places of a packet, the bits that one query each would give.
+using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&,
+                              double (&tips)[AxialPacket::most_places]);
 struct AxialKernels {
     AxialKernel upright, tilted;
+    PacketKernel packet;
     const char* name;
 };
 

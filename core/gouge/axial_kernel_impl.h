@@ -1,16 +1,11 @@
 // Body of axial_kernel_*.cpp. The lift of a cutter over a mesh is the largest lift over its facets. A tree of
-// boxes finds the facets that matter, by bounds from the convexity of the cutter:
-//
-// The lift z - g(rho) over a point of a facet is a concave function where z is a plane, so its tangent plane
-// at one place bounds it everywhere. For a child of a node the plane is its roof, and the tangent that at the
-// point of its box nearest to where the roof touches; the bound is wrong by second order in the size of the
-// box only. So hardly a block is opened but those where the cutter touches.
-//
-// Bounds are floats, widened above their rounding; lifts are doubles.
+// boxes finds the facets that matter, by bounds from the convexity of the cutter (axial_bounds.h); they get
+// the exact test (axial_facet_test.h).
 #pragma once
 
 #include "core/base/tolerances.h"
-#include "core/gouge/axial_elements.h"
+#include "core/gouge/axial_bounds.h"
+#include "core/gouge/axial_facet_test.h"
 #include "core/gouge/axial_kernel.h"
 
 namespace facetmill::simd {
@@ -18,30 +13,21 @@ namespace facetmill::simd {
 namespace {
 
 template <bool tilted>
-struct Search {
-    const IndexView& index;
-    const SurfaceTable& surface;
-    const AxialQuery& query;
+struct Search : Bounds<tilted> {
+    using Bounds<tilted>::index, Bounds<tilted>::surface, Bounds<tilted>::query;
+    using Bounds<tilted>::at, Bounds<tilted>::turn, Bounds<tilted>::zero;
+    using Bounds<tilted>::inner, Bounds<tilted>::radius, Bounds<tilted>::uncertain;
+    using Bounds<tilted>::bounds, Bounds<tilted>::touched, Bounds<tilted>::tangent_plane;
+    using Bounds<tilted>::rough_height;
+
     AxialAnswer& best;
 
-    float rim;               ///< distances beyond this are at the rim
-    float inner;             ///< distances below this are surely within the cutter
-    float radius;            ///< of the cutter, widened
-    float slack;             ///< positions of boxes in the frame are wrong by less
-    float margin;            ///< bounds are wrong by less
-    float uncertain;         ///< how much a bound changes with a position, at most
-    float per_tangent;       ///< index of tangent = rho * this
-    float at[3];             ///< the index's origin from the place
-    float turn[3][3];        ///< the frame
-    double zero;             ///< bounds are relative to this height
     float sure;              ///< lower bounds of facets seen so far say that the answer is more, from `zero`
     std::uint32_t sure_slot; ///< the facet that says so
     float least;             ///< no less than best.tip from `zero`, and no more than the answer
 
     // Facets under test, and those that wait for it.
-    alignas(32) double x[3][4], y[3][4], z[3][4];
-    alignas(32) double most_lift[4]; ///< their bounds
-    alignas(32) std::int64_t has_edge[3][4], has_plane[4];
+    FacetTest tested;
     std::uint32_t slot[4];
     // Lists have room for one more vector than they hold.
     static constexpr int most_waiting = 24, most_blocks = 64;
@@ -61,107 +47,16 @@ struct Search {
     std::uint32_t opened; ///< a block that was opened first
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
-        : index(i), surface(s), query(q), best(b) {
-        double away = 0, size = 0;
-        for (int k = 0; k < 3; ++k) {
-            const double d = index.origin[k] - query.place[k];
-            if (k < 2 || tilted) away += d < 0 ? -d : d;
-            size += index.half_size[k];
-            at[k] = float(d);
-            if constexpr (tilted)
-                for (int j = 0; j < 3; ++j)
-                    turn[k][j] = float(query.frame[k][j]);
-        }
-        zero = tilted ? 0 : index.origin[2];
-        if (!tilted) at[2] = 0;
-        const double r = surface.max_radius, scale = away + size + r;
-        const double steep = tolerance::steepest_roof + tolerance::steepest_tangent;
-        slack = float(tolerance::float_slack * scale);
-        inner = float(r * (1 - tolerance::rim_share));
-        radius = float(r * (1 + tolerance::float_slack)) + slack;
-        rim = surface.has_rim ? inner : __builtin_inff();
-        margin = float(tolerance::float_slack * (1 + steep) * (tilted ? 4 : 1) * scale);
-        uncertain = float(4 * (1 + steep));
-        per_tangent = float(surface_tangents / r);
+        : Bounds<tilted>(i, s, q), best(b) {
         best.tip = query.least;
         best.slot = no_slot;
         least = sure = -__builtin_inff();
         raise(best.tip);
     }
 
-    /// Rounded down: what is higher by the last digit of a double must not be passed over.
     FACETMILL_MEMBER void raise(double tip) {
-        const double from_zero = tip - zero;
-        auto rounded = float(from_zero);
-        if (double(rounded) > from_zero) rounded = __builtin_nextafterf(rounded, -__builtin_inff());
+        const float rounded = this->rounded_down(tip);
         least = rounded > least ? rounded : least;
-    }
-
-    /// About where a plane touches the cutter; (ux, uy): uphill, as long as the sine of its slope.
-    FACETMILL_MEMBER void touched(const Float8& ux, const Float8& uy, Float8& x_out, Float8& y_out) const {
-        if (surface.guess_e == 0 && surface.guess_level == 0) { // a ball
-            x_out = ux * surface.guess_r;
-            y_out = uy * surface.guess_r;
-            return;
-        }
-        const Float8 square = ux * ux + uy * uy;
-        const Float8 scale =
-            select(square > surface.guess_level * surface.guess_level,
-                   surface.guess_e * rough_inverse_root(larger(square, all(__FLT_MIN__))) + surface.guess_r,
-                   all(0.0f));
-        x_out = ux * scale;
-        y_out = uy * scale;
-    }
-
-    /// A plane below g that is near it at (mx, my): level + sx x + sy y. At the rim, where g ends, the one of
-    /// those that is as steep there as the part's plane with slopes (px, py).
-    FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
-                                        const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
-        const Float8 square = mx * mx + my * my;
-        // A little short, so that no direction is longer than 1.
-        const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
-        const Float8 rho = square * per;
-        const Int8 entry = truncated(smaller(rho * per_tangent, all(float(surface_tangents) - 1)));
-        const Int8 low = entry & 7;
-        const Int8 upper = entry > 7;
-        const Float8 ux = mx * per, uy = my * per;
-        level = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
-        Float8 slope =
-            select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
-        const Int8 at_rim = rho >= rim;
-        const Float8 steep = smaller(larger(px * ux + py * uy, all(surface.rim_slope)),
-                                     all(float(tolerance::steepest_tangent)));
-        slope = select(at_rim, steep, slope);
-        level = select(at_rim, surface.rim_height - steep * radius, level);
-        sx = slope * ux;
-        sy = slope * uy;
-    }
-
-    /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
-    /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
-    FACETMILL_MEMBER Float8 bounds(const Float8& cx, const Float8& cy, const Float8& hx, const Float8& hy,
-                                   const Float8& top, const Float8& rx, const Float8& ry, const Float8& roof,
-                                   const Float8& px, const Float8& py) const {
-        const Float8 reach = all(radius);
-        const Float8 lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
-        const Float8 lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
-        const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
-                     near_y = larger(larger(lo_y, -hi_y), all(0.0f));
-        const Int8 reached =
-            (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
-        // The tangent plane of the lift over the roof is taken at the point of the box nearest to where the
-        // roof touches the cutter: there the lift is about highest.
-        const Float8 per = rough_inverse_root(1.0f + px * px + py * py);
-        Float8 mx, my;
-        touched(px * per, py * per, mx, my);
-        mx = smaller(larger(mx, lo_x), hi_x);
-        my = smaller(larger(my, lo_y), hi_y);
-        Float8 level, sx, sy;
-        tangent_plane(mx, my, px, py, level, sx, sy);
-        const Float8 gx = px - sx, gy = py - sy;
-        const Float8 over =
-            roof - px * rx - py * ry - level + larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
-        return select(reached, smaller(over, top) + margin, all(-__builtin_inff()));
     }
 
     FACETMILL_MEMBER Float8 child_bounds(const TreeNode& node) const {
@@ -195,23 +90,6 @@ struct Search {
             const Float8 b = bounds(cx, cy, ex, ey, top, rx, ry, select(roofed, rh, top), sx, sy);
             return select(hx >= 0.0f, b, all(-__builtin_inff()));
         }
-    }
-
-    /// g in single precision; rho within the radius.
-    FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
-        Float8 g = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
-            const SurfacePiece& p = surface.piece[i];
-            Float8 here;
-            if (p.r == 0) {
-                here = float(p.z0) + float(p.slope0) * (rho - float(p.rho0));
-            } else {
-                const Float8 out = rho - float(p.e);
-                here = float(p.f) - root(larger((float(p.r) - out) * (float(p.r) + out), all(0.0f)));
-            }
-            g = i == 0 ? here : select(rho > float(surface.piece[i - 1].rho1), here, g);
-        }
-        return g;
     }
 
     /// Bounds of the lifts over the facets of a block, from above and, by one of their points, from below.
@@ -288,13 +166,8 @@ struct Search {
         const FacetBlock& block = index.blocks[which / block_width];
         const std::uint32_t lane = which % block_width;
         slot[w] = which;
-        unsigned duty = block.duty[lane];
         if constexpr (!tilted) {
-            for (int k = 0; k < 3; ++k) {
-                x[k][w] = block.x[k][lane] - query.place[0];
-                y[k][w] = block.y[k][lane] - query.place[1];
-                z[k][w] = block.z[k][lane];
-            }
+            tested.set(block, lane, query.place[0], query.place[1], w);
         } else {
             const auto& m = query.frame;
             double cx[3], cy[3], cz[3];
@@ -319,22 +192,20 @@ struct Search {
             unsigned edges = 0;
             for (int k = 0; k < 3; ++k) {
                 const int from = (k + first) % 3;
-                x[k][w] = cx[from];
-                y[k][w] = cy[from];
-                z[k][w] = cz[from];
-                if (duty & (duty_edge_anyway << from)) edges |= 1u << k;
+                tested.x[k][w] = cx[from];
+                tested.y[k][w] = cy[from];
+                tested.z[k][w] = cz[from];
+                if (block.duty[lane] & (duty_edge_anyway << from)) edges |= 1u << k;
             }
+            const auto &x = tested.x, &y = tested.y;
             // The coordinates themselves carry rounding from being turned: a projection that it could have
             // made has no area, and then its edges say everything.
             const double left = (x[1][w] - x[0][w]) * (y[2][w] - y[0][w]),
                          right = (y[1][w] - y[0][w]) * (x[2][w] - x[0][w]), area = left - right;
             const double noise = tolerance::area_roundings * 0.5 * __DBL_EPSILON__
                                  * ((left < 0 ? -left : left) + (right < 0 ? -right : right));
-            duty = edges | (area > noise || area < -noise ? unsigned(duty_plane) : 0u);
+            tested.set_duty(edges | (area > noise || area < -noise ? unsigned(duty_plane) : 0u), w);
         }
-        for (int k = 0; k < 3; ++k)
-            has_edge[k][w] = duty & (duty_edge << k) ? -1 : 0;
-        has_plane[w] = duty & duty_plane ? -1 : 0;
     }
 
     FACETMILL_MEMBER void consider(const Lift4& lift, const int (&edge)[double_lanes]) {
@@ -363,75 +234,18 @@ struct Search {
         waiting = left;
         int taken = 0;
         for (int next = most; taken < double_lanes && waiting > 0; next = waiting - 1) {
-            most_lift[taken] = double(waiting_bound[next]) + zero;
+            tested.most_lift[taken] = double(waiting_bound[next]) + zero;
             gather(waiting_slot[next], taken++);
             --waiting;
             waiting_bound[next] = waiting_bound[waiting];
             waiting_slot[next] = waiting_slot[waiting];
         }
         if (taken == 0) return;
-        for (int w = taken; w < double_lanes; ++w) {
-            for (int k = 0; k < 3; ++k) {
-                x[k][w] = x[k][0];
-                y[k][w] = y[k][0];
-                z[k][w] = z[k][0];
-                has_edge[k][w] = 0;
-            }
-            has_plane[w] = 0;
-            most_lift[w] = -__builtin_inf();
-        }
-        const Point4 p[3] = {{load(x[0]), load(y[0]), load(z[0])},
-                             {load(x[1]), load(y[1]), load(z[1])},
-                             {load(x[2]), load(y[2]), load(z[2])}};
-        const auto mask = [](const std::int64_t* m) __attribute__((always_inline)) {
-            Mask4 v;
-            __builtin_memcpy(&v, m, sizeof v);
-            return v;
-        };
-        const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, tolerance::contact_roundings);
-        static constexpr int no_edge[] = {-1, -1, -1, -1};
-        consider(plane.lift, no_edge);
-        const Mask4 edges[3] = {mask(has_edge[0]), mask(has_edge[1]), mask(has_edge[2])};
-        Mask4 open = ~plane.inside & (load(most_lift) > best.tip);
-        // First the edge that the way to the plane's contact leaves by. If it is touched between its ends the
-        // facet is done: from a higher place y of the facet a straight way to the plane's contact, on which
-        // the lift is nowhere lower than at y, would cross the edge's line where it is higher than its
-        // highest.
-        const Mask4 first_is_1 = plane.side[1] < plane.side[0];
-        const Double4 lower = select(first_is_1, plane.side[1], plane.side[0]);
-        const Mask4 first_is_2 = plane.side[2] < lower;
-        Mask4 asked_first = open & plane.outside & (edges[0] | edges[1] | edges[2]);
-        if (bits(asked_first) != 0) {
-            const auto one = [&](const Double4& v0, const Double4& v1, const Double4& v2)
-                __attribute__((always_inline)) {
-                return select(first_is_2, v2, select(first_is_1, v1, v0));
-            };
-            const Point4 a{one(p[0].x, p[1].x, p[2].x), one(p[0].y, p[1].y, p[2].y),
-                           one(p[0].z, p[1].z, p[2].z)};
-            const Point4 b{one(p[1].x, p[2].x, p[0].x), one(p[1].y, p[2].y, p[0].y),
-                           one(p[1].z, p[2].z, p[0].z)};
-            const Lift4 lift = edge_lift(surface, asked_first, a, b, all(0.0));
-            const unsigned one_bits = bits(first_is_1), two_bits = bits(first_is_2);
-            int edge[double_lanes];
-            for (int k = 0; k < double_lanes; ++k)
-                edge[k] = two_bits >> k & 1 ? 2 : int(one_bits >> k & 1);
-            consider(lift, edge);
-            open &= ~lift.between & (load(most_lift) > best.tip);
-        }
-        if (bits(open) != 0) {
-            const Mask4 was_first[3] = {asked_first & ~first_is_1 & ~first_is_2,
-                                        asked_first & first_is_1 & ~first_is_2, asked_first & first_is_2};
-            static constexpr int number[3][double_lanes] = {{0, 0, 0, 0}, {1, 1, 1, 1}, {2, 2, 2, 2}};
-            for (int k = 0; k < 3; ++k) {
-                const Point4 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
-                const Mask4 border = plane.border & (plane.side[k] < 0.0);
-                const Mask4 asked =
-                    open & (edges[k] | border) & ~was_first[k] & (larger(a.z, b.z) > best.tip);
-                if (bits(asked) == 0) continue;
-                consider(edge_lift(surface, asked, a, b, select(border, plane.edge_slack, all(0.0))),
-                         number[k]);
-            }
-        }
+        tested.fill(taken);
+        tested.run(
+            surface, [&]() __attribute__((always_inline)) { return best.tip; },
+            [&](const Lift4& lift, const int(&edge)[double_lanes])
+                __attribute__((always_inline)) { consider(lift, edge); });
         raise(best.tip);
     }
 

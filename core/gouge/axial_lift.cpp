@@ -22,6 +22,9 @@ bool is_place(double x, double y) {
     return std::isfinite(x) && std::isfinite(y);
 }
 
+/// Fewer places than this are asked for one by one.
+constexpr std::size_t fewest_in_packet = 4;
+
 /// Places that lie close together share the way down the tree: a cut through it below which is all that the
 /// cutter reaches at any of them.
 class SharedCut {
@@ -111,6 +114,59 @@ private:
     int count_ = 0;
 };
 
+/// One of a batch.
+struct Place {
+    Vec2 at;
+    std::size_t number;
+};
+
+/// How many of the first places lie in a square of this side; [lo, hi] becomes their box.
+std::size_t near(std::span<const Place> places, double side, Vec2& lo, Vec2& hi) {
+    lo = hi = places[0].at;
+    std::size_t count = 1;
+    for (; count < places.size(); ++count) {
+        const Vec2 new_lo = lo.cwiseMin(places[count].at), new_hi = hi.cwiseMax(places[count].at);
+        if ((new_hi - new_lo).maxCoeff() > side) break;
+        lo = new_lo;
+        hi = new_hi;
+    }
+    return count;
+}
+
+/// Orders places so that as many as a packet has, one after another, lie about in a square: in bands along X
+/// as high as such a square, from left to right. Places too far apart for packets stay as they are.
+void arrange(std::vector<Place>& places, double widest) {
+    const std::size_t n = places.size();
+    if (n < AxialPacket::most_places) return;
+    Vec2 lo = places[0].at, hi = lo;
+    for (const Place& p : places) {
+        lo = lo.cwiseMin(p.at);
+        hi = hi.cwiseMax(p.at);
+    }
+    const Vec2 size = hi - lo;
+    const double in_packet = AxialPacket::most_places;
+    const double side = std::max(std::sqrt(in_packet * size.x() * size.y() / double(n)),
+                                 in_packet * size.maxCoeff() / double(n));
+    if (!(side > 0) || side > widest) return;
+    // Counting sort by cells of a packet's side in height and an eighth of it in width: about as many as
+    // places.
+    const double wide = side / in_packet;
+    const auto bands = std::size_t(size.y() / side) + 1, cells = std::size_t(size.x() / wide) + 1;
+    std::vector<std::uint32_t> cell(n), first(bands * cells + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 d = places[i].at - lo;
+        cell[i] = std::uint32_t(std::min(std::size_t(d.y() / side), bands - 1) * cells
+                                + std::min(std::size_t(d.x() / wide), cells - 1));
+        ++first[cell[i] + 1];
+    }
+    for (std::size_t c = 1; c < first.size(); ++c)
+        first[c] += first[c - 1];
+    std::vector<Place> sorted(n);
+    for (std::size_t i = 0; i < n; ++i)
+        sorted[first[cell[i]]++] = places[i];
+    places = std::move(sorted);
+}
+
 AxialAnswer search(const IndexView& index, const SurfaceTable& surface, double x, double y,
                    std::uint32_t hint, const SharedCut* cut = nullptr) {
     AxialQuery query;
@@ -170,34 +226,58 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
                       const Progress& progress) const {
     if (points.size() != heights.size())
         throw Error(ErrorCode::internal, "AxialLift", "as many heights as points are needed", "report this");
-    constexpr std::size_t points_per_block = 256, points_per_cut = 32;
+    // Large blocks, so that there is much to arrange; but several for every thread.
+    constexpr std::size_t fewest = 256, most = 16384, places_per_cut = 32, between_checks = 512;
+    const std::size_t per_block = std::clamp(points.size() / 16, fewest, most);
     const IndexView view = index_->impl().view();
-    const double radius = surface_->max_radius, widest = 4 * radius;
-    parallel_blocks(points.size(), points_per_block, progress, [&](std::size_t begin, std::size_t end) {
-        std::uint32_t hint = no_slot;
-        SharedCut cut(view, radius);
-        std::size_t cut_end = begin;
+    const double radius = surface_->max_radius, widest_cut = 4 * radius;
+    parallel_blocks(points.size(), per_block, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<Place> places;
+        places.reserve(end - begin);
         for (std::size_t i = begin; i < end; ++i) {
-            const Vec2& p = points[i];
-            if (!is_place(p.x(), p.y())) {
-                heights[i] = lift_nowhere(p.x(), p.y());
-                continue;
+            if (is_place(points[i].x(), points[i].y()))
+                places.push_back({points[i], i});
+            else
+                heights[i] = lift_nowhere(points[i].x(), points[i].y());
+        }
+        arrange(places, radius);
+        SharedCut cut(view, radius);
+        std::uint32_t hint = no_slot;
+        std::size_t cut_end = 0, next_check = between_checks;
+        for (std::size_t i = 0; i < places.size();) {
+            if (i >= next_check) {
+                progress.check();
+                next_check += between_checks;
             }
+            const std::span<const Place> left = std::span(places).subspan(i);
+            Vec2 lo, hi;
             if (i >= cut_end) {
-                Vec2 lo = p, hi = p;
-                for (cut_end = i + 1; cut_end < std::min(end, i + points_per_cut); ++cut_end) {
-                    const Vec2& q = points[cut_end];
-                    if (!is_place(q.x(), q.y())) break;
-                    const Vec2 new_lo = lo.cwiseMin(q), new_hi = hi.cwiseMax(q);
-                    if ((new_hi - new_lo).maxCoeff() > widest) break;
-                    lo = new_lo;
-                    hi = new_hi;
-                }
+                cut_end = i + near(left.first(std::min(left.size(), places_per_cut)), widest_cut, lo, hi);
                 cut.make(lo, hi);
             }
-            const AxialAnswer answer = search(view, *surface_, p.x(), p.y(), hint, &cut);
-            if (answer.slot != no_slot) hint = answer.slot;
-            heights[i] = answer.tip + allowance_;
+            AxialPacket packet;
+            const std::size_t count =
+                near(left.first(std::min(cut_end - i, std::size_t(packet.most_places))), radius, lo, hi);
+            if (count < fewest_in_packet) {
+                const AxialAnswer answer =
+                    search(view, *surface_, left[0].at.x(), left[0].at.y(), hint, &cut);
+                if (answer.slot != no_slot) hint = answer.slot;
+                heights[left[0].number] = answer.tip + allowance_;
+                ++i;
+                continue;
+            }
+            for (std::size_t k = 0; k < count; ++k) {
+                packet.x[k] = left[k].at.x();
+                packet.y[k] = left[k].at.y();
+            }
+            packet.count = int(count);
+            packet.cut = cut.nodes();
+            packet.cut_nodes = cut.count();
+            double tips[AxialPacket::most_places];
+            axial_kernels().packet(view, *surface_, packet, tips);
+            for (std::size_t k = 0; k < count; ++k)
+                heights[left[k].number] = tips[k] + allowance_;
+            i += count;
         }
     });
 }

@@ -248,7 +248,7 @@ private slots:
             for (const AptCutter& cutter : cutters()) {
                 Random rng(4);
                 const AxialLift lift(index, CutterProfile(cutter));
-                std::vector<Vec2> points = grid_points(rng, named.size, 30);
+                std::vector<Vec2> points = grid_points(rng, named.size, 60);
                 std::vector<double> heights(points.size()), other(points.size());
                 lift.tip_z(points, heights, Progress());
                 set_thread_count(1);

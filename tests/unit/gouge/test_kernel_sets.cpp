@@ -59,6 +59,63 @@ private slots:
         }
         QVERIFY(met > 10000);
     }
+
+    /// The lifts over a packet are those of its places one by one, over smooth and over ill-shaped facets.
+    void packets_give_the_bits_of_single_queries() {
+        const AxialKernels* sets[4];
+        const int count = axial_kernel_sets(sets);
+        Random rng(22);
+        const auto hills = [](double x, double y) { return 3 * std::sin(0.3 * x) * std::cos(0.4 * y); };
+        const auto steps = [](double x, double y) { return 4 * std::floor(x / 7) + (y > 20 ? 15 : 0); };
+        auto far = field(30, 40, hills, 0.3);
+        for (Vec3& v : far->vertices)
+            v += Vec3(1e5, -3e4, 2e4);
+        auto thin = field(30, 40, [](double, double y) { return 3 * std::sin(0.3 * y); });
+        for (Vec3& v : thin->vertices)
+            v.x() *= 1e-4;
+        const auto slope = [](double x, double) { return 0.3 * x; };
+        const auto slivers = field(60, 40, slope, 0.5, 7);
+        int met = 0;
+        for (const auto& mesh : {field(40, 40, hills, 0.3), field(200, 40, hills, 0.3), field(40, 40, steps),
+                                 soup(400, 40, 3), far, thin, slivers}) {
+            const ContactIndex index(mesh, Progress());
+            const IndexView view = index.impl().view();
+            const Box3 box = mesh->box();
+            for (int i = 0; i < 3000; ++i) {
+                const AptCutter cutter = random_cutter(rng, i, uniform(rng, 1, 12));
+                const SurfaceTable surface =
+                    lower_surface(CutterProfile(cutter).grown(i % 3 ? 0 : uniform(rng, 0, 2)));
+                const double spread = surface.max_radius * std::pow(10.0, uniform(rng, -5, 0));
+                AxialPacket packet;
+                packet.count = whole(rng, 1, AxialPacket::most_places);
+                packet.cut = view.nodes;
+                packet.cut_nodes = 1;
+                Vec2 at(uniform(rng, box.lo.x() - 3, box.hi.x() + 3),
+                        uniform(rng, box.lo.y() - 3, box.hi.y() + 3));
+                if (i % 4 == 0)
+                    at = mesh->vertices[std::size_t(whole(rng, 0, int(mesh->vertices.size()) - 1))].head<2>();
+                for (int k = 0; k < packet.count; ++k) {
+                    packet.x[k] = at.x() + (k > 0 ? uniform(rng, 0, spread) : 0);
+                    packet.y[k] = at.y() + (k > 0 ? uniform(rng, 0, spread) : 0);
+                }
+                for (int set = 0; set < count; ++set) {
+                    double tips[AxialPacket::most_places];
+                    sets[set]->packet(view, surface, packet, tips);
+                    for (int k = 0; k < packet.count; ++k) {
+                        AxialQuery query;
+                        query.place[0] = packet.x[k];
+                        query.place[1] = packet.y[k];
+                        AxialAnswer one;
+                        sets[0]->upright(view, surface, query, one);
+                        QVERIFY2(std::memcmp(&one.tip, &tips[k], sizeof(double)) == 0,
+                                 qPrintable(QString("%1 %2").arg(one.tip).arg(tips[k])));
+                        met += one.slot != no_slot;
+                    }
+                }
+            }
+        }
+        QVERIFY(met > 50000);
+    }
 };
 
 FACETMILL_TEST(TestKernelSets)

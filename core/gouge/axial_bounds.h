@@ -1,0 +1,155 @@
+// Bounds of lifts over boxes with a roof, eight at a time. The lift z - g(rho) over a point of a facet is a
+// concave function where z is a plane, so its tangent plane at one place bounds it everywhere. For a child of
+// a node the plane is its roof, and the tangent that at the point of its box nearest to where the roof
+// touches; the bound is wrong by second order in the size of the box only. So hardly a block is opened but
+// those where the cutter touches.
+//
+// Bounds are floats, widened above their rounding.
+#pragma once
+
+#include "core/base/tolerances.h"
+#include "core/gouge/axial_kernel.h"
+#include "core/gouge/simd.h"
+
+namespace facetmill::simd {
+
+namespace {
+
+/// What bounds need to know of a cutter at a place.
+template <bool tilted>
+struct Bounds {
+    const IndexView& index;
+    const SurfaceTable& surface;
+    const AxialQuery& query;
+
+    float rim;         ///< distances beyond this are at the rim
+    float inner;       ///< distances below this are surely within the cutter
+    float radius;      ///< of the cutter, widened
+    float slack;       ///< positions of boxes in the frame are wrong by less
+    float margin;      ///< bounds are wrong by less
+    float uncertain;   ///< how much a bound changes with a position, at most
+    float per_tangent; ///< index of tangent = rho * this
+    float at[3];       ///< the index's origin from the place
+    float turn[3][3];  ///< the frame
+    double zero;       ///< bounds are relative to this height
+
+    FACETMILL_MEMBER Bounds(const IndexView& i, const SurfaceTable& s, const AxialQuery& q)
+        : index(i), surface(s), query(q) {
+        double away = 0, size = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double d = index.origin[k] - query.place[k];
+            if (k < 2 || tilted) away += d < 0 ? -d : d;
+            size += index.half_size[k];
+            at[k] = float(d);
+            if constexpr (tilted)
+                for (int j = 0; j < 3; ++j)
+                    turn[k][j] = float(query.frame[k][j]);
+        }
+        zero = tilted ? 0 : index.origin[2];
+        if (!tilted) at[2] = 0;
+        const double r = surface.max_radius, scale = away + size + r;
+        const double steep = tolerance::steepest_roof + tolerance::steepest_tangent;
+        slack = float(tolerance::float_slack * scale);
+        inner = float(r * (1 - tolerance::rim_share));
+        radius = float(r * (1 + tolerance::float_slack)) + slack;
+        rim = surface.has_rim ? inner : __builtin_inff();
+        margin = float(tolerance::float_slack * (1 + steep) * (tilted ? 4 : 1) * scale);
+        uncertain = float(4 * (1 + steep));
+        per_tangent = float(surface_tangents / r);
+    }
+
+    /// A tip from `zero`, rounded down: what is higher by the last digit of a double must not be passed over.
+    FACETMILL_MEMBER float rounded_down(double tip) const {
+        const double from_zero = tip - zero;
+        const auto rounded = float(from_zero);
+        return double(rounded) > from_zero ? __builtin_nextafterf(rounded, -__builtin_inff()) : rounded;
+    }
+
+    /// About where a plane touches the cutter; (ux, uy): uphill, as long as the sine of its slope.
+    FACETMILL_MEMBER void touched(const Float8& ux, const Float8& uy, Float8& x_out, Float8& y_out) const {
+        if (surface.guess_e == 0 && surface.guess_level == 0) { // a ball
+            x_out = ux * surface.guess_r;
+            y_out = uy * surface.guess_r;
+            return;
+        }
+        const Float8 square = ux * ux + uy * uy;
+        const Float8 scale =
+            select(square > surface.guess_level * surface.guess_level,
+                   surface.guess_e * rough_inverse_root(larger(square, all(__FLT_MIN__))) + surface.guess_r,
+                   all(0.0f));
+        x_out = ux * scale;
+        y_out = uy * scale;
+    }
+
+    /// A plane below g that is near it at (mx, my): level + sx x + sy y. At the rim, where g ends, the one of
+    /// those that is as steep there as the part's plane with slopes (px, py).
+    FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
+                                        const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
+        const Float8 square = mx * mx + my * my;
+        // A little short, so that no direction is longer than 1.
+        const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
+        const Float8 rho = square * per;
+        const Int8 entry = truncated(smaller(rho * per_tangent, all(float(surface_tangents) - 1)));
+        const Int8 low = entry & 7;
+        const Int8 upper = entry > 7;
+        const Float8 ux = mx * per, uy = my * per;
+        level = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
+        Float8 slope =
+            select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
+        const Int8 at_rim = rho >= rim;
+        const Float8 steep = smaller(larger(px * ux + py * uy, all(surface.rim_slope)),
+                                     all(float(tolerance::steepest_tangent)));
+        slope = select(at_rim, steep, slope);
+        level = select(at_rim, surface.rim_height - steep * radius, level);
+        sx = slope * ux;
+        sy = slope * uy;
+    }
+
+    /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
+    /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
+    FACETMILL_MEMBER Float8 bounds(const Float8& cx, const Float8& cy, const Float8& hx, const Float8& hy,
+                                   const Float8& top, const Float8& rx, const Float8& ry, const Float8& roof,
+                                   const Float8& px, const Float8& py) const {
+        const Float8 reach = all(radius);
+        const Float8 lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
+        const Float8 lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
+        const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
+                     near_y = larger(larger(lo_y, -hi_y), all(0.0f));
+        const Int8 reached =
+            (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
+        // The tangent plane of the lift over the roof is taken at the point of the box nearest to where the
+        // roof touches the cutter: there the lift is about highest.
+        const Float8 per = rough_inverse_root(1.0f + px * px + py * py);
+        Float8 mx, my;
+        touched(px * per, py * per, mx, my);
+        mx = smaller(larger(mx, lo_x), hi_x);
+        my = smaller(larger(my, lo_y), hi_y);
+        Float8 level, sx, sy;
+        tangent_plane(mx, my, px, py, level, sx, sy);
+        const Float8 gx = px - sx, gy = py - sy;
+        const Float8 over =
+            roof - px * rx - py * ry - level + larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
+        return select(reached, smaller(over, top) + margin, all(-__builtin_inff()));
+    }
+
+    /// g in single precision; rho within the radius.
+    FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
+        Float8 g = all(0.0f);
+        for (int i = 0; i < surface.count; ++i) {
+            const SurfacePiece& p = surface.piece[i];
+            Float8 here;
+            if (p.r == 0) {
+                here = float(p.z0) + float(p.slope0) * (rho - float(p.rho0));
+            } else {
+                const Float8 out = rho - float(p.e);
+                here = float(p.f) - root(larger((float(p.r) - out) * (float(p.r) + out), all(0.0f)));
+            }
+            g = i == 0 ? here : select(rho > float(surface.piece[i - 1].rho1), here, g);
+        }
+        return g;
+    }
+};
+
+} // namespace
+
+} // namespace facetmill::simd
