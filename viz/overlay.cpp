@@ -22,6 +22,7 @@ namespace {
 
 constexpr double margin = 12, padding = 9, row = 18, sample_width = 26, gap = 8;
 constexpr double title_size = 15, text_size = 12;
+constexpr double least_bar = 56, largest_bar = 150; // of a scale of colours
 constexpr int dots_per_inch = 72;                   // a point is a pixel
 constexpr double cap_height = 0.72, descent = 0.21; // of VTK's own font, in font sizes
 
@@ -243,47 +244,131 @@ void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLay
 }
 
 void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
-    if (content.legend.empty()) return;
+    if (content.legend.empty() && !content.color_bar) return;
     const double width = content.width / ratio_, height = content.height / ratio_;
-    double label_width = 0;
-    for (const LegendEntry& e : content.legend)
-        label_width = std::max(label_width, text_width(e.label, text_size, false));
-    const double w = std::ceil(2 * padding + sample_width + gap + label_width);
-    const double h = 2 * (padding - 3) + row * double(content.legend.size());
-    if (w > 0.45 * width || h > 0.55 * height) return;
+    const double widest = 0.45 * width, highest = 0.6 * height;
+    const auto entries_width = [&] {
+        double label = 0;
+        for (const LegendEntry& e : content.legend)
+            label = std::max(label, text_width(e.label, text_size, false));
+        return std::ceil(2 * padding + sample_width + gap + label);
+    };
+    double bar_width = 0, bar_rest = 0; // the rest: all of the bar's height that cannot shrink
+    if (content.color_bar) {
+        const ColorBar& bar = *content.color_bar;
+        double label =
+            std::max(text_width(bar.low_text, text_size, false), text_width(bar.high_text, text_size, false));
+        for (const auto& [at, text] : bar.marks)
+            label = std::max(label, text_width(text, text_size, false));
+        const double flat = std::max(
+            {text_width(bar.title, text_size, true), text_width(bar.note, text_size, false),
+             bar.other ? sample_width + gap + text_width(bar.other->second, text_size, false) : 0.0});
+        bar_width = std::ceil(2 * padding + std::max(sample_width + gap + label, flat));
+        bar_rest = row * (3 + (bar.note.empty() ? 0 : 1) + (bar.other ? 1 : 0));
+    }
+    const double frame = 2 * (padding - 3), entries_height = row * double(content.legend.size());
+    // A small window has room for the scale, or for the entries, or for neither.
+    bool bar = content.color_bar && bar_width <= widest && frame + bar_rest + least_bar <= highest;
+    double w = bar ? bar_width : 0, h = frame;
+    bool entries = !content.legend.empty();
+    if (entries) {
+        const double wide = std::max(w, entries_width());
+        const double high = frame + entries_height + (bar ? bar_rest + least_bar : 0);
+        entries = wide <= widest && high <= (bar ? highest : 0.55 * height);
+        if (entries) {
+            w = wide;
+            h += entries_height;
+        }
+    }
+    if (!bar && !entries) return;
+    double bar_height = 0;
+    if (bar) {
+        bar_height = std::clamp(highest - h - bar_rest, least_bar, largest_bar);
+        h += bar_rest + bar_height;
+    }
     const LayoutRect r{width - margin - w, margin, width - margin, margin + h};
     layout.legend = r;
     if (!draw) return;
     const Colors& colors = colors_of(content.palette);
     rectangle(r.x0, r.y0, r.x1, r.y1, colors.panel_border, 0.9);
     rectangle(r.x0 + 1, r.y0 + 1, r.x1 - 1, r.y1 - 1, colors.panel);
-    const double x0 = r.x0 + padding, x1 = x0 + sample_width;
-    double y = r.y0 + padding - 3 + row / 2;
-    for (const LegendEntry& e : content.legend) {
-        const double half = std::max(1.0, 0.75 * e.width);
-        switch (e.sample) {
-        case LegendEntry::Sample::line:
-            rectangle(x0, y - half, x1, y + half, e.color);
-            break;
-        case LegendEntry::Sample::dashes:
-            for (int i = 0; i < 3; ++i) // as on the part: 3/5 drawn, 2/5 left out
-                rectangle(x0 + 10.0 * i, y - half, x0 + 10.0 * i + 6.0, y + half, e.color);
-            break;
-        case LegendEntry::Sample::dot:
-            for (int i = 0; i < 3; ++i)
-                disc(x0 + sample_width * (0.5 + i) / 3.0, y, 2.0, e.color);
-            break;
-        case LegendEntry::Sample::box:
-            rectangle(x0, y - 6, x1, y + 6, e.color);
-            rectangle(x0 + 1, y - 5, x1 - 1, y + 5, colors.panel);
-            rectangle(x0 + 1, y - 5, x1 - 1, y + 5, e.color, 0.2);
-            break;
-        case LegendEntry::Sample::surface:
-            rectangle(x0, y - 6, x1, y + 6, e.color);
-            break;
+    double y = r.y0 + padding - 3;
+    if (entries)
+        for (const LegendEntry& e : content.legend) {
+            draw_legend_entry(e, r.x0 + padding, y + row / 2, colors);
+            y += row;
         }
-        place_text({x1 + gap, y, Text::Align::left, e.label, text_size, false, colors.text});
+    if (bar)
+        draw_color_bar(*content.color_bar, {r.x0 + padding, y, r.x1 - padding, r.y1 - padding + 3}, colors);
+}
+
+void Overlay::draw_legend_entry(const LegendEntry& e, double x0, double y, const Colors& colors) {
+    const double x1 = x0 + sample_width;
+    const double half = std::max(1.0, 0.75 * e.width);
+    switch (e.sample) {
+    case LegendEntry::Sample::line:
+        rectangle(x0, y - half, x1, y + half, e.color);
+        break;
+    case LegendEntry::Sample::dashes:
+        for (int i = 0; i < 3; ++i) // as on the part: 3/5 drawn, 2/5 left out
+            rectangle(x0 + 10.0 * i, y - half, x0 + 10.0 * i + 6.0, y + half, e.color);
+        break;
+    case LegendEntry::Sample::dot:
+        for (int i = 0; i < 3; ++i)
+            disc(x0 + sample_width * (0.5 + i) / 3.0, y, 2.0, e.color);
+        break;
+    case LegendEntry::Sample::spot:
+        disc(x0 + sample_width / 2, y, 4.5, e.color);
+        break;
+    case LegendEntry::Sample::box:
+        rectangle(x0, y - 6, x1, y + 6, e.color);
+        rectangle(x0 + 1, y - 5, x1 - 1, y + 5, colors.panel);
+        rectangle(x0 + 1, y - 5, x1 - 1, y + 5, e.color, 0.2);
+        break;
+    case LegendEntry::Sample::surface:
+        rectangle(x0, y - 6, x1, y + 6, e.color);
+        break;
+    }
+    place_text({x1 + gap, y, Text::Align::left, e.label, text_size, false, colors.text});
+}
+
+void Overlay::draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Colors& colors) {
+    const double x0 = in.x0, x1 = x0 + sample_width, text_x = x1 + gap;
+    double y = in.y0;
+    const auto line = [&](const std::string& text, bool bold, const Rgb& color) {
+        place_text({x0, y + row / 2, Text::Align::left, text, text_size, bold, color});
         y += row;
+    };
+    line(bar.title, true, colors.text);
+    if (!bar.note.empty()) line(bar.note, false, colors.faint_text);
+    // The ends' meanings stand beside the arrows, which say that there is more than the scale shows.
+    double bottom = in.y1 - (bar.other ? row : 0);
+    const auto end = [&](double tip, double base, bool arrow, const Rgb& color, const std::string& text) {
+        if (arrow) polygon({{x0, base}, {(x0 + x1) / 2, tip}, {x1, base}}, color, 1.0);
+        place_text(
+            {text_x, (2 * tip + base) / 3, Text::Align::left, text, text_size, false, colors.faint_text});
+    };
+    const double top = y + row;
+    bottom -= row;
+    end(y + 5, top - 1, bar.has_above, bar.above, bar.high_text);
+    end(bottom + row - 5, bottom + 1, bar.has_below, bar.below, bar.low_text);
+    const double high = bottom - top, step = high / double(bar.colors.size());
+    for (std::size_t i = 0; i < bar.colors.size(); ++i)
+        rectangle(x0, bottom - step * double(i + 1), x1, bottom - step * double(i), bar.colors[i]);
+    // Texts keep clear of each other and of those at the ends.
+    double lowest = bottom + 1;
+    for (const auto& [at, text] : bar.marks) {
+        const double place = bottom - at * high;
+        rectangle(x1, place - 0.5, x1 + 4, place + 0.5, colors.text);
+        const double text_y = std::clamp(place, top + text_size / 2 - 2, bottom - text_size / 2 + 2);
+        if (text_y > lowest - text_size && lowest <= bottom) continue;
+        place_text({text_x, text_y, Text::Align::left, text, text_size, false, colors.text});
+        lowest = text_y;
+    }
+    if (bar.other) {
+        const double other_y = in.y1 - row / 2;
+        rectangle(x0, other_y - 6, x1, other_y + 6, bar.other->first);
+        place_text({text_x, other_y, Text::Align::left, bar.other->second, text_size, false, colors.text});
     }
 }
 

@@ -30,11 +30,22 @@ struct LayoutRect {
 };
 
 struct LegendEntry {
-    enum class Sample { line, dashes, dot, box, surface };
+    enum class Sample { line, dashes, dot, spot, box, surface };
     Sample sample = Sample::line;
     Rgb color;
     double width = 1; ///< of a line, layout pixels
     std::string label;
+};
+
+/// A scale of colours in the legend, upright, its low end below.
+struct ColorBar {
+    std::string title, note;                           ///< the note stands under the title
+    std::vector<Rgb> colors;                           ///< from the low end to the high one
+    Rgb below, above;                                  ///< of what lies beyond the ends
+    bool has_below = false, has_above = false;         ///< there is something: an arrow is drawn
+    std::string low_text, high_text;                   ///< what the ends mean
+    std::vector<std::pair<double, std::string>> marks; ///< place (0..1) and text, ascending
+    std::optional<std::pair<Rgb, std::string>> other;  ///< a colour apart from the scale
 };
 
 struct OverlayContent {
@@ -43,6 +54,7 @@ struct OverlayContent {
     Palette palette = Palette::light;
     std::string title, subtitle, empty_text;
     std::vector<LegendEntry> legend;
+    std::optional<ColorBar> color_bar; ///< below the legend's entries
     bool scale = false;
     LengthUnit unit = LengthUnit::mm;
     double mm_per_pixel = 0; ///< per layout pixel
@@ -90,6 +102,8 @@ private:
     OverlayLayout lay_out(const OverlayContent& content, bool draw);
     void lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout);
     void lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout);
+    void draw_legend_entry(const LegendEntry& entry, double x0, double y, const Colors& colors);
+    void draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Colors& colors);
     void lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout);
     void lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout);
 

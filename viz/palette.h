@@ -23,7 +23,8 @@ struct Colors {
     Rgb background_top, background_bottom;
     Rgb text, faint_text, panel, panel_border;
     Rgb part, part_back, feature_edges, mesh_edges;
-    Rgb stock;
+    Rgb stock, cut_stock;
+    Rgb gouge, excess, collision; ///< of findings
     Rgb contacts;
     std::array<Rgb, motion_kinds> motions; ///< by MotionKind
     Rgb cutter, shank, holder;

@@ -46,6 +46,11 @@ inline constexpr std::size_t largest_part_without_preview = 50'000;
 /// Joins the vertices in each cell of a grid of about 100 cells a side, those that face one way (of six) in
 /// each cell, so that edges stay edges. About 10 ms per 100 000 facets.
 PartPreview make_preview(const PartDisplay& part, const Progress& progress);
+/// The same of any surface; `size` is that of its box, with the points around the box's middle. `merged`,
+/// unless null, gets the preview's vertex of every vertex.
+PartPreview make_preview(const std::vector<float>& points, const std::vector<float>& normals,
+                         const std::vector<std::int32_t>& triangles, const Vec3& size,
+                         std::vector<std::int32_t>* merged, const Progress& progress);
 
 /// Any mesh, also open, non-manifold or degenerate. Throws Cancelled within 20 ms.
 PartDisplayPtr prepare_part_display(MeshPtr mesh, const Progress& progress);

@@ -27,8 +27,14 @@ void append(std::vector<float>& values, const Vec3& v) {
 } // namespace
 
 PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
+    return make_preview(part.points, part.normals, part.triangles, part.box.size(), nullptr, progress);
+}
+
+PartPreview make_preview(const std::vector<float>& points, const std::vector<float>& all_normals,
+                         const std::vector<std::int32_t>& triangles, const Vec3& size,
+                         std::vector<std::int32_t>* merged_out, const Progress& progress) {
     PartPreview preview;
-    const Vec3 size = part.box.size();
+    if (merged_out) merged_out->assign(points.size() / 3, 0);
     const double step = size.maxCoeff() / cells_a_side;
     if (!(step > 0)) return preview;
     const Eigen::Array<std::size_t, 3, 1> cells = (size.array() / step).floor().cast<std::size_t>() + 1;
@@ -45,7 +51,7 @@ PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
         Vec3 total = Vec3::Zero();
         double count = 0;
     };
-    const std::size_t vertices = part.points.size() / 3;
+    const std::size_t vertices = points.size() / 3;
     std::vector<std::int32_t> place_of_cell(cells.prod(), -1);
     std::vector<Sum> places;
     std::vector<std::array<std::int32_t, 6>> vertex_of_place;
@@ -53,7 +59,7 @@ PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
     std::vector<std::int32_t> place_of_vertex, merged(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
         if (v % check_every == 0) progress.check();
-        const Vec3 p = vec(part.points, v), n = vec(part.normals, v);
+        const Vec3 p = vec(points, v), n = vec(all_normals, v);
         std::int32_t& place = place_of_cell[cell_of(p)];
         if (place < 0) {
             place = std::int32_t(places.size());
@@ -77,11 +83,11 @@ PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
         const double length = normals[i].total.norm();
         append(preview.normals, length > 0 ? Vec3(normals[i].total / length) : Vec3(0, 0, 1));
     }
-    for (std::size_t t = 0; t < part.triangles.size(); t += 3) {
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
         if (t % (3 * check_every) == 0) progress.check();
         std::array<std::int32_t, 3> corner{}, place{};
         for (std::size_t k = 0; k < 3; ++k) {
-            corner[k] = merged[std::size_t(part.triangles[t + k])];
+            corner[k] = merged[std::size_t(triangles[t + k])];
             place[k] = place_of_vertex[std::size_t(corner[k])];
         }
         if (place[0] == place[1] || place[1] == place[2] || place[2] == place[0]) continue;
@@ -93,6 +99,7 @@ PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
         if ((at(1) - at(0)).cross(at(2) - at(0)).dot(out) < 0) std::swap(corner[1], corner[2]);
         preview.triangles.insert(preview.triangles.end(), corner.begin(), corner.end());
     }
+    if (merged_out) *merged_out = std::move(merged);
     return preview;
 }
 

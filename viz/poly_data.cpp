@@ -6,6 +6,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <numeric>
@@ -66,6 +67,37 @@ std::vector<vtkSmartPointer<vtkPolyData>> pieces_of(vtkPolyData* like,
 }
 
 } // namespace
+
+vtkSmartPointer<vtkPolyData> triangle_data(const float* points, const float* normals, std::size_t point_count,
+                                           const std::int32_t* triangles, std::size_t triangle_count) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> p;
+    p->SetData(borrowed<vtkFloatArray>(points, 3 * point_count, 3));
+    data->SetPoints(p);
+    const auto n = borrowed<vtkFloatArray>(normals, 3 * point_count, 3);
+    n->SetName("Normals");
+    data->GetPointData()->SetNormals(n);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(3, borrowed<vtkTypeInt32Array>(triangles, 3 * triangle_count, 1));
+    data->SetPolys(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> dot_data(const std::vector<float>& points) {
+    auto data = with_points(points);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(1, counting(points.size() / 3));
+    data->SetVerts(cells);
+    return data;
+}
+
+void set_point_colors(const std::vector<vtkSmartPointer<vtkPolyData>>& data,
+                      const std::vector<std::uint8_t>& colors) {
+    const auto array = borrowed<vtkUnsignedCharArray>(colors, 4);
+    array->SetName("Colors");
+    for (const auto& d : data)
+        d->GetPointData()->SetScalars(array);
+}
 
 vtkSmartPointer<vtkPolyData> triangle_data(const std::vector<float>& points,
                                            const std::vector<float>& normals,

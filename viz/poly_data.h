@@ -19,6 +19,14 @@ std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<floa
                                                           const std::vector<float>& normals,
                                                           const std::vector<std::int32_t>& triangles,
                                                           std::size_t most);
+/// Of arrays that lie elsewhere: three numbers a point and a normal, three indices a triangle.
+vtkSmartPointer<vtkPolyData> triangle_data(const float* points, const float* normals, std::size_t point_count,
+                                           const std::int32_t* triangles, std::size_t triangle_count);
+/// Dots at points, three numbers each.
+vtkSmartPointer<vtkPolyData> dot_data(const std::vector<float>& points);
+/// Gives data a colour per point (RGBA). The array is referred to, and shared by all data it is given to.
+void set_point_colors(const std::vector<vtkSmartPointer<vtkPolyData>>& data,
+                      const std::vector<std::uint8_t>& colors);
 /// Separate segments, two indices each.
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments);

@@ -70,6 +70,14 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     scene.set_part_style(request.part_style);
     if (request.part) scene.set_part(prepare_part_display(request.part, progress.part(0.0, 0.4)));
     scene.set_stock(request.stock);
+    scene.set_cut_stock(request.cut_stock);
+    if (wanted(Layer::deviation) && request.verification && request.verification->surface)
+        scene.set_deviation(prepare_deviation_display(
+            request.verification->surface,
+            request.deviation_scale.value_or(default_scale(*request.verification, request.unit)),
+            progress.part(0.4, 0.4)));
+    if (wanted(Layer::findings) && request.verification)
+        scene.set_findings(finding_marks(*request.verification));
     if (wanted(Layer::cc) || wanted(Layer::cl)) {
         std::vector<PathSource> sources;
         for (const auto& operation : request.operations)
@@ -80,14 +88,17 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
         scene.set_tool(request.tool);
         scene.set_tool_pose(request.pose ? request.pose : middle_cut(request));
     }
-    for (const Layer layer : {Layer::part, Layer::edges, Layer::stock, Layer::cc, Layer::cl, Layer::tool}) {
+    for (const Layer layer : {Layer::part, Layer::edges, Layer::stock, Layer::deviation, Layer::findings,
+                              Layer::cc, Layer::cl, Layer::tool}) {
         scene.set_visible(layer, wanted(layer));
+        if (layer == Layer::findings) continue; // none is a good answer
         if (wanted(layer) && !scene.has(layer)) {
             const bool planned = layer == Layer::cc || layer == Layer::cl || layer == Layer::tool;
             throw Error(ErrorCode::empty_result, "--show " + std::string(layer_name(layer)),
                         "there is nothing to show",
-                        planned ? "give a project with an operation"
-                                : "give a part, or a project with stock");
+                        layer == Layer::deviation ? "give a project whose operations can be verified"
+                        : planned                 ? "give a project with an operation"
+                                                  : "give a part, or a project with stock");
         }
     }
     scene.set_title(request.title, request.subtitle.empty() && request.part
@@ -105,22 +116,22 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
 }
 
 std::vector<Layer> parse_picture_layers(std::string_view text, const std::string& where) {
-    static constexpr Layer known[] = {Layer::part, Layer::stock, Layer::cc,
-                                      Layer::cl,   Layer::tool,  Layer::edges};
+    static constexpr Layer known[] = {Layer::part, Layer::stock, Layer::cc,        Layer::cl,
+                                      Layer::tool, Layer::edges, Layer::deviation, Layer::findings};
     std::vector<Layer> layers;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = trimmed(text.substr(begin, end - begin));
         begin = end + 1;
-        if (word == "strips" || word == "cspace" || word == "deviation")
+        if (word == "strips" || word == "cspace")
             throw Error(ErrorCode::unsupported_format, where,
                         "no operation of this version makes '" + word + "' to show",
-                        "show part, stock, cc, cl, tool or edges");
+                        "show part, stock, cc, cl, tool, edges or deviation");
         const auto* layer =
             std::find_if(std::begin(known), std::end(known), [&](Layer l) { return layer_name(l) == word; });
         if (layer == std::end(known))
             throw Error(ErrorCode::out_of_range, where, "unknown layer '" + printable(word) + "'",
-                        "show part, stock, cc, cl, tool or edges, separated by commas");
+                        "show part, stock, cc, cl, tool, edges or deviation, separated by commas");
         if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
     }
     return layers;

@@ -18,7 +18,10 @@ struct RenderRequest {
     MeshPtr part;
     Box3 stock; ///< empty: none
     std::vector<std::shared_ptr<const OperationResult>> operations;
-    std::optional<Tool> tool;           ///< drawn in the layer `tool` ...
+    StockPatches cut_stock;                           ///< what the layer `stock` shows instead of the box
+    std::shared_ptr<const Verification> verification; ///< for the layers `deviation` and `findings`
+    std::optional<DeviationScale> deviation_scale;    ///< default_scale without it
+    std::optional<Tool> tool;                         ///< drawn in the layer `tool` ...
     std::optional<CutterLocation> pose; ///< ... here; without it at the middle cut of the last operation
     std::vector<Layer> layers{Layer::part};
     StandardView view = StandardView::iso;
@@ -38,8 +41,8 @@ void take_plan(RenderRequest& request, const Project& project, const PlanResult&
 /// 0.1 s.
 Picture render_picture(const RenderRequest& request, const Progress& progress);
 
-/// "part,stock,cc,cl,tool,edges" in any order. Throws Error(out_of_range) that names `where` for unknown
-/// words and Error(unsupported_format) for the layers whose results Facetmill does not make.
+/// "part,stock,cc,cl,tool,edges,deviation" in any order. Throws Error(out_of_range) that names `where` for
+/// unknown words and Error(unsupported_format) for the layers whose results Facetmill does not make.
 std::vector<Layer> parse_picture_layers(std::string_view text, const std::string& where);
 
 struct PictureSize {

@@ -10,7 +10,7 @@
 namespace facetmill {
 
 bool Scene::Impl::shows_content() const {
-    return part || !stock.empty() || (path && !path->box.empty());
+    return part || deviation || !stock.empty() || (path && !path->box.empty());
 }
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
@@ -66,7 +66,8 @@ void Scene::set_moving(bool moving) {
 }
 
 bool Scene::has_preview() const {
-    bool any = impl_->part_preview.filled || impl_->contact_preview.filled;
+    bool any = impl_->part_preview.filled || impl_->contact_preview.filled || impl_->deviation_preview.filled
+               || impl_->has_detail;
     for (const SceneActor& a : impl_->motion_preview)
         any = any || a.filled;
     return any;
@@ -232,7 +233,11 @@ bool Scene::has(Layer layer) const {
     case Layer::edges:
         return impl_->part != nullptr;
     case Layer::stock:
-        return !impl_->stock.empty();
+        return !impl_->stock.empty() || impl_->has_cut;
+    case Layer::deviation:
+        return impl_->deviation != nullptr;
+    case Layer::findings:
+        return !impl_->findings.empty();
     case Layer::cc:
         return impl_->path && !impl_->path->contacts.empty();
     case Layer::cl:
@@ -248,7 +253,7 @@ bool Scene::has(Layer layer) const {
     case Layer::scale:
         return impl_->shows_content();
     case Layer::legend:
-        return !impl_->legend().empty();
+        return !impl_->legend().empty() || impl_->color_bar();
     case Layer::title:
         return !impl_->title.empty() || !impl_->subtitle.empty();
     }

@@ -15,6 +15,8 @@
 #include "core/base/vec.h"
 #include "core/link/motion.h"
 #include "core/setup/tool.h"
+#include "core/verify/stock_model.h"
+#include "viz/deviation_display.h"
 #include "viz/part_display.h"
 #include "viz/path_display.h"
 
@@ -45,16 +47,18 @@ StandardView parse_view(std::string_view text, const std::string& where);
 
 /// What can be shown and hidden. All but `edges` are shown at first.
 enum class Layer {
-    part,   ///< the part's surface with its sharp and open edges
-    edges,  ///< all facet edges
-    stock,  ///< transparent box
-    cc,     ///< cutter contacts
-    cl,     ///< tool tip, coloured by the kind of motion
-    tool,   ///< cutter, shank and holder at the pose
-    marker, ///< picked point
-    axes,   ///< orientation axes in the corner
-    scale,  ///< scale bar with its unit
-    legend, ///< colours of what is shown
+    part,      ///< the part's surface with its sharp and open edges
+    edges,     ///< all facet edges
+    stock,     ///< a transparent box; the cut stock, which hides the part, where there is one
+    deviation, ///< the part's surface in the colours of its deviations; stands for the surface of `part`
+    findings,  ///< dots where something was found
+    cc,        ///< cutter contacts
+    cl,        ///< tool tip, coloured by the kind of motion
+    tool,      ///< cutter, shank and holder at the pose
+    marker,    ///< picked point
+    axes,      ///< orientation axes in the corner
+    scale,     ///< scale bar with its unit
+    legend,    ///< colours of what is shown
     title,
 };
 
@@ -67,6 +71,25 @@ enum class PartStyle { smooth, flat, wire };
 struct Marker {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero(); ///< zero: none drawn
+};
+
+/// A place where the verification found something.
+struct FindingMark {
+    enum class Kind { gouge, excess, collision };
+    Kind kind = Kind::gouge;
+    Vec3 point = Vec3::Zero();
+};
+inline constexpr std::size_t finding_kinds = 3;
+/// The deepest gouges, the places where most is left, and at most a few hundred collisions.
+std::vector<FindingMark> finding_marks(const Verification& verification);
+
+/// The surface of the stock in patches, as StockPlayback has them.
+using StockPatches = std::vector<std::shared_ptr<const StockPatch>>;
+
+/// Where the camera looks: see `look_at`.
+struct CameraPlace {
+    Vec3 target = Vec3::Zero(), toward_eye = Vec3::UnitZ(), up = Vec3::UnitY();
+    double height = 1; ///< mm in the window
 };
 
 /// Where the line of sight through a pixel meets the part first.
@@ -143,6 +166,21 @@ public:
     /// An empty box removes the stock.
     void set_stock(const Box3& box);
 
+    /// The cut stock instead of the box, while the stock has a box; empty: the box again. Patches that are
+    /// the same objects as before cost nothing, so that a few changed ones can be swapped between two frames.
+    /// `detail`, where not empty, is a finer surface of the same stock: drawn in full pictures, while
+    /// `patches` serve when the view moves.
+    void set_cut_stock(const StockPatches& patches, const StockPatches& detail = {});
+
+    /// nullptr removes it.
+    void set_deviation(DeviationDisplayPtr deviation);
+    /// Colours anew: some milliseconds for a hundred thousand samples.
+    void set_deviation_scale(const DeviationScale& scale);
+    const DeviationScale& deviation_scale() const;
+    /// What the legend says behind the word "Deviation", such as "out of date".
+    void set_deviation_note(const std::string& note);
+    void set_findings(const std::vector<FindingMark>& findings);
+
     /// Paths of one or several operations; an empty display or nullptr removes them.
     void set_path(PathDisplayPtr path);
 
@@ -178,6 +216,13 @@ public:
     void zoom_at(double x, double y, double factor);
     /// Brings a world point to the middle of the window, where the camera turns about it.
     void center_on(const Vec3& point);
+
+    CameraPlace camera_place() const;
+    /// The target comes to the middle of the window. `toward_eye` is a unit vector, not along `up`.
+    void look_at(const CameraPlace& place);
+    /// From where one sees a place of the part well: the direction of now, or where the surface turns away
+    /// from it another one from above; at least so near that the window is `height` high.
+    CameraPlace place_to_see(const Vec3& point, const Vec3& normal, double height) const;
 
     /// Needs an attached window with a size. Takes microseconds, whatever the size of the part.
     std::optional<PartPick> pick_part(double x, double y) const;

@@ -10,6 +10,7 @@
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -58,6 +59,14 @@ struct Scene::Impl {
     OverlayContent overlay_content() const;
     std::vector<LegendEntry> legend() const;
     bool shows_content() const;
+    bool shows_cut_stock() const;
+    bool shows_deviation() const;
+    std::optional<ColorBar> color_bar() const;
+    /// True when some patch has a surface. `old` are the patches the actors have now.
+    bool swap_patches(const StockPatches& patches, const StockPatches& old,
+                      std::vector<std::unique_ptr<SceneActor>>& actors);
+    /// The scale's colours on all deviation actors.
+    void color_deviation();
     bool shows_back() const; ///< part of the surface turns its back to the eye
     Vec2 display_of(const Vec3& point) const;
     Box3 tool_bounds() const;
@@ -93,6 +102,11 @@ struct Scene::Impl {
 
     PartDisplayPtr part;
     Box3 stock;
+    StockPatches cut_stock, cut_detail;
+    DeviationDisplayPtr deviation;
+    DeviationScale deviation_scale;
+    std::string deviation_note;
+    std::vector<FindingMark> findings;
     PathDisplayPtr path;
     std::optional<ToolShape> tool;
     std::optional<CutterLocation> pose;
@@ -101,6 +115,16 @@ struct Scene::Impl {
     SceneActor part_surface, part_lines, part_edges, part_preview;
     std::vector<std::unique_ptr<SceneActor>> more_surface, more_edges; ///< further pieces of a large part
     SceneActor stock_faces, stock_lines;
+    /// By the patches' numbers; null: no surface.
+    std::vector<std::unique_ptr<SceneActor>> cut_patches, detail_patches;
+    vtkNew<vtkProperty> cut_look;
+    bool has_cut = false, has_detail = false; ///< some patch has a surface
+    SceneActor deviation_surface, deviation_preview;
+    std::vector<std::unique_ptr<SceneActor>> more_deviation;
+    std::vector<vtkSmartPointer<vtkPolyData>> deviation_data;
+    std::vector<std::uint8_t> deviation_rgba, deviation_preview_rgba; ///< behind the actors' data
+    std::array<SceneActor, finding_kinds> finding_dots;
+    std::array<std::vector<float>, finding_kinds> finding_points;
     SceneActor contact_lines, contact_dots, contact_preview;
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
     std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder

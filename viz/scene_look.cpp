@@ -81,8 +81,10 @@ Scene::Impl::Impl() {
     axes_renderer->GetActiveCamera()->ParallelProjectionOn();
 
     const auto add_all = [&](auto&... actors) { (renderer->AddActor(actors.actor), ...); };
-    add_all(part_surface, part_preview, part_lines, part_edges, contact_preview, stock_faces, stock_lines,
-            contact_lines, contact_dots);
+    for (auto& a : finding_dots)
+        renderer->AddActor(a.actor);
+    add_all(part_surface, part_preview, deviation_surface, deviation_preview, part_lines, part_edges,
+            contact_preview, stock_faces, stock_lines, contact_lines, contact_dots);
     for (auto* lines : {&motion_lines, &motion_preview})
         for (auto& a : *lines)
             renderer->AddActor(a.actor);
@@ -99,6 +101,8 @@ Scene::Impl::Impl() {
             unlit(a);
     for (auto& a : tool_rings)
         unlit(a);
+    for (auto& a : finding_dots)
+        unlit(a);
 
     vtkProperty* surface = part_surface.actor->GetProperty();
     surface->SetAmbient(0.10);
@@ -108,6 +112,18 @@ Scene::Impl::Impl() {
     part_surface.actor->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New());
     part_preview.actor->SetProperty(surface);
     part_preview.actor->SetBackfaceProperty(part_surface.actor->GetBackfaceProperty());
+    // Colours that mean something are drawn with little shade, so that they can be found in the legend.
+    vtkProperty* colored = deviation_surface.actor->GetProperty();
+    colored->SetAmbient(0.35);
+    colored->SetDiffuse(0.65);
+    colored->SetSpecular(0);
+    deviation_surface.mapper->ScalarVisibilityOn();
+    deviation_preview.mapper->ScalarVisibilityOn();
+    deviation_preview.actor->SetProperty(colored);
+    cut_look->SetAmbient(0.10);
+    cut_look->SetDiffuse(0.90);
+    cut_look->SetSpecular(0.10);
+    cut_look->SetSpecularPower(24);
     // The previews look as what they stand for.
     contact_preview.actor->SetProperty(contact_lines.actor->GetProperty());
     for (std::size_t k = 0; k < motion_kinds; ++k)
@@ -140,6 +156,8 @@ Scene::Impl::Impl() {
     // The stock's faces lie behind the part's where both have the same plane.
     stock_faces.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
     contact_dots.actor->GetProperty()->SetRenderPointsAsSpheres(true);
+    for (auto& a : finding_dots)
+        a.actor->GetProperty()->SetRenderPointsAsSpheres(true);
 
     // The axes in the corner: an arrow along Z, turned.
     for (std::size_t k = 0; k < 3; ++k) {
@@ -176,6 +194,10 @@ void Scene::Impl::apply_palette() {
     set_color(part_edges, c.mesh_edges);
     set_color(stock_faces, c.stock);
     set_color(stock_lines, c.stock);
+    cut_look->SetColor(c.cut_stock.r, c.cut_stock.g, c.cut_stock.b);
+    set_color(finding_dots[std::size_t(FindingMark::Kind::gouge)], c.gouge);
+    set_color(finding_dots[std::size_t(FindingMark::Kind::excess)], c.excess);
+    set_color(finding_dots[std::size_t(FindingMark::Kind::collision)], c.collision);
     set_color(contact_lines, c.contacts);
     set_color(contact_dots, c.contacts);
     for (std::size_t k = 0; k < motion_kinds; ++k)
@@ -213,6 +235,8 @@ void Scene::Impl::apply_line_widths() {
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
         set(motion_lines[k], motion_line_width(MotionKind(k)));
+    for (auto& a : finding_dots)
+        a.actor->GetProperty()->SetPointSize(float(10 * ratio));
 }
 
 void Scene::Impl::apply_visibility() {
@@ -226,12 +250,25 @@ void Scene::Impl::apply_visibility() {
         for (auto& piece : more)
             show(*piece, wanted);
     };
-    show_all(part_surface, more_surface, on(Layer::part) && !wire && !coarse_part);
-    show(part_preview, on(Layer::part) && coarse_part);
-    show(part_lines, on(Layer::part));
-    show_all(part_edges, more_edges, (on(Layer::edges) || (on(Layer::part) && wire)) && !coarse_part);
-    show(stock_faces, on(Layer::stock));
-    show(stock_lines, on(Layer::stock));
+    // Cut stock and deviations stand where the part's surface is: one of them is drawn.
+    const bool cut = shows_cut_stock(), colored = shows_deviation();
+    const bool part_on = on(Layer::part) && !cut;
+    show_all(part_surface, more_surface, part_on && !wire && !coarse_part && !colored);
+    show(part_preview, part_on && coarse_part && !colored);
+    show(part_lines, part_on);
+    show_all(part_edges, more_edges, ((on(Layer::edges) && !cut) || (part_on && wire)) && !coarse_part);
+    const bool coarse_colors = moving && deviation_preview.filled;
+    show_all(deviation_surface, more_deviation, colored && !coarse_colors);
+    show(deviation_preview, colored && coarse_colors);
+    const bool detailed = has_detail && !moving;
+    for (auto& a : cut_patches)
+        if (a) show(*a, cut && !detailed);
+    for (auto& a : detail_patches)
+        if (a) show(*a, cut && detailed);
+    for (auto& a : finding_dots)
+        show(a, on(Layer::findings));
+    show(stock_faces, on(Layer::stock) && !cut);
+    show(stock_lines, on(Layer::stock) && !cut);
     show(contact_lines, on(Layer::cc) && !coarse_contacts);
     show(contact_dots, on(Layer::cc) && !coarse_contacts);
     show(contact_preview, on(Layer::cc) && coarse_contacts);
@@ -248,6 +285,7 @@ void Scene::Impl::apply_visibility() {
 }
 
 bool Scene::Impl::shows_back() const {
+    if (shows_cut_stock() || shows_deviation()) return false;
     if (!part || !part->has_border || !layer_on[std::size_t(Layer::part)] || part_style == PartStyle::wire)
         return false;
     // A sample is enough for a line of the legend.
@@ -310,7 +348,17 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
     };
     std::vector<LegendEntry> all;
     if (shows_back()) all.push_back({Sample::surface, c.part_back, 1, "Back of the surface"});
-    if (on(Layer::stock) && stock_lines.filled) all.push_back({Sample::box, c.stock, 1, "Stock"});
+    if (shows_cut_stock())
+        all.push_back({Sample::surface, c.cut_stock, 1, "Stock"});
+    else if (on(Layer::stock) && stock_lines.filled)
+        all.push_back({Sample::box, c.stock, 1, "Stock"});
+    const auto found = [&](FindingMark::Kind kind, const Rgb& color, const char* label) {
+        if (on(Layer::findings) && finding_dots[std::size_t(kind)].filled)
+            all.push_back({Sample::spot, color, 1, label});
+    };
+    found(FindingMark::Kind::gouge, c.gouge, "Deepest gouges");
+    found(FindingMark::Kind::collision, c.collision, "Collisions");
+    found(FindingMark::Kind::excess, c.excess, "Largest excess");
     if (on(Layer::cc) && contact_dots.filled) all.push_back({Sample::dot, c.contacts, 1, "Contact points"});
     const auto add = [&](MotionKind kind, const char* label) {
         const auto k = std::size_t(kind);
@@ -345,7 +393,10 @@ OverlayContent Scene::Impl::overlay_content() const {
         content.subtitle = subtitle;
     }
     if (!shows_content()) content.empty_text = empty_text;
-    if (on(Layer::legend)) content.legend = legend();
+    if (on(Layer::legend)) {
+        content.legend = legend();
+        content.color_bar = color_bar();
+    }
     content.scale = on(Layer::scale) && shows_content();
     content.unit = unit;
     content.mm_per_pixel = pixel_size() * ratio;

@@ -60,9 +60,9 @@ StandardView parse_view(std::string_view text, const std::string& where) {
 }
 
 const std::vector<Layer>& all_layers() {
-    static const std::vector<Layer> all{Layer::part,  Layer::edges,  Layer::stock,  Layer::cc,
-                                        Layer::cl,    Layer::tool,   Layer::marker, Layer::axes,
-                                        Layer::scale, Layer::legend, Layer::title};
+    static const std::vector<Layer> all{
+        Layer::part, Layer::edges,  Layer::stock, Layer::deviation, Layer::findings, Layer::cc,   Layer::cl,
+        Layer::tool, Layer::marker, Layer::axes,  Layer::scale,     Layer::legend,   Layer::title};
     return all;
 }
 
@@ -74,6 +74,10 @@ std::string_view layer_name(Layer layer) {
         return "edges";
     case Layer::stock:
         return "stock";
+    case Layer::deviation:
+        return "deviation";
+    case Layer::findings:
+        return "findings";
     case Layer::cc:
         return "cc";
     case Layer::cl:
@@ -102,6 +106,10 @@ std::string_view layer_label(Layer layer) {
         return "Facet edges";
     case Layer::stock:
         return "Stock";
+    case Layer::deviation:
+        return "Deviation";
+    case Layer::findings:
+        return "Findings";
     case Layer::cc:
         return "Contact points (CC)";
     case Layer::cl:

@@ -45,6 +45,12 @@ std::vector<std::vector<SceneActor*>> Scene::Impl::heavy_groups() {
     std::vector<SceneActor*> heavy{&part_surface};
     for (auto& piece : more_surface)
         heavy.push_back(piece.get());
+    heavy.push_back(&deviation_surface);
+    for (auto& piece : more_deviation)
+        heavy.push_back(piece.get());
+    for (auto* patches : {&cut_patches, &detail_patches})
+        for (auto& patch : *patches)
+            if (patch) heavy.push_back(patch.get());
     heavy.push_back(&part_lines);
     heavy.push_back(&part_edges);
     for (auto& piece : more_edges)

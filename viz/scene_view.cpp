@@ -155,7 +155,13 @@ Vec3 Scene::Impl::point_at(double x, double y) const {
 Box3 Scene::bounds(bool with_tool) const {
     Box3 b;
     if (impl_->part && (visible(Layer::part) || visible(Layer::edges))) b.add(impl_->part->box);
-    if (visible(Layer::stock)) b.add(impl_->stock);
+    if (impl_->deviation && visible(Layer::deviation)) b.add(impl_->deviation->box);
+    if (visible(Layer::stock)) {
+        b.add(impl_->stock);
+        if (impl_->stock.empty())
+            for (const auto& patch : impl_->cut_stock)
+                if (patch) b.add(patch->box);
+    }
     if (impl_->path && (visible(Layer::cc) || visible(Layer::cl))) b.add(impl_->path->box);
     if (with_tool && visible(Layer::tool)) b.add(impl_->tool_bounds());
     return b;

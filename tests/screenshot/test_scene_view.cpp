@@ -261,7 +261,7 @@ private slots:
 
         QCOMPARE(parse_picture_layers("part,stock, cc ,cl,tool,part", "--show"),
                  (std::vector<Layer>{Layer::part, Layer::stock, Layer::cc, Layer::cl, Layer::tool}));
-        for (const char* word : {"strips", "cspace", "deviation", "part,deviation"})
+        for (const char* word : {"strips", "cspace", "part,cspace"})
             QCOMPARE(code_of([&] { parse_picture_layers(word, "--show"); }),
                      std::string("unsupported_format"));
         for (const char* word : {"", ",", "part,", "parts", "legend", "part;cl", "\xff\n"})
