@@ -4,6 +4,8 @@
 #include "core/output/cl_program.h"
 #include "core/setup/machine.h"
 
+#include <vector>
+
 namespace facetmill {
 
 struct MotionTotals {
@@ -13,5 +15,8 @@ struct MotionTotals {
 };
 
 MotionTotals motion_totals(const ClProgram& program, const Machine& machine);
+
+/// Of every motion; the first comes from nobody knows where and takes no time. Their sum is the total's time.
+std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine);
 
 } // namespace facetmill

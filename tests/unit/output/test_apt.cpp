@@ -561,6 +561,10 @@ private slots:
         QCOMPARE(t.time_seconds, 2.6 + 3.0); // x: 30 mm at 10 mm/s is the slowest axis
         add(MotionKind::rapid, 1033, 1045, 1020);
         QCOMPARE(motion_totals(p, machine).time_seconds, 2.6 + 3.0 + 4.0);
+        const std::vector<double> each = motion_seconds(p, machine), expected{0, 3, 1, 0.5, 0.1, 1, 4};
+        QCOMPARE(each.size(), expected.size());
+        for (std::size_t i = 0; i < each.size(); ++i)
+            QVERIFY(std::abs(each[i] - expected[i]) < 1e-12);
     }
 };
 
