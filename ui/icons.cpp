@@ -115,6 +115,20 @@ void draw_tool(Sheet& s) {
     s.line(9.3, 12.4, 14.7, 8.8);
 }
 
+/// The ground of a verdict, unlike the discs of planning; leaves a white pen.
+void draw_shield(Sheet& s, const QColor& colour) {
+    QPainterPath path(QPointF(12, 2.5));
+    path.lineTo(20, 5.2);
+    path.lineTo(20, 11);
+    path.cubicTo(20, 16.5, 16.5, 20, 12, 21.8);
+    path.cubicTo(7.5, 20, 4, 16.5, 4, 11);
+    path.lineTo(4, 5.2);
+    path.closeSubpath();
+    s.fill(colour);
+    s.painter().drawPath(path);
+    s.pen(Qt::white, 2.2);
+}
+
 void draw(Sheet& s, Icon which, const SignalColours& colours) {
     switch (which) {
     case Icon::new_project:
@@ -202,6 +216,48 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         s.painter().setBrush(s.faint(colours.good, 190));
         s.polygon({{6.5, 4}, {20, 12}, {6.5, 20}});
         break;
+    case Icon::verify:
+        // A glass over a surface, with the mark of what passed.
+        s.pen(s.ink(), 1.8);
+        s.circle(10.5, 10, 6.8);
+        s.pen(s.ink(), 2.4);
+        s.line(15.6, 15.2, 20.8, 20.6);
+        s.pen(colours.good, 2.1);
+        s.polyline({{7.4, 10.2}, {9.8, 12.6}, {13.8, 7.6}});
+        break;
+    case Icon::play:
+        s.fill(s.ink());
+        s.polygon({{7.5, 4.5}, {19.5, 12}, {7.5, 19.5}});
+        break;
+    case Icon::pause:
+        s.fill(s.ink());
+        s.rect(6.5, 5, 4, 14, 0.8);
+        s.rect(13.5, 5, 4, 14, 0.8);
+        break;
+    case Icon::step_back:
+    case Icon::step_forward:
+    case Icon::to_start:
+    case Icon::to_end: {
+        const bool back = which == Icon::step_back || which == Icon::to_start;
+        const bool far = which == Icon::to_start || which == Icon::to_end;
+        QPainter& p = s.painter();
+        p.save();
+        if (back) {
+            p.translate(24, 0);
+            p.scale(-1, 1);
+        }
+        s.fill(s.ink());
+        if (far) {
+            s.polygon({{4, 6}, {11, 12}, {4, 18}});
+            s.polygon({{10.5, 6}, {17.5, 12}, {10.5, 18}});
+            s.rect(17.8, 6, 2.4, 12, 0.6);
+        } else {
+            s.rect(6, 6, 2.6, 12, 0.6);
+            s.polygon({{10.5, 6}, {18.5, 12}, {10.5, 18}});
+        }
+        p.restore();
+        break;
+    }
     case Icon::cancel:
         s.pen(colours.bad, 1.7);
         s.painter().setBrush(s.faint(colours.bad, 190));
@@ -316,6 +372,20 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         s.pen(Qt::white, 2.2);
         s.line(9, 9, 15, 15);
         s.line(15, 9, 9, 15);
+        break;
+    case Icon::verified:
+        draw_shield(s, colours.good);
+        s.polyline({{8.2, 11.8}, {11, 14.6}, {16, 8.6}});
+        break;
+    case Icon::verify_failed:
+        draw_shield(s, colours.bad);
+        s.line(9, 8.4, 15, 14.4);
+        s.line(15, 8.4, 9, 14.4);
+        break;
+    case Icon::verify_stale:
+        s.pen(colours.quiet, 2);
+        s.circle(12, 12, 8.2);
+        s.polyline({{12, 7}, {12, 12}, {15.6, 14}});
         break;
     case Icon::information:
         s.fill(colours.busy);

@@ -25,7 +25,15 @@ enum class Icon {
     close,
     // jobs
     plan,
+    verify,
     cancel,
+    // playback
+    play,
+    pause,
+    step_back,
+    step_forward,
+    to_start,
+    to_end,
     // views
     fit,
     view_iso,
@@ -49,6 +57,9 @@ enum class Icon {
     planned,
     stale,
     failed,
+    verified,
+    verify_failed,
+    verify_stale,
     information,
     warning,
     error,

@@ -21,7 +21,9 @@ constexpr Entry entries[] = {
     {ViewLayer::edges, "edges", QT_TRANSLATE_NOOP("LayerBar", "Edges"),
      QT_TRANSLATE_NOOP("LayerBar", "The edges of all facets"), false},
     {ViewLayer::stock, "stock", QT_TRANSLATE_NOOP("LayerBar", "Stock"),
-     QT_TRANSLATE_NOOP("LayerBar", "The raw material"), false},
+     QT_TRANSLATE_NOOP("LayerBar", "The raw material; during playback as it is cut"), false},
+    {ViewLayer::deviation, "deviation", QT_TRANSLATE_NOOP("LayerBar", "Deviation"),
+     QT_TRANSLATE_NOOP("LayerBar", "The part in the colours of what the verification found"), true},
     {ViewLayer::cc, "cc", QT_TRANSLATE_NOOP("LayerBar", "CC"),
      QT_TRANSLATE_NOOP("LayerBar", "Cutter contacts: the points of the part that are cut"), false},
     {ViewLayer::cuts, "cuts", QT_TRANSLATE_NOOP("LayerBar", "CL cuts"),
@@ -83,6 +85,8 @@ void LayerBar::apply(Scene& scene) const {
     scene.set_visible(Layer::part, shown(ViewLayer::part));
     scene.set_visible(Layer::edges, shown(ViewLayer::edges));
     scene.set_visible(Layer::stock, shown(ViewLayer::stock));
+    scene.set_visible(Layer::deviation, shown(ViewLayer::deviation));
+    scene.set_visible(Layer::findings, shown(ViewLayer::deviation));
     scene.set_visible(Layer::cc, shown(ViewLayer::cc));
     scene.set_visible(Layer::tool, shown(ViewLayer::tool));
     const bool links = shown(ViewLayer::links);

@@ -5,12 +5,15 @@
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
 #include "ui/parameter_form.h"
+#include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/text.h"
+#include "ui/verification_desk.h"
+#include "ui/verification_panel.h"
 #include "ui/view_cube.h"
 #include "ui/viewport.h"
 
@@ -31,6 +34,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace facetmill::ui {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
@@ -50,8 +55,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     viewport_ = new Viewport(centre);
     viewport_->setObjectName(QStringLiteral("viewport"));
     layers_ = new LayerBar(centre);
+    desk_ = new VerificationDesk(document_, *viewport_, *layers_, job_, this);
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
+    column->addWidget(desk_->bar());
     column->addWidget(layers_);
     setCentralWidget(centre);
 
@@ -77,8 +84,9 @@ MainWindow::~MainWindow() {
     // The children go while the document they show is still there. An entry that was not finished goes with
     // its field.
     properties_->form()->disconnect();
-    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, log_dock_})
+    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, log_dock_})
         delete dock;
+    delete desk_;
     delete takeCentralWidget();
 }
 
@@ -100,6 +108,13 @@ void MainWindow::build_docks() {
     project_dock_ = dock(tr("Project"), "project_dock", tree_, Qt::LeftDockWidgetArea);
     properties_dock_ = dock(tr("Parameters"), "properties_dock", properties_, Qt::LeftDockWidgetArea);
     report_dock_ = dock(tr("Report"), "report_dock", report_, Qt::RightDockWidgetArea);
+    verification_dock_ =
+        dock(tr("Verification"), "verification_dock", desk_->panel(), Qt::RightDockWidgetArea);
+    tabifyDockWidget(report_dock_, verification_dock_);
+    report_dock_->raise();
+    tree_->set_verification(desk_->model());
+    tree_->tree()->installEventFilter(desk_);
+    desk_->panel()->findings()->installEventFilter(desk_);
     log_dock_ = dock(tr("Log"), "log_dock", log_, Qt::BottomDockWidgetArea);
 }
 
@@ -155,8 +170,21 @@ void MainWindow::connect_parts() {
     });
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
+    connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
+    connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);
+    connect(desk_, &VerificationDesk::verified, this, [this] {
+        last_failure_.clear();
+        verification_dock_->show();
+        verification_dock_->raise();
+    });
+    connect(desk_, &VerificationDesk::tool_moved, this, [this](const QString& readout) {
+        readout_text_ = readout;
+        readout_->set_text(readout);
+        check_settled();
+    });
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());
+        desk_->layers_changed();
         viewport_->refresh();
     });
 
@@ -246,20 +274,27 @@ void MainWindow::restore_window() {
 }
 
 void MainWindow::arrange_report() {
-    // In a narrow window the report stands behind the parameters, so that the view keeps room; in a wide one
-    // it goes back.
+    // In a narrow window report and verification stand behind the parameters, so that the view keeps room; in
+    // a wide one they go back.
     constexpr int narrow = 1000;
-    if (report_dock_->isFloating()) return;
-    if (width() < narrow && !report_dock_->isHidden()
-        && dockWidgetArea(report_dock_) == Qt::RightDockWidgetArea && !properties_dock_->isFloating()
-        && dockWidgetArea(properties_dock_) == Qt::LeftDockWidgetArea) {
-        tabifyDockWidget(properties_dock_, report_dock_);
-        properties_dock_->raise();
-        report_made_way_ = true;
-    } else if (width() >= narrow && report_made_way_) {
-        addDockWidget(Qt::RightDockWidgetArea, report_dock_);
+    if (width() < narrow) {
+        if (properties_dock_->isFloating() || dockWidgetArea(properties_dock_) != Qt::LeftDockWidgetArea)
+            return;
+        for (QDockWidget* dock : {report_dock_, verification_dock_}) {
+            if (dock->isFloating() || dock->isHidden() || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
+                continue;
+            tabifyDockWidget(properties_dock_, dock);
+            properties_dock_->raise();
+            made_way_.push_back(dock);
+        }
+    } else if (!made_way_.empty()) {
+        for (QDockWidget* dock : std::exchange(made_way_, {}))
+            if (!dock->isFloating()) addDockWidget(Qt::RightDockWidgetArea, dock);
+        if (dockWidgetArea(report_dock_) == dockWidgetArea(verification_dock_)) {
+            tabifyDockWidget(report_dock_, verification_dock_);
+            report_dock_->raise();
+        }
         resizeDocks({report_dock_}, {250}, Qt::Horizontal);
-        report_made_way_ = false;
     }
 }
 
@@ -282,6 +317,8 @@ void MainWindow::update_actions() {
     save_->setEnabled(has_part);
     save_as_->setEnabled(has_part);
     plan_->setEnabled(idle && has_part && document_.operation_count() > 0);
+    verify_->setEnabled(plan_->isEnabled());
+    desk_->panel()->set_ready(verify_->isEnabled());
     export_->setEnabled(idle && has_part);
     picture_->setEnabled(has_part);
     cancel_->setEnabled(!idle && !job_.cancelling());
@@ -301,6 +338,7 @@ void MainWindow::set_theme(Theme theme) {
     viewport_->scene().set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
     viewport_->view_cube()->update();
     viewport_->refresh();
+    message_->colour();
     for (std::size_t i = 0; i < theme_actions_.size(); ++i)
         theme_actions_[i]->setChecked(i == std::size_t(theme));
 }
@@ -345,7 +383,7 @@ void MainWindow::ended(const JobEnd& end) {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || display_job_.running() || !viewport_->finished();
+    return job_.running() || display_job_.running() || desk_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {
@@ -385,6 +423,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (desk_->take_key(*event)) return;
     if (tool_at_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
         const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
         step_tool(event->key() == Qt::Key_Left ? -by : by);

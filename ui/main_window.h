@@ -33,6 +33,7 @@ class PropertiesPanel;
 class ReportView;
 class StartHint;
 class ToolDialog;
+class VerificationDesk;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -47,6 +48,8 @@ public:
     void new_from_sample(const std::string& name);
     /// Plans all operations, or one.
     void plan(std::optional<std::size_t> only = std::nullopt);
+    /// Verifies the plan; what is not planned as it stands is planned first.
+    void verify();
     void cancel();
     /// Writes to `path`; false when that failed, with the reason in the window.
     bool save_to(const QString& path);
@@ -68,6 +71,7 @@ public:
     LayerBar& layers() { return *layers_; }
     MessageBar& message_bar() { return *message_; }
     ReportView& report() { return *report_; }
+    VerificationDesk& verification() { return *desk_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -124,6 +128,7 @@ private:
     bool save();
     bool save_as();
     void export_with_dialog();
+    bool may_export();
     void picture_with_dialog();
 
     // main_window_plan.cpp
@@ -149,9 +154,10 @@ private:
     ReportView* report_ = nullptr;
     LogView* log_ = nullptr;
     LayerBar* layers_ = nullptr;
+    VerificationDesk* desk_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
-                *log_dock_ = nullptr;
+                *log_dock_ = nullptr, *verification_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* activity_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -159,8 +165,8 @@ private:
     QComboBox* unit_box_ = nullptr;
     QMenu *recent_menu_ = nullptr, *sample_menu_ = nullptr, *view_menu_ = nullptr;
     QAction *new_ = nullptr, *open_ = nullptr, *save_ = nullptr, *save_as_ = nullptr, *export_ = nullptr,
-            *picture_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *cancel_ = nullptr,
-            *fit_ = nullptr;
+            *picture_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *verify_ = nullptr,
+            *cancel_ = nullptr, *fit_ = nullptr;
     std::vector<QAction*> theme_actions_, unit_actions_, view_actions_;
 
     QString last_failure_, sample_folder_, readout_text_;
@@ -169,7 +175,8 @@ private:
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
     bool settling_ = false;
-    bool report_made_way_ = false; ///< the report was put behind the parameters because the window is narrow
+    bool verify_next_ = false;           ///< when the planning under way is through
+    std::vector<QDockWidget*> made_way_; ///< put behind the parameters because the window is narrow
     // Last, so that they end first: their work uses the planner.
     BackgroundJob job_, display_job_;
 };

@@ -59,6 +59,9 @@ void MainWindow::build_actions() {
     plan_ = add_action(Icon::plan, tr("&Plan"), {}, "plan", [this] { plan(); });
     plan_->setShortcuts({QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_P)});
     plan_->setToolTip(tr("Plan all operations (F5)"));
+    verify_ =
+        add_action(Icon::verify, tr("&Verify"), QKeySequence(Qt::Key_F6), "verify", [this] { verify(); });
+    verify_->setToolTip(tr("Cut a model of the stock with all operations and compare it with the part (F6)"));
     cancel_ =
         add_action(Icon::cancel, tr("&Cancel"), QKeySequence(Qt::Key_Escape), "cancel", [this] { cancel(); });
 
@@ -158,11 +161,12 @@ void MainWindow::build_menus() {
         theme_actions_.push_back(a);
     }
     view_menu_->addSeparator();
-    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, log_dock_})
+    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, log_dock_})
         view_menu_->addAction(dock->toggleViewAction());
 
     QMenu* plan = menuBar()->addMenu(tr("&Plan"));
     plan->addAction(plan_);
+    plan->addAction(verify_);
     plan->addAction(cancel_);
     plan->addSeparator();
     plan->addAction(export_);
@@ -182,9 +186,11 @@ void MainWindow::build_menus() {
     bar->addAction(undo_);
     bar->addAction(redo_);
     bar->addSeparator();
-    bar->addAction(plan_);
+    for (QAction* a : {plan_, verify_}) {
+        bar->addAction(a);
+        static_cast<QToolButton*>(bar->widgetForAction(a))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
     bar->addAction(cancel_);
-    static_cast<QToolButton*>(bar->widgetForAction(plan_))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addAction(export_);
     bar->addSeparator();
     for (QAction* a : view_actions_)
@@ -216,6 +222,9 @@ void MainWindow::show_shortcuts() {
     row(tr("Click on a path"), tr("show the tool there; ← and → step along the path (Shift: by ten)"));
     row(tr("0 … 6"), tr("isometric, front, top, right, rear, bottom, left"));
     row(tr("F5, Ctrl+P"), tr("plan"));
+    row(tr("F6"), tr("verify"));
+    row(tr("Space"), tr("play, pause"));
+    row(tr(",  ."), tr("one motion back, on (← and → too while playing back; Shift: ten)"));
     row(tr("Esc"), tr("cancel the running job"));
     row(tr("Ctrl+E"), tr("export APT programs and the report"));
     row(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("undo, redo"));

@@ -8,6 +8,7 @@
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/verification_desk.h"
 #include "ui/viewport.h"
 
 #include <QDir>
@@ -15,6 +16,7 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSaveFile>
 
 namespace facetmill::ui {
@@ -260,6 +262,7 @@ void MainWindow::export_with_dialog() {
         export_to({}); // says why not
         return;
     }
+    if (!may_export()) return;
     const QString folder =
         QFileDialog::getExistingDirectory(this, tr("Export APT programs into"), settings::last_folder());
     if (folder.isEmpty()) return;
@@ -276,6 +279,28 @@ void MainWindow::export_with_dialog() {
         return;
     settings::set_last_folder(folder);
     export_to(folder);
+}
+
+bool MainWindow::may_export() {
+    const QString doubt = desk_->doubt();
+    if (doubt.isEmpty()) return true;
+    const Verdict verdict = desk_->model().verdict();
+    QMessageBox box(QMessageBox::Warning, tr("Export unverified programs?"), doubt, QMessageBox::Cancel,
+                    this);
+    box.setInformativeText(verdict == Verdict::failed
+                               ? tr("Running these programs can damage part, tool and machine.")
+                               : tr("Verify first (F6), or export programs that nobody has checked."));
+    QPushButton* verify_first =
+        verdict == Verdict::failed ? nullptr : box.addButton(tr("Verify"), QMessageBox::AcceptRole);
+    const QAbstractButton* go_on = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
+    if (verify_first)
+        box.setDefaultButton(verify_first);
+    else
+        box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    const QAbstractButton* pressed = box.clickedButton();
+    if (verify_first && pressed == static_cast<QAbstractButton*>(verify_first)) verify();
+    return pressed == go_on;
 }
 
 void MainWindow::export_to(const QString& folder) {
@@ -299,15 +324,19 @@ void MainWindow::export_to(const QString& folder) {
         [=](const Progress& p) {
             *written = write_plan(*project, *plan, target, p.part(0, 1, "Writing programs"));
         },
-        [this, written](const JobEnd& end) {
+        [this, written, doubt = desk_->doubt()](const JobEnd& end) {
             if (!end.done()) return;
             last_failure_.clear();
             for (const auto& path : *written)
                 tell(MessageBar::Kind::information, tr("Wrote %1.").arg(path_text(path)), false);
-            if (!written->empty())
-                message_->show_message(MessageBar::Kind::information,
-                                       tr("Wrote %n file(s) into %1.", nullptr, int(written->size()))
-                                           .arg(path_text(written->front().parent_path())));
+            if (written->empty()) return;
+            const QString wrote = tr("Wrote %n file(s) into %1.", nullptr, int(written->size()))
+                                      .arg(path_text(written->front().parent_path()));
+            // A wrong path is worse than none: it does not leave without a word.
+            if (doubt.isEmpty())
+                message_->show_message(MessageBar::Kind::information, wrote);
+            else
+                tell(MessageBar::Kind::warning, wrote + QChar(' ') + doubt);
         });
 }
 

@@ -6,6 +6,7 @@
 #include "ui/properties_panel.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
+#include "ui/verification_desk.h"
 #include "ui/viewport.h"
 
 #include <algorithm>
@@ -59,6 +60,17 @@ void MainWindow::show_part(const LoadedPart& loaded, bool new_view) {
 void MainWindow::show_stock() {
     const auto& part = document_.part();
     viewport_->scene().set_stock(part ? stock_box(document_.project().stock, part->box) : Box3());
+}
+
+void MainWindow::verify() {
+    if (job_.running() || !document_.has_part()) return;
+    if (properties_->commit() && desk_->can_verify()) {
+        message_->dismiss();
+        desk_->verify();
+        return;
+    }
+    plan(); // or says why it cannot
+    verify_next_ = job_.running();
 }
 
 void MainWindow::plan(std::optional<std::size_t> only) {
@@ -119,6 +131,7 @@ void MainWindow::plan(std::optional<std::size_t> only) {
 
 void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end) {
     document_.set_planning({});
+    const bool verify_now = std::exchange(verify_next_, false);
     if (!end.done()) return; // nothing was taken over: the states are what they were
     if (work->read_part && Document::part_key(document_.project()) == work->part.key)
         show_part(work->part, false);
@@ -152,6 +165,7 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
     const bool on_operation = node && node->kind == TreeNode::Kind::operation;
     if (!on_operation && !work->wanted.empty())
         tree_->select({TreeNode::Kind::operation, work->wanted.front()});
+    if (verify_now) desk_->verify(); // unless an operation failed: then that is what was said
 }
 
 void MainWindow::refresh_paths() {
@@ -248,6 +262,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     readout_text_ = readout;
     readout_->set_text(readout);
     viewport_->refresh();
+    desk_->tool_put(*index, pick.motion);
 }
 
 void MainWindow::hide_tool() {

@@ -3,7 +3,7 @@
 #include "ui/icons.h"
 #include "ui/theme.h"
 
-#include <QEvent>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -51,7 +51,7 @@ void MessageBar::dismiss() {
 }
 
 void MessageBar::colour() {
-    const QPalette window = parentWidget() ? parentWidget()->palette() : QPalette();
+    const QPalette window = QApplication::palette();
     const SignalColours signal = signal_colours(window);
     const QColor mark = kind_ == Kind::error     ? signal.bad
                         : kind_ == Kind::warning ? signal.attention
@@ -66,11 +66,6 @@ void MessageBar::colour() {
                           : kind_ == Kind::warning ? Icon::warning
                                                    : Icon::information)
                          .pixmap(18, 18));
-}
-
-void MessageBar::changeEvent(QEvent* event) {
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::ParentChange || event->type() == QEvent::ApplicationPaletteChange) colour();
 }
 
 } // namespace facetmill::ui

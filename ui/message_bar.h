@@ -19,15 +19,13 @@ public:
     void show_message(Kind kind, const QString& message);
     /// The message that is shown, or nothing.
     QString message() const;
+    /// The colours of the present theme.
+    void colour();
 
 public slots:
     void dismiss();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void colour();
     Kind kind_ = Kind::information;
     QLabel* icon_ = nullptr;
     QLabel* text_ = nullptr;

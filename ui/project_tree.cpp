@@ -3,6 +3,7 @@
 #include "core/setup/machine.h"
 #include "ui/icons.h"
 #include "ui/text.h"
+#include "ui/verification_model.h"
 
 #include <QAction>
 #include <QHeaderView>
@@ -15,6 +16,7 @@ namespace facetmill::ui {
 
 namespace {
 
+constexpr int badge_column = 1, badge_width = 26;
 constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1;
 
 Icon state_icon(OperationState state) {
@@ -60,13 +62,18 @@ QString state_text(OperationState state) {
 ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
     tree_ = new QTreeWidget(this);
     tree_->setObjectName(QStringLiteral("project_tree"));
-    tree_->setColumnCount(1);
+    tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setUniformRowHeights(true);
     tree_->setIndentation(16);
     tree_->setTextElideMode(Qt::ElideMiddle);
-    tree_->header()->setStretchLastSection(true);
+    tree_->header()->setStretchLastSection(false);
+    tree_->header()->setMinimumSectionSize(badge_width);
+    tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(badge_column, QHeaderView::Fixed);
+    tree_->header()->resizeSection(badge_column, badge_width);
+    tree_->setColumnHidden(badge_column, true); // until there is a verdict
     tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setExpandsOnDoubleClick(false);
@@ -243,6 +250,31 @@ void ProjectTree::show_states() {
         if (state == OperationState::failed) help += QStringLiteral(": ") + document_.failure(i);
         it->setToolTip(0, help);
     }
+    show_verdicts();
+}
+
+void ProjectTree::set_verification(const VerificationModel& model) {
+    verification_ = &model;
+    connect(&model, &VerificationModel::changed, this, &ProjectTree::show_verdicts);
+    show_verdicts();
+}
+
+void ProjectTree::show_verdicts() {
+    if (!verification_) return;
+    bool any = false;
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        QTreeWidgetItem* it = item({TreeNode::Kind::operation, i});
+        if (!it) continue;
+        const Verdict verdict = verification_->verdict(i);
+        any |= verdict != Verdict::none;
+        it->setIcon(badge_column, verdict == Verdict::verified ? icon(Icon::verified)
+                                  : verdict == Verdict::failed ? icon(Icon::verify_failed)
+                                  : verdict == Verdict::stale  ? icon(Icon::verify_stale)
+                                                               : QIcon());
+        it->setToolTip(badge_column, verdict == Verdict::none ? QString() : verification_->why(i));
+        it->setData(badge_column, Qt::AccessibleTextRole, verdict_text(verdict));
+    }
+    tree_->setColumnHidden(badge_column, !any);
 }
 
 void ProjectTree::update_actions() {

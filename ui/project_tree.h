@@ -22,6 +22,8 @@ struct TreeNode {
     bool operator==(const TreeNode&) const = default;
 };
 
+class VerificationModel;
+
 class ProjectTree : public QWidget {
     Q_OBJECT
 public:
@@ -32,6 +34,9 @@ public:
     void select(const TreeNode& node);
     QTreeWidget* tree() { return tree_; }
     QTreeWidgetItem* item(const TreeNode& node) const;
+
+    /// Shows a badge for the verdict on every operation. The model lives as long as the tree.
+    void set_verification(const VerificationModel& model);
 
     QAction* add_tool_action() { return add_tool_; }
     QMenu* add_operation_menu() { return add_operation_; }
@@ -54,6 +59,7 @@ signals:
 private:
     void rebuild();
     void show_states();
+    void show_verdicts();
     void update_actions();
     void duplicate();
     void remove();
@@ -61,6 +67,7 @@ private:
     void menu(const QPoint& at);
 
     Document& document_;
+    const VerificationModel* verification_ = nullptr;
     QTreeWidget* tree_ = nullptr;
     QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
             *down_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 #include <QWindow>
@@ -116,6 +117,12 @@ void Viewport::initialize_gl() {
     w->OpenGLInit();
     scene_.attach(w);
     dirty_ = true;
+    const auto* name = QOpenGLContext::currentContext()->functions()->glGetString(GL_RENDERER);
+    const QString renderer = name ? QString::fromUtf8(reinterpret_cast<const char*>(name)) : QString();
+    without_card_ = false;
+    for (const char* processor :
+         {"llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render"})
+        without_card_ = without_card_ || renderer.contains(QLatin1String(processor), Qt::CaseInsensitive);
 }
 
 bool Viewport::slow() const {
@@ -359,6 +366,12 @@ void Viewport::move(const QPointF& by) {
     const Vec3 position = vec(camera->GetPosition()) + shift, focus = vec(camera->GetFocalPoint()) + shift;
     camera->SetPosition(position.data());
     camera->SetFocalPoint(focus.data());
+    emit camera_changed();
+    refresh();
+}
+
+void Viewport::camera_moved() {
+    fitted_ = false;
     emit camera_changed();
     refresh();
 }

@@ -46,12 +46,17 @@ public:
     /// A full picture, drawn now however long it takes.
     QImage full_picture();
     void set_view(StandardView view);
+    /// The scene's camera was moved from outside. Draws soon.
+    void camera_moved();
     /// Fits the view without a change of direction.
     void fit();
     /// Direction of sight and upward direction of the screen, unit vectors.
     Vec3 sight() const;
     Vec3 up() const;
     ViewCube* view_cube() { return cube_; }
+
+    /// A processor does the work of a graphics card; also while nothing was drawn yet.
+    bool without_card() const { return without_card_; }
 
     /// Pixels drawn since the start, for tests and the log: frames and the time the last one took.
     int frames() const { return frames_; }
@@ -118,6 +123,7 @@ private:
     double step_ms_ = 0;        ///< what the steps took until now
     std::size_t rehearsed_ = 0; ///< of the scene's rehearsals
     QPointF hover_at_;
+    bool without_card_ = true;
     int frames_ = 0;
     double last_frame_ms_ = 0;
 };

@@ -246,7 +246,8 @@ void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLay
 void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (content.legend.empty() && !content.color_bar) return;
     const double width = content.width / ratio_, height = content.height / ratio_;
-    const double widest = 0.45 * width, highest = 0.6 * height;
+    // Below, the workbench has its cube.
+    const double widest = 0.45 * width, highest = std::min(0.6 * height, height - 170);
     const auto entries_width = [&] {
         double label = 0;
         for (const LegendEntry& e : content.legend)
@@ -271,13 +272,18 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     bool bar = content.color_bar && bar_width <= widest && frame + bar_rest + least_bar <= highest;
     double w = bar ? bar_width : 0, h = frame;
     bool entries = !content.legend.empty();
+    std::size_t shown = content.legend.size(); // beside a scale as many as there is room for
     if (entries) {
         const double wide = std::max(w, entries_width());
         const double high = frame + entries_height + (bar ? bar_rest + least_bar : 0);
-        entries = wide <= widest && high <= (bar ? highest : 0.55 * height);
+        entries = wide <= widest && (bar || high <= 0.55 * height);
+        if (entries && high > highest && bar) {
+            shown = std::size_t(std::max(0.0, (highest - high + entries_height) / row));
+            entries = shown > 0;
+        }
         if (entries) {
             w = wide;
-            h += entries_height;
+            h += row * double(shown);
         }
     }
     if (!bar && !entries) return;
@@ -294,8 +300,8 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     rectangle(r.x0 + 1, r.y0 + 1, r.x1 - 1, r.y1 - 1, colors.panel);
     double y = r.y0 + padding - 3;
     if (entries)
-        for (const LegendEntry& e : content.legend) {
-            draw_legend_entry(e, r.x0 + padding, y + row / 2, colors);
+        for (std::size_t i = 0; i < shown; ++i) {
+            draw_legend_entry(content.legend[i], r.x0 + padding, y + row / 2, colors);
             y += row;
         }
     if (bar)

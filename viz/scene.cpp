@@ -65,9 +65,12 @@ void Scene::set_moving(bool moving) {
     impl_->apply_visibility();
 }
 
+// Each takes some 0.3 ms to get to the graphics card for the first time.
+constexpr std::size_t few_patches = 30;
+
 bool Scene::has_preview() const {
     bool any = impl_->part_preview.filled || impl_->contact_preview.filled || impl_->deviation_preview.filled
-               || impl_->has_detail;
+               || impl_->has_detail || impl_->cut_patches.size() > few_patches;
     for (const SceneActor& a : impl_->motion_preview)
         any = any || a.filled;
     return any;

@@ -136,7 +136,8 @@ public:
     /// Say true when the user begins to move it and false at the end. Pictures, picking and bounds do not
     /// change.
     void set_moving(bool moving);
-    /// True when `set_moving` makes a difference.
+    /// True when `set_moving` makes a difference, or a first picture takes so long that it is better drawn by
+    /// steps.
     bool has_preview() const;
     /// One picture in several frames of the window, so that whoever waits for other things too, a window
     /// without a graphics card, need not wait for a whole one. `begin_steps` takes stock of what is to be
@@ -150,7 +151,7 @@ public:
     /// What the first picture of a part and its stock takes long for, the shaders, can be had before there is
     /// any: after `rehearse(k)`, k below `rehearsals`, a frame draws something small in one of their ways. It
     /// is not to be shown. Only while there is neither part nor stock; `end_rehearsal` before they come.
-    static constexpr std::size_t rehearsals = 4;
+    static constexpr std::size_t rehearsals = 7;
     void rehearse(std::size_t k);
     void end_rehearsal();
     /// Smooths jagged edges after drawing (FXAA). On at first.

@@ -129,6 +129,21 @@ void Scene::rehearse(std::size_t k) {
         show(impl_->part_lines, segment_data(points, segments));
     } else if (k == 3) {
         impl_->all_overlay = true;
+    } else if (k == 4) {
+        static const std::vector<std::uint8_t> colors(12, 255);
+        const auto data = triangle_data(points, normals, triangle);
+        set_point_colors({data}, colors);
+        show(impl_->deviation_surface, data);
+    } else if (k == 6) {
+        show(impl_->finding_dots.front(), dot_data(points));
+    } else if (k == 5) {
+        // The look of the cut stock, which is that of the tool too.
+        impl_->cut_patches.push_back(std::make_unique<SceneActor>());
+        SceneActor& patch = *impl_->cut_patches.back();
+        patch.actor->SetProperty(impl_->cut_look);
+        impl_->renderer->AddActor(patch.actor);
+        show(patch, triangle_data(points, normals, triangle));
+        impl_->has_cut = true;
     } else {
         show(impl_->stock_faces, triangle_data(points, {}, triangle));
         show(impl_->stock_lines, segment_data(points, segments));
@@ -138,8 +153,15 @@ void Scene::rehearse(std::size_t k) {
 void Scene::end_rehearsal() {
     impl_->all_overlay = false;
     if (impl_->part || !impl_->stock.empty()) return;
-    for (SceneActor* a : {&impl_->part_surface, &impl_->part_lines, &impl_->stock_faces, &impl_->stock_lines})
+    for (SceneActor* a : {&impl_->part_surface, &impl_->part_lines, &impl_->stock_faces, &impl_->stock_lines,
+                          &impl_->deviation_surface, &impl_->finding_dots.front()})
         a->clear();
+    if (impl_->cut_stock.empty()) {
+        for (auto& patch : impl_->cut_patches)
+            impl_->renderer->RemoveActor(patch->actor);
+        impl_->cut_patches.clear();
+        impl_->has_cut = false;
+    }
     impl_->apply_visibility();
 }
 

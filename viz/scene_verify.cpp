@@ -143,7 +143,7 @@ void Scene::set_findings(const std::vector<FindingMark>& findings) {
 }
 
 std::optional<ColorBar> Scene::Impl::color_bar() const {
-    if (!shows_deviation()) return std::nullopt;
+    if (!deviation || !shows_deviation()) return std::nullopt;
     ColorBar bar;
     bar.title = "Deviation (" + std::string(unit_name(unit)) + ")";
     bar.note = deviation_note;

@@ -171,14 +171,30 @@ void Scene::Impl::set_clipping_range() {
     // VTK would go through all facets of a new part, whose box is known.
     Box3 box;
     std::vector<vtkActor*> known;
+    const auto know = [&](const SceneActor& first, const auto& more) {
+        known.push_back(first.actor);
+        for (const auto& piece : more)
+            known.push_back(piece->actor);
+    };
     if (part && (part_surface.actor->GetVisibility() || part_edges.actor->GetVisibility())) {
         box = part->box;
-        known = {part_surface.actor, part_edges.actor, part_lines.actor};
-        for (const auto* pieces : {&more_surface, &more_edges})
-            for (const auto& piece : *pieces)
-                known.push_back(piece->actor);
-        std::sort(known.begin(), known.end());
+        know(part_surface, more_surface);
+        know(part_edges, more_edges);
+        known.push_back(part_lines.actor);
     }
+    if (deviation && deviation_surface.actor->GetVisibility()) {
+        box.add(deviation->box);
+        know(deviation_surface, more_deviation);
+    }
+    for (const auto& [patches, actors_of] :
+         {std::pair(&cut_stock, &cut_patches), std::pair(&cut_detail, &detail_patches)})
+        for (std::size_t i = 0; i < patches->size(); ++i) { // a rehearsal has actors without patches
+            const auto& a = (*actors_of)[i];
+            if (!a || !a->actor->GetVisibility()) continue;
+            box.add((*patches)[i]->box);
+            known.push_back(a->actor);
+        }
+    std::sort(known.begin(), known.end());
     vtkActorCollection* actors = renderer->GetActors();
     vtkCollectionSimpleIterator it;
     actors->InitTraversal(it);

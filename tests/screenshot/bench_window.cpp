@@ -2,6 +2,7 @@
 //
 //     xvfb-run -a bench_window [FACETS]
 #include "core/mesh/mesh_io.h"
+#include "tests/screenshot/bench_support.h"
 #include "ui/main_window.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
@@ -13,12 +14,10 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -26,6 +25,7 @@
 #include <vtkObject.h>
 
 using namespace facetmill;
+using namespace facetmill::test;
 
 namespace {
 
@@ -45,58 +45,6 @@ MeshPtr height_field(std::size_t facets) {
             mesh->facets.push_back({a, a + n + 1, a + n});
         }
     return mesh;
-}
-
-/// What the calling thread has computed, in ns.
-qint64 thread_time() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return qint64(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
-}
-
-/// The longest time the event loop did not come round, and the most that its thread itself computed in one
-/// round: what other programs do at the same time lengthens the first only.
-class Heart : public QObject {
-public:
-    Heart() {
-        connect(&timer_, &QTimer::timeout, this, [this] {
-            longest_ = std::max(longest_, since_.nsecsElapsed());
-            most_ = std::max(most_, thread_time() - computed_);
-            restart();
-        });
-        timer_.setTimerType(Qt::PreciseTimer);
-        timer_.start(1);
-        restart();
-    }
-    void reset() {
-        longest_ = most_ = 0;
-        restart();
-    }
-    /// Also of a pause that has just ended, or has not.
-    double longest_ms() const { return double(std::max(longest_, since_.nsecsElapsed())) * 1e-6; }
-    double computed_ms() const { return double(std::max(most_, thread_time() - computed_)) * 1e-6; }
-
-private:
-    void restart() {
-        since_.restart();
-        computed_ = thread_time();
-    }
-    QTimer timer_;
-    QElapsedTimer since_;
-    qint64 longest_ = 0, computed_ = 0, most_ = 0;
-};
-
-void run_for(int ms) {
-    QElapsedTimer timer;
-    timer.start();
-    while (timer.elapsed() < ms)
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
-}
-
-void wait(ui::MainWindow& window) {
-    while (window.busy())
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
-    run_for(50);
 }
 
 } // namespace

@@ -1,0 +1,389 @@
+// Verification and playback in the window: F6 to the badges, what makes them stale, and a stock that is cut
+// while one watches.
+#include "tests/screenshot/window_support.h"
+#include "ui/camera_flight.h"
+#include "ui/icons.h"
+#include "ui/layer_bar.h"
+#include "ui/playback_bar.h"
+#include "ui/project_tree.h"
+#include "ui/report_view.h"
+#include "ui/verification_desk.h"
+#include "ui/verification_panel.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using namespace facetmill::ui;
+
+namespace {
+
+constexpr auto operation_kind = TreeNode::Kind::operation;
+
+/// One patch of StockPlayback's surface at least is another than before.
+bool stock_changed(const std::vector<std::shared_ptr<const StockPatch>>& a,
+                   const std::vector<std::shared_ptr<const StockPatch>>& b) {
+    return a != b;
+}
+
+/// An operation that cuts `deeper` below the surface in the middle of its longest pass, as planned otherwise.
+std::shared_ptr<const OperationResult> with_gouge(const OperationResult& from, double deeper) {
+    auto bad = std::make_shared<OperationResult>(from);
+    auto& motions = bad->program.motions.motions;
+    std::size_t cut = 0;
+    const auto cuts = std::size_t(std::count_if(motions.begin(), motions.end(),
+                                                [](const Motion& m) { return m.kind == MotionKind::cut; }));
+    for (Motion& m : motions)
+        if (m.kind == MotionKind::cut && cut++ == cuts / 2) m.to.tip.z() -= deeper;
+    return bad;
+}
+
+} // namespace
+
+class TestWindowVerify : public QObject, public WindowFixture {
+    Q_OBJECT
+
+    VerificationDesk& desk() { return w().verification(); }
+    PlaybackController& playback() { return desk().playback(); }
+    PlaybackBar& bar() { return *desk().bar(); }
+    QTreeWidgetItem* badge_row(std::size_t i = 0) { return w().tree().item({operation_kind, i}); }
+    QString badge(std::size_t i = 0) { return badge_row(i)->data(1, Qt::AccessibleTextRole).toString(); }
+    bool verify() {
+        w().verify();
+        return wait_until_settled(w()) && desk().model().any();
+    }
+    /// Puts a path that gouges in the place of the planned one.
+    void plant_gouge(double deeper) {
+        auto& d = w().document();
+        d.take({{d.operation_id(0),
+                 with_gouge(*d.result(0), deeper),
+                 {},
+                 Document::fingerprint(d.project(), 0)}});
+    }
+
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void nothing_is_there_at_first() {
+        QVERIFY(!action(w(), "verify")->isEnabled());
+        QVERIFY(bar().isHidden());
+        QVERIFY(open_part());
+        QVERIFY(action(w(), "verify")->isEnabled());
+        QCOMPARE(desk().panel()->verdict_line(), QStringLiteral("Not verified"));
+        QVERIFY(!desk().doubt().isEmpty());
+        QVERIFY(w().tree().tree()->isColumnHidden(1));
+        QVERIFY(bar().isHidden()); // nothing is planned
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        shot(w(), QStringLiteral("verify-empty"));
+    }
+
+    void f6_plans_and_verifies() {
+        QVERIFY(open_part());
+        w().tree().select({operation_kind, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QTest::keyClick(&w(), Qt::Key_F6);
+        QVERIFY(w().job().running());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        const VerificationModel& model = desk().model();
+        QVERIFY(model.current());
+        QCOMPARE(model.verdict(), Verdict::verified);
+        QCOMPARE(badge(), QStringLiteral("Verified"));
+        QVERIFY(!w().tree().tree()->isColumnHidden(1));
+        QVERIFY(!badge_row()->icon(1).isNull());
+        QVERIFY(badge_row()->toolTip(1).contains(QStringLiteral("no gouge")));
+        QVERIFY(desk().doubt().isEmpty());
+        QVERIFY(w().viewport().scene().has(Layer::deviation));
+        QVERIFY(desk().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
+        QVERIFY(desk().panel()->histogram()->histogram()->total > 0);
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
+        // The part has its colours in the view, and loses them with the layer.
+        const QImage colored = view_picture(w());
+        w().layers().set_shown(ViewLayer::deviation, false);
+        QVERIFY(changed_pixels(colored, view_picture(w())) > 5000);
+        w().layers().set_shown(ViewLayer::deviation, true);
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("verified"));
+        w().set_theme(Theme::dark);
+        shot(w(), QStringLiteral("verified-dark"));
+        w().set_theme(Theme::light);
+    }
+
+    void a_gouge_fails_and_is_found() {
+        QVERIFY(open_and_plan());
+        plant_gouge(1.5);
+        QVERIFY(verify());
+        const VerificationModel& model = desk().model();
+        QCOMPARE(model.verdict(), Verdict::failed);
+        QVERIFY(std::abs(model.verification().figures.gouge_max - 1.5) < 0.5);
+        QCOMPARE(badge(), QStringLiteral("Failed verification"));
+        QVERIFY(desk().panel()->verdict_line().startsWith(QStringLiteral("Failed: gouges up to 0.0")));
+        QVERIFY(desk().doubt().contains(QStringLiteral("failed")));
+
+        // The deepest one leads to its place and to the motion that made it.
+        auto* list = desk().panel()->findings();
+        QVERIFY(list->topLevelItemCount() > 0);
+        QTreeWidgetItem* first = list->topLevelItem(0);
+        QCOMPARE(first->text(0), QStringLiteral("Gouge"));
+        const Finding& f = model.findings().front();
+        QVERIFY(f.by.known());
+        const CameraPlace before = w().viewport().scene().camera_place();
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        QTest::qWait(20);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(first).center());
+        QVERIFY(wait_until_settled(w()));
+        const CameraPlace after = w().viewport().scene().camera_place();
+        QVERIFY((after.target - f.place).norm() < 1e-6);
+        QVERIFY(after.height < before.height);
+        QCOMPARE(playback().target(), playback().track().position_of(f.by));
+        QCOMPARE(bar().goto_box()->value(), int(f.by.motion + 1));
+        QCOMPARE(playback().tool().tip,
+                 w().document().result(0)->program.motions.motions[f.by.motion].to.tip);
+        QVERIFY(w().viewport().scene().has(Layer::tool) && w().viewport().scene().has(Layer::marker));
+        shot(w(), QStringLiteral("verify-finding"));
+        // Sorted by depth the deepest is last.
+        list->sortByColumn(1, Qt::AscendingOrder);
+        double last = -1;
+        for (int i = 0; i < list->topLevelItemCount(); ++i) {
+            const double depth = list->topLevelItem(i)->text(1).toDouble();
+            QVERIFY(depth >= last);
+            last = depth;
+        }
+        list->sortByColumn(2, Qt::DescendingOrder);
+        shot(*desk().panel(), QStringLiteral("verify-panel"));
+    }
+
+    void an_edit_makes_it_stale() {
+        QVERIFY(open_and_plan());
+        QVERIFY(verify());
+        QVERIFY(desk().model().current());
+        enter(w(), "feed", QStringLiteral("77"));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(desk().model().verdict(), Verdict::stale);
+        QCOMPARE(badge(), QStringLiteral("Verification out of date"));
+        QCOMPARE(desk().panel()->verdict_line(), QStringLiteral("Out of date"));
+        QVERIFY(desk().doubt().contains(QStringLiteral("since the project was changed")));
+        QVERIFY(bar().isHidden()); // there is nothing true to be played back
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        shot(w(), QStringLiteral("verify-stale"));
+        // Back as it was, the verdict holds again.
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(desk().model().current());
+        QCOMPARE(badge(), QStringLiteral("Verified"));
+        QVERIFY(!bar().isHidden());
+        // Another operation in the plan: what was judged is no longer the plan.
+        w().document().duplicate_operation(0);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(badge(0), QStringLiteral("Verification out of date"));
+        QCOMPARE(badge(1), QStringLiteral("Not verified"));
+        // A new project has none of it.
+        w().document().clear();
+        QVERIFY(!desk().model().any());
+        QVERIFY(!w().viewport().scene().has(Layer::deviation));
+    }
+
+    void cancel_leaves_the_old_verdict() {
+        QVERIFY(open_and_plan());
+        w().verify();
+        QVERIFY(w().job().running());
+        QTest::keyClick(&w(), Qt::Key_Escape);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!desk().model().any());
+        QCOMPARE(desk().model().verdict(), Verdict::none);
+        QVERIFY(w().last_failure().isEmpty());
+        QVERIFY(verify());
+        w().verify();
+        w().cancel();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(desk().model().current());
+    }
+
+    void the_range_is_edited() {
+        QVERIFY(open_and_plan());
+        QVERIFY(verify());
+        const DeviationScale first = w().viewport().scene().deviation_scale();
+        const QImage before = view_picture(w());
+        auto* range = desk().panel()->range();
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        QTest::qWait(20);
+        type_over(range->high(), QStringLiteral("0.5"));
+        QTest::keyClick(range->high(), Qt::Key_Return);
+        const DeviationScale wide = w().viewport().scene().deviation_scale();
+        QVERIFY(std::abs(wide.high - 12.7) < 1e-9); // inches
+        QVERIFY(std::abs(wide.low - first.low) < 1e-3);
+        QCOMPARE(desk().panel()->histogram()->histogram()->scale.high, wide.high);
+        QVERIFY(changed_pixels(before, view_picture(w())) > 200);
+        QTest::mouseClick(range->findChild<QToolButton*>(QStringLiteral("range_reset")), Qt::LeftButton);
+        QCOMPARE(w().viewport().scene().deviation_scale().high, first.high);
+        // In the other unit the same lengths.
+        w().set_unit(LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(std::abs(range->high()->value() - first.high) < 1e-4);
+    }
+
+    void playing_cuts_the_stock() {
+        QVERIFY(open_and_plan());
+        QVERIFY(!bar().isHidden());
+        QVERIFY(!w().layers().shown(ViewLayer::stock));
+        bar().speed_box()->setCurrentIndex(bar().speed_box()->findData(-100.0));
+        QCOMPARE(playback().speed(), (PlaybackSpeed{PlaybackSpeed::Unit::motions_per_second, 100}));
+        w().viewport().setFocus();
+        QTest::keyClick(&w().viewport(), Qt::Key_Space);
+        QVERIFY(playback().playing());
+        QVERIFY(w().layers().shown(ViewLayer::stock)); // it is what one wants to see
+        QVERIFY(QTest::qWaitFor([this] { return playback().position() > 20; }));
+        const auto half = playback().stock();
+        QVERIFY(!half.empty());
+        QVERIFY(QTest::qWaitFor([&] { return stock_changed(half, playback().stock()); }));
+        QVERIFY(QTest::qWaitFor([this] { return bar().slider()->value() > 20; }));
+        QTest::keyClick(&w().viewport(), Qt::Key_Space);
+        QVERIFY(!playback().playing());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().position(), playback().target());
+        const double at = playback().target();
+        QTest::qWait(100);
+        QCOMPARE(playback().target(), at);
+        // To its end it stops by itself.
+        playback().go_to(double(playback().track().motion_count()) - 3);
+        playback().play();
+        QVERIFY(QTest::qWaitFor([this] { return !playback().playing(); }));
+        QCOMPARE(playback().target(), double(playback().track().motion_count()));
+    }
+
+    void steps_scrubbing_and_goto() {
+        QVERIFY(open_and_plan());
+        const auto& motions = w().document().result(0)->program.motions.motions;
+        QTest::mouseClick(bar().button("play_forward"), Qt::LeftButton);
+        QCOMPARE(playback().target(), 1.0);
+        w().viewport().setFocus();
+        QTest::keyClick(&w().viewport(), Qt::Key_Period);
+        QTest::keyClick(&w().viewport(), Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(playback().target(), 12.0);
+        QTest::keyClick(&w().viewport(), Qt::Key_Comma);
+        QCOMPARE(playback().target(), 11.0);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().position(), 11.0);
+        QCOMPARE(playback().tool().tip, motions[10].to.tip);
+        QCOMPARE(bar().goto_box()->value(), 11);
+        QCOMPARE(bar().slider()->value(), 11);
+
+        type_over(bar().goto_box(), QStringLiteral("40"));
+        QTest::keyClick(bar().goto_box(), Qt::Key_Return);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().position(), 40.0);
+        QCOMPARE(playback().tool().tip, motions[39].to.tip);
+        const auto at_40 = playback().stock();
+
+        bar().slider()->setValue(int(motions.size()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().position(), double(motions.size()));
+        const QImage cut = view_picture(w());
+        shot(w(), QStringLiteral("playback-end"));
+        QVERIFY(stock_changed(at_40, playback().stock()));
+        QTest::mouseClick(bar().button("play_start"), Qt::LeftButton);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().position(), 0.0);
+        QVERIFY(changed_pixels(cut, view_picture(w())) > 3000); // whole again
+        bar().slider()->setValue(int(motions.size() / 2));
+        QVERIFY(wait_until_settled(w()));
+        QTest::qWait(1200); // also for the finer stock
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("playback-half"));
+        QVERIFY(!playback().fine_stock().empty());
+        // Hidden, the stock does not follow; the tool does.
+        w().layers().set_shown(ViewLayer::stock, false);
+        QVERIFY(!playback().follow());
+        bar().slider()->setValue(5);
+        QCOMPARE(playback().tool().tip, motions[4].to.tip);
+        QVERIFY(playback().stock().empty());
+        QVERIFY(!w().layers().shown(ViewLayer::stock)); // as the user wants it
+    }
+
+    void machining_time_runs_as_the_machine() {
+        QVERIFY(open_and_plan());
+        const PlaybackTrack& track = playback().track();
+        QVERIFY(std::abs(track.seconds() - w().document().result(0)->totals.time_seconds) < 1e-6);
+        for (const double t : {0.0, 0.3, 0.77}) {
+            const double p = track.position_at(t * track.seconds());
+            QVERIFY(std::abs(track.time_at(p) - t * track.seconds()) < 1e-6 * track.seconds());
+        }
+        QCOMPARE(track.position_at(track.seconds() + 1), double(track.motion_count()));
+        QCOMPARE(track.place(0).motion, std::size_t(0));
+        QCOMPARE(track.place(1).motion, std::size_t(0));
+        QCOMPARE(track.place(1.01).motion, std::size_t(1));
+        QCOMPARE(track.place(1e9).motion, track.motion_count() - 1);
+        QVERIFY(bar().time_text().contains(QChar('/')));
+    }
+
+    void two_operations_and_a_click_on_the_path() {
+        QVERIFY(open_part());
+        w().tree().select({operation_kind, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        w().document().duplicate_operation(0);
+        w().document().change(QStringLiteral("name"), [](Project& p) {
+            p.operations[1]->common().name =
+                "Second finish with a name as long as nobody should give, but somebody does all the same";
+        });
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback().track().operation_count(), std::size_t(2));
+        bar().operation_box()->setCurrentIndex(1);
+        emit bar().operation_box()->activated(1);
+        QVERIFY(wait_until_settled(w()));
+        const std::size_t n = playback().track().motions_of(0);
+        QCOMPARE(playback().target(), double(n + 1));
+        QCOMPARE(bar().goto_box()->value(), 1);
+        // The end of the first is still the first's.
+        playback().go_to(double(n));
+        QCOMPARE(playback().track().place(playback().target()), (MotionPlace{0, n - 1}));
+        QCOMPARE(bar().goto_box()->value(), int(n));
+        QVERIFY(verify());
+        QCOMPARE(badge(1), QStringLiteral("Verified"));
+        w().resize(1000, 650);
+        playback().go_to(double(n + n / 2));
+        QVERIFY(wait_until_settled(w()));
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        shot(w(), QStringLiteral("verify-small"));
+        w().set_theme(Theme::dark);
+        w().layers().set_shown(ViewLayer::stock, false);
+        shot(w(), QStringLiteral("verify-small-dark"));
+        w().set_theme(Theme::light);
+    }
+
+    void export_is_doubted() {
+        QVERIFY(open_and_plan());
+        const QString folder = scratch_folder(QStringLiteral("export"));
+        w().export_to(folder);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(QDir(folder).exists(QStringLiteral("report.json")));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("has not been verified")),
+                 qPrintable(w().message_bar().message()));
+        bool asked = false;
+        answer_next(QMessageBox::Cancel, asked);
+        action(w(), "export")->trigger();
+        QVERIFY(asked);
+        QVERIFY(!w().job().running());
+        QVERIFY(verify());
+        w().export_to(folder);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote 2 file")));
+        QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
+    }
+};
+
+FACETMILL_TEST(TestWindowVerify)
+#include "test_window_verify.moc"

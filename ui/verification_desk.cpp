@@ -1,0 +1,354 @@
+#include "ui/verification_desk.h"
+
+#include "core/job/verification.h"
+#include "core/setup/machine.h"
+#include "ui/camera_flight.h"
+#include "ui/layer_bar.h"
+#include "ui/playback_bar.h"
+#include "ui/text.h"
+#include "ui/verification_panel.h"
+#include "ui/viewport.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
+/// processor in its place does.
+constexpr double card_triangles = 1.5e6, processor_triangles = 6e4, resting_triangles = 1.5e6;
+constexpr double cutter_share = 1.0 / 20; ///< of the smallest cutter's radius: finer shows nothing more
+
+/// The lattice whose surface has about so many triangles, about 2.4 to a square of it.
+double resolution_for(const Box3& box, double triangles, double finest) {
+    const Vec3 s = box.size();
+    const double area = 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+    return std::max(finest, std::sqrt(2.4 * area / triangles));
+}
+
+struct PlaybackInput {
+    Project project;
+    std::shared_ptr<const PlanResult> plan;
+};
+
+StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input, double triangles,
+                              double finest) {
+    return [=](const Progress& progress) {
+        const StockSolid solid = stock_solid(input->project, *input->plan->part, progress);
+        return std::make_unique<StockPlayback>(solid, verify_programs(input->project, input->plan),
+                                               resolution_for(solid.box, triangles, finest), progress);
+    };
+}
+
+} // namespace
+
+VerificationDesk::VerificationDesk(Document& document, Viewport& viewport, LayerBar& layers,
+                                   BackgroundJob& job, QWidget* window)
+    : QObject(window), document_(document), viewport_(viewport), layers_(layers), job_(job),
+      model_(document) {
+    panel_ = new VerificationPanel(document_, model_, window);
+    bar_ = new PlaybackBar(playback_, window);
+    bar_->hide();
+    flight_ = new CameraFlight(viewport_);
+    connect(&model_, &VerificationModel::changed, this, &VerificationDesk::show_results);
+    connect(panel_, &VerificationPanel::verify_requested, this, &VerificationDesk::verify_requested);
+    connect(panel_, &VerificationPanel::finding_chosen, this, &VerificationDesk::go_to_finding);
+    connect(panel_, &VerificationPanel::range_edited, this, [this](double low, double high) {
+        own_range_ = {low, high};
+        DeviationScale scale = viewport_.scene().deviation_scale();
+        scale.low = low;
+        scale.high = high;
+        use_scale(scale);
+    });
+    connect(panel_, &VerificationPanel::range_reset, this, [this] {
+        own_range_.reset();
+        if (model_.any()) use_scale(default_scale(model_.verification(), document_.unit()));
+    });
+    connect(&playback_, &PlaybackController::loaded_changed, this, [this] {
+        engaged_ = stock_offered_ = false;
+        shown_operation_ = std::size_t(-1);
+        bar_->setVisible(playback_.loaded());
+    });
+    connect(&playback_, &PlaybackController::moved, this, &VerificationDesk::show_playback);
+    connect(&playback_, &PlaybackController::playing_changed, this, &VerificationDesk::show_playback);
+    connect(&playback_, &PlaybackController::failed, this,
+            [this](const QString& why) { emit said(MessageBar::Kind::error, sentence(why), true); });
+    connect(&document_, &Document::changed, this, &VerificationDesk::follow_plan);
+    connect(&document_, &Document::part_changed, this, &VerificationDesk::follow_plan);
+    connect(&document_, &Document::states_changed, this, &VerificationDesk::follow_plan);
+}
+
+VerificationDesk::~VerificationDesk() = default;
+
+bool VerificationDesk::can_verify() const {
+    if (!document_.part_is_current() || document_.operation_count() == 0) return false;
+    for (std::size_t i = 0; i < document_.operation_count(); ++i)
+        if (document_.state(i) != OperationState::planned) return false;
+    return true;
+}
+
+std::shared_ptr<const PlanResult> VerificationDesk::plan_as_it_stands() const {
+    auto plan = std::make_shared<PlanResult>();
+    plan->part = document_.part();
+    plan->stock = stock_box(document_.project().stock, document_.part()->box);
+    for (std::size_t i = 0; i < document_.operation_count(); ++i)
+        plan->operations.push_back(document_.result(i));
+    return plan;
+}
+
+void VerificationDesk::verify() {
+    if (!can_verify() || job_.running()) return;
+    auto outcome = std::make_shared<VerificationOutcome>();
+    outcome->plan = plan_as_it_stands();
+    outcome->part_key = Document::part_key(document_.project());
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        outcome->ids.push_back(document_.operation_id(i));
+        outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));
+    }
+    auto project = std::make_shared<Project>(document_.project());
+    job_.start(
+        tr("Verifying"),
+        [outcome, project](const Progress& progress) {
+            const PlanResult& plan = *outcome->plan;
+            const auto programs = verify_programs(*project, outcome->plan);
+            const StockSolid solid =
+                stock_solid(*project, *plan.part, progress.part(0, 0.03, "Making the stock"));
+            auto result = std::make_shared<Verification>(
+                facetmill::verify(*plan.part->mesh, solid, programs, verify_settings(*project, &plan),
+                                  progress.part(0.03, 0.97, "Verifying")));
+            outcome->display =
+                prepare_deviation_display(result->surface, default_scale(*result, project->unit),
+                                          progress.part(0.97, 1, "Preparing the view"));
+            outcome->verification = std::move(result);
+        },
+        [this, outcome](const JobEnd& end) {
+            if (!end.done()) return;
+            model_.take(outcome);
+            layers_.set_shown(ViewLayer::deviation, true);
+            if (!playback_.playing()) {
+                layers_.set_shown(ViewLayer::stock, false); // it would hide the colours
+                stock_offered_ = false;
+            }
+            const Verification& v = model_.verification();
+            const QString took = duration_text(v.seconds_cutting + v.seconds_probing);
+            if (v.passed())
+                emit said(MessageBar::Kind::information,
+                          tr("Verified in %1: no gouge, no collision.").arg(took), true);
+            else
+                emit said(MessageBar::Kind::warning,
+                          tr("Verification failed (in %1): %2.").arg(took, model_.failure_text()), true);
+            for (const std::string& remark : v.remarks)
+                emit said(MessageBar::Kind::information,
+                          with_lengths_in(sentence(text(remark)), document_.unit()), false);
+            emit verified();
+        });
+}
+
+QString VerificationDesk::doubt() const {
+    switch (model_.verdict()) {
+    case Verdict::verified:
+        return {};
+    case Verdict::failed:
+        return tr("The path failed verification: %1.").arg(model_.failure_text());
+    case Verdict::stale:
+        return tr("The path has not been verified since the project was changed.");
+    case Verdict::none:
+        break;
+    }
+    return tr("The path has not been verified.");
+}
+
+bool VerificationDesk::busy() const {
+    return (playback_.follow() && playback_.behind()) || flight_->flying();
+}
+
+void VerificationDesk::follow_plan() {
+    std::vector<std::string> key;
+    std::vector<std::shared_ptr<const OperationResult>> results;
+    if (can_verify())
+        for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+            key.push_back(Document::fingerprint(document_.project(), i));
+            results.push_back(document_.result(i));
+        }
+    if (key == track_key_ && results == track_results_) return;
+    track_key_ = key;
+    track_results_ = results;
+    if (results.empty()) {
+        playback_.load(nullptr, {}, {});
+        return;
+    }
+    auto input = std::make_shared<PlaybackInput>();
+    input->project = document_.project();
+    input->plan = plan_as_it_stands();
+    std::vector<PlaybackTrack::Operation> operations;
+    double radius = infinity;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        PlaybackTrack::Operation o{document_.operation_id(i), results[i]->name, {}, results[i]};
+        try {
+            o.tool = document_.project().tool_of(document_.operation(i));
+            radius = std::min(radius, o.tool->diameter / 2);
+        } catch (const Error&) {
+        }
+        operations.push_back(std::move(o));
+    }
+    const double finest = std::isfinite(radius) ? cutter_share * radius : 0.0;
+    const double live = viewport_.without_card() ? processor_triangles : card_triangles;
+    playback_.load(
+        std::make_shared<PlaybackTrack>(std::move(operations), find_machine(document_.project().machine)),
+        source_of(input, live, finest),
+        live < resting_triangles ? source_of(input, resting_triangles, finest) : StockPlayer::Source());
+}
+
+void VerificationDesk::show_results() {
+    Scene& scene = viewport_.scene();
+    const bool shown = model_.any() && model_.fits_part();
+    const DeviationDisplayPtr display = shown ? model_.outcome().display : nullptr;
+    if (display.get() != shown_deviation_) {
+        shown_deviation_ = display.get();
+        scene.set_deviation(display);
+        scene.set_findings(shown ? finding_marks(model_.verification()) : std::vector<FindingMark>());
+        viewport_.content_changed();
+        if (display) {
+            DeviationScale scale = display->scale;
+            if (own_range_) std::tie(scale.low, scale.high) = *own_range_;
+            use_scale(scale);
+        }
+    }
+    scene.set_deviation_note(shown && !model_.current() ? utf8(tr("out of date")) : std::string());
+    viewport_.refresh();
+}
+
+void VerificationDesk::use_scale(const DeviationScale& scale) {
+    viewport_.scene().set_deviation_scale(scale);
+    panel_->set_scale(scale);
+    viewport_.refresh();
+}
+
+void VerificationDesk::layers_changed() {
+    playback_.set_follow(engaged_ && layers_.shown(ViewLayer::stock));
+}
+
+void VerificationDesk::show_playback() {
+    if (!playback_.loaded()) {
+        show_stock();
+        return;
+    }
+    const bool moved = playback_.target() > 0 || playback_.playing();
+    if (moved && !engaged_) engaged_ = true;
+    if (!engaged_) {
+        show_stock();
+        return;
+    }
+    if (!from_finding_ && !stock_offered_) {
+        stock_offered_ = true;
+        layers_.set_shown(ViewLayer::stock, true);
+        layers_changed(); // where it was shown already
+    }
+    show_stock();
+    const PlaybackTrack& track = playback_.track();
+    const double position = playback_.position();
+    const MotionPlace at = track.place(position);
+    Scene& scene = viewport_.scene();
+    if (shown_operation_ != at.program || !scene.has(Layer::tool)) {
+        shown_operation_ = at.program;
+        try {
+            scene.set_tool(track.operation(at.program).tool);
+        } catch (const Error&) {
+            scene.set_tool(std::nullopt);
+        }
+    }
+    const CutterLocation tool = playback_.tool();
+    scene.set_tool_pose(tool);
+    if (!from_finding_ && marked_at_ != playback_.target()) {
+        marked_at_.reset();
+        scene.set_marker(std::nullopt);
+    }
+    viewport_.refresh();
+    const double mm = mm_per(document_.unit());
+    const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
+    const auto number = [&](double v) { return QString::number(v / mm, 'f', digits); };
+    emit tool_moved(tr("%1   GOTO %2   CL %3, %4, %5 %6")
+                        .arg(text(track.operation(at.program).name))
+                        .arg(at.motion + 1)
+                        .arg(number(tool.tip.x()), number(tool.tip.y()), number(tool.tip.z()),
+                             text(unit_name(document_.unit()))));
+}
+
+void VerificationDesk::show_stock() {
+    const auto stock = playback_.stock(), fine = playback_.fine_stock();
+    Scene& scene = viewport_.scene();
+    // What is all new comes by steps; a few patches more or less are drawn at once.
+    const bool fresh = (!stock.empty() && !stock_shown_) || (!fine.empty() && !fine_shown_);
+    stock_shown_ = !stock.empty();
+    fine_shown_ = !fine.empty();
+    scene.set_cut_stock(stock, fine);
+    if (fresh)
+        viewport_.content_changed();
+    else
+        viewport_.refresh();
+}
+
+void VerificationDesk::tool_put(std::size_t operation, std::size_t motion) {
+    if (!engaged_ || !playback_.loaded() || operation >= playback_.track().operation_count()) return;
+    if (motion >= playback_.track().motions_of(operation)) return;
+    shown_operation_ = std::size_t(-1); // another one showed the tool
+    playback_.pause();
+    playback_.go_to(MotionPlace{operation, motion});
+}
+
+void VerificationDesk::go_to_finding(const Finding& finding) {
+    Scene& scene = viewport_.scene();
+    if (model_.current() && finding.by.known() && playback_.loaded()
+        && finding.by.program < playback_.track().operation_count()) {
+        playback_.pause();
+        from_finding_ = true;
+        playback_.go_to(finding.by);
+        from_finding_ = false;
+        marked_at_ = playback_.target();
+    }
+    const double across = model_.any() ? model_.outcome().plan->part->box.diagonal() : 100.0;
+    scene.set_marker(Marker{finding.place, finding.normal});
+    flight_->fly_to(scene.place_to_see(finding.place, finding.normal, 0.15 * across));
+    viewport_.refresh();
+}
+
+bool VerificationDesk::take_key(const QKeyEvent& event) {
+    if (!playback_.loaded()) return false;
+    const bool shift = event.modifiers() & Qt::ShiftModifier;
+    switch (event.key()) {
+    case Qt::Key_Space:
+        if (event.isAutoRepeat()) return true;
+        playback_.toggle();
+        return true;
+    case Qt::Key_Comma:
+        playback_.step(-1);
+        return true;
+    case Qt::Key_Period:
+        playback_.step(1);
+        return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+        if (!engaged_) return false;
+        playback_.step((event.key() == Qt::Key_Left ? -1 : 1) * (shift ? 10 : 1));
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool VerificationDesk::eventFilter(QObject* watched, QEvent* event) {
+    // Lists would take these keys for a search among their rows.
+    if (event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool ours =
+            key.key() == Qt::Key_Space || key.key() == Qt::Key_Comma || key.key() == Qt::Key_Period;
+        if (ours && take_key(key)) return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace facetmill::ui

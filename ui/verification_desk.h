@@ -1,0 +1,94 @@
+// Verification and playback in the workbench: runs the one, drives the other, and shows both in the view. The
+// window gives the widgets their places and passes on keys and clicks.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/message_bar.h"
+#include "ui/playback_controller.h"
+#include "ui/verification_model.h"
+
+#include <QObject>
+
+class QKeyEvent;
+
+namespace facetmill::ui {
+
+class CameraFlight;
+class LayerBar;
+class PlaybackBar;
+class VerificationPanel;
+class Viewport;
+
+class VerificationDesk : public QObject {
+    Q_OBJECT
+public:
+    /// Panel and bar are made as children of `window`, which places them.
+    VerificationDesk(Document& document, Viewport& viewport, LayerBar& layers, BackgroundJob& job,
+                     QWidget* window);
+    ~VerificationDesk() override;
+
+    VerificationModel& model() { return model_; }
+    PlaybackController& playback() { return playback_; }
+    VerificationPanel* panel() { return panel_; }
+    PlaybackBar* bar() { return bar_; }
+
+    /// Every operation is planned as it stands.
+    bool can_verify() const;
+    /// Verifies the plan as it stands in the background job; nothing when `can_verify` is false.
+    void verify();
+    /// Empty when what would be exported has passed; otherwise a sentence that says why it is not to be
+    /// trusted.
+    QString doubt() const;
+
+    /// The user is playing back: keys and clicks on the path mean the playback.
+    bool engaged() const { return engaged_; }
+    /// The tool was put somewhere on the path of an operation.
+    void tool_put(std::size_t operation, std::size_t motion);
+    /// Space, comma, full stop; arrows while engaged. False for all others.
+    bool take_key(const QKeyEvent& event);
+    /// Check marks of the layers changed.
+    void layers_changed();
+    bool busy() const;
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void said(facetmill::ui::MessageBar::Kind kind, const QString& message, bool in_bar);
+    /// A verification is wanted, planning first where it must.
+    void verify_requested();
+    void verified();
+    /// Where the tool is, for the status line.
+    void tool_moved(const QString& readout);
+
+private:
+    std::shared_ptr<const PlanResult> plan_as_it_stands() const;
+    void follow_plan();
+    void show_results();
+    void show_playback();
+    void show_stock();
+    void use_scale(const DeviationScale& scale);
+    void go_to_finding(const Finding& finding);
+
+    Document& document_;
+    Viewport& viewport_;
+    LayerBar& layers_;
+    BackgroundJob& job_;
+    VerificationModel model_;
+    PlaybackController playback_;
+    VerificationPanel* panel_ = nullptr;
+    PlaybackBar* bar_ = nullptr;
+    CameraFlight* flight_ = nullptr;
+
+    std::vector<std::string> track_key_; ///< what the loaded playback was made from
+    std::vector<std::shared_ptr<const OperationResult>> track_results_;
+    bool engaged_ = false;
+    bool stock_offered_ = false; ///< the stock was shown once for this plan
+    bool from_finding_ = false;
+    std::optional<double> marked_at_;                    ///< position at which a finding's marker is shown
+    std::size_t shown_operation_ = std::size_t(-1);      ///< whose tool the view has from here
+    std::optional<std::pair<double, double>> own_range_; ///< as the user set it
+    bool stock_shown_ = false, fine_shown_ = false;
+    const DeviationDisplay* shown_deviation_ = nullptr;
+};
+
+} // namespace facetmill::ui

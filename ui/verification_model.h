@@ -1,0 +1,84 @@
+// The last verification and what it is worth now: it judged certain operations as they were planned then, and
+// any change to one of them, or to part and stock, makes all its verdicts stale. An earlier operation can
+// have hidden behind a later one that cut deeper, so no verdict outlives the plan as a whole.
+#pragma once
+
+#include "core/verify/verify.h"
+#include "ui/document.h"
+#include "viz/deviation_display.h"
+
+#include <QObject>
+
+namespace facetmill::ui {
+
+enum class Verdict { none, verified, failed, stale };
+/// "Verified", "Failed verification", ...
+QString verdict_text(Verdict verdict);
+
+/// A verification with what it judged.
+struct VerificationOutcome {
+    std::shared_ptr<const PlanResult> plan;
+    std::vector<int> ids;                  ///< of the operations in the document
+    std::vector<std::string> fingerprints; ///< Document::fingerprint of each
+    std::string part_key;
+    std::shared_ptr<const Verification> verification;
+    DeviationDisplayPtr display;
+};
+
+/// One line of the list of findings.
+struct Finding {
+    enum class Kind { gouge, shank, holder, rapid, excess };
+    Kind kind = Kind::gouge;
+    double depth = 0;                                 ///< mm, positive
+    Vec3 place = Vec3::Zero(), normal = Vec3::Zero(); ///< normal: zero where there is none
+    MotionPlace by;
+    bool with_part = false; ///< a collision that reaches into the part
+};
+QString finding_text(Finding::Kind kind);
+
+class VerificationModel : public QObject {
+    Q_OBJECT
+public:
+    explicit VerificationModel(Document& document, QObject* parent = nullptr);
+
+    void take(std::shared_ptr<const VerificationOutcome> outcome);
+    void clear();
+    bool any() const { return outcome_ != nullptr; }
+    /// The project is still as it was judged.
+    bool current() const { return outcome_ && current_; }
+    /// Where the part itself is another one, nothing of the verification can be shown on it.
+    bool fits_part() const;
+    const VerificationOutcome& outcome() const { return *outcome_; }
+    const Verification& verification() const { return *outcome_->verification; }
+
+    /// Of the whole plan. Never `verified` when an operation is not.
+    Verdict verdict() const;
+    /// Of an operation of the document, with the reason.
+    Verdict verdict(std::size_t operation) const;
+    QString why(std::size_t operation) const;
+    /// Gouges first, then collisions, then the largest excess.
+    const std::vector<Finding>& findings() const { return findings_; }
+    QString program_name(std::size_t program) const;
+    /// "2 gouges up to 0.12 mm, 3 collisions"; empty when it passed.
+    QString failure_text() const;
+
+signals:
+    /// Another verification, or its worth.
+    void changed();
+
+private:
+    void update();
+    bool is_current() const;
+    /// Place of the operation among those judged.
+    std::optional<std::size_t> program_of(std::size_t operation) const;
+    bool found_in(std::size_t program) const;
+    /// The list of gouges is full: there may be more, of any operation.
+    bool gouges_are_cut_off() const;
+
+    Document& document_;
+    std::shared_ptr<const VerificationOutcome> outcome_;
+    std::vector<Finding> findings_;
+    bool current_ = false;
+};
+
+} // namespace facetmill::ui
