@@ -1,0 +1,227 @@
+// simulate: a plan or a foreign CL file against the part; planted gouges and collisions, and what is no CL
+// file.
+#include "core/mesh/mesh_io.h"
+#include "tests/golden/run_cli.h"
+#include "tests/support/test_runner.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+
+using namespace facetmill;
+using test::CliRun;
+using test::run_cli;
+using test::Sandbox;
+
+namespace {
+
+/// A plate 40 x 30 whose top is z = 0, with stock 2 above it and a tool with shank and holder.
+const char* const project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
+  "stock": { "kind": "box", "margin": [1, 1, 2] },
+  "tools": [ { "number": 1, "name": "Ball", "diameter": 8, "corner_radius": 4, "flute_length": 6, "shank_diameter": 8,
+               "shank_length": 10, "holder": [ { "diameter": 30, "length": 20 } ] } ],
+  "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.05, "stepover": "adaptive" } ] })";
+
+QByteArray plate() {
+    const double x[2] = {0, 40}, y[2] = {0, 30}, z[2] = {-10, 0};
+    const int corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    QByteArray text = "solid plate\n";
+    for (const auto& facet : corners) {
+        text += "facet normal 0 0 0 outer loop";
+        for (int c : facet)
+            text += QString(" vertex %1 %2 %3").arg(x[c & 1]).arg(y[c >> 1 & 1]).arg(z[c >> 2]).toUtf8();
+        text += " endloop endfacet\n";
+    }
+    return text + "endsolid plate\n";
+}
+
+/// Rows 1 mm apart, 29 points a row; GOTO `n` (from 1) has `tip_z` in place of 0.
+QByteArray cl(int n = 0, double tip_z = 0,
+              const QByteArray& head = "UNITS/MM\nCUTTER/8,4,0,4,0,0,6\nLOADTL/1\n") {
+    QByteArray text = "PARTNO PLATE\n" + head;
+    int at = 0;
+    const auto go = [&](double x, double y, double z) {
+        ++at;
+        text += QString("GOTO/%1,%2,%3\n")
+                    .arg(x, 0, 'f', 4)
+                    .arg(y, 0, 'f', 4)
+                    .arg(at == n ? tip_z : z, 0, 'f', 4)
+                    .toUtf8();
+    };
+    text += "RAPID\n";
+    go(-8, -5, 30);
+    for (int row = 0; row <= 40; ++row)
+        for (int i = 0; i <= 28; ++i)
+            go(row % 2 ? 48 - 2 * i : -8 + 2 * i, -5 + row, 0);
+    go(-8, 35, 30);
+    return text + "FINI\n";
+}
+
+QJsonObject json(const QByteArray& text) {
+    return QJsonDocument::fromJson(text).object();
+}
+
+Sandbox& prepared(Sandbox& s, const QByteArray& apt, const QByteArray& text = project) {
+    s.write("part.stl", plate());
+    s.write("job.facetmill", text);
+    s.write("path.apt", apt);
+    return s;
+}
+
+const QStringList simulate = {"simulate",     "job.facetmill", "--cl", "path.apt",
+                              "--resolution", "0.5",           "-o",   "out"};
+
+} // namespace
+
+class TestSimulate : public QObject {
+    Q_OBJECT
+private slots:
+    void a_plan_is_verified() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 20");
+        prepared(s, {}, text);
+        const CliRun run =
+            run_cli({"simulate", "job.facetmill", "--resolution", "0.5", "-o", "out"}, s.path());
+        QVERIFY2(run.status == 0, run.err.constData());
+        const QJsonObject o = json(run.out);
+        QCOMPARE(o["verdict"].toString(), QString("verified"));
+        for (const char* key : {"gouge_max", "excess_max", "excess_p95", "excess_p99", "uncut_fraction",
+                                "collisions", "samples"})
+            QVERIFY2(o.contains(key), key);
+        QVERIFY(o["excess_max"].toDouble() <= 0.05);
+        QVERIFY(o["gouge_max"].toDouble() <= o["settings"].toObject()["gouge_limit"].toDouble());
+        QVERIFY(o["samples"].toInt() > 1000);
+        QCOMPARE(s.files("out"), (QStringList{"deviation.vtp", "stock.stl", "verify.json"}));
+        QFile written(s.path() + "/out/verify.json");
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll(), run.out);
+        // The stock that is left is closed and about as large as the plate with its margins.
+        const LoadedMesh stock =
+            load_mesh((s.path() + "/out/stock.stl").toStdString(), LengthUnit::mm, Progress());
+        QVERIFY(stock.report.watertight);
+        QVERIFY(std::abs(stock.report.file_volume - o["stock_volume"].toDouble())
+                < 0.02 * stock.report.file_volume);
+        // One thread, the same figures.
+        const CliRun one = run_cli(
+            {"simulate", "job.facetmill", "--resolution", "0.5", "--threads", "1", "-o", "out1"}, s.path());
+        QJsonObject again = json(one.out), first = o;
+        for (QJsonObject* each : {&again, &first})
+            each->remove("seconds");
+        QCOMPARE(again, first);
+    }
+
+    void a_good_cl_file() {
+        Sandbox s;
+        const CliRun run = run_cli(simulate, prepared(s, cl()).path());
+        QVERIFY2(run.status == 0, run.err.constData());
+        const double cusp = 4 - std::sqrt(16 - 0.25);
+        QVERIFY(json(run.out)["excess_max"].toDouble() <= cusp + 1e-6);
+        QVERIFY(json(run.out)["gouge_max"].toDouble() < 1e-6);
+    }
+
+    void a_planted_gouge() {
+        Sandbox s;
+        const int at = 1 + 29 * 10 + 15; // row 9, in the middle
+        const CliRun run = run_cli(simulate, prepared(s, cl(at, -0.35)).path());
+        QCOMPARE(run.status, 1);
+        const QJsonObject o = json(run.out);
+        QCOMPARE(o["verdict"].toString(), QString("failed"));
+        QVERIFY(std::abs(o["gouge_max"].toDouble() - 0.35)
+                < 0.02); // to what lies between the places compared
+        const QJsonObject worst = o["gouges"].toArray()[0].toObject();
+        QVERIFY(std::abs(worst["goto"].toInt() - at) <= 1);
+        QVERIFY(run.err.contains("gouge of 0.3") && run.err.contains("GOTO"));
+        QCOMPARE(run.err_lines(), 1);
+        QCOMPARE(s.files("out").size(), 3);
+    }
+
+    void a_holder_in_the_stock() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"shank_length\": 10", "\"shank_length\": 0")
+            .replace("\"margin\": [1, 1, 2]", "\"margin\": [1, 1, 8]");
+        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        QCOMPARE(run.status, 1);
+        const QJsonArray collisions = json(run.out)["collisions"].toArray();
+        QVERIFY(!collisions.isEmpty());
+        QCOMPARE(collisions[0].toObject()["kind"].toString(), QString("holder"));
+        QVERIFY(run.err.contains("holder"));
+    }
+
+    void a_rapid_through_the_part() {
+        Sandbox s;
+        QByteArray apt = cl();
+        apt.replace("FINI\n", "RAPID\nGOTO/60,15,-3\nRAPID\nGOTO/-20,15,-3\nFINI\n");
+        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        QCOMPARE(run.status, 1);
+        bool found = false;
+        for (const auto& c : json(run.out)["collisions"].toArray()) {
+            const QJsonObject o = c.toObject();
+            if (o["kind"].toString() != "rapid" || o["goto"].toInt() != 1 + 41 * 29 + 1 + 2) continue;
+            found = true;
+            QCOMPARE(o["with"].toString(), QString("part"));
+            QVERIFY(o["depth"].toDouble() > 2.9);
+        }
+        QVERIFY(found);
+    }
+
+    void words_that_are_read_over_are_listed() {
+        Sandbox s;
+        QByteArray apt = cl();
+        apt.replace("LOADTL/1\n", "LOADTL/1\nPPRINT HELLO\nFROBNI/3\n");
+        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        QCOMPARE(run.status, 0);
+        QVERIFY(run.err.contains("FROBNI"));
+    }
+
+    void bad_cl_files_leave_nothing_data() {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::newRow("unknown unit") << QByteArray("UNITS/MM") << QByteArray("UNITS/FURLONG");
+        QTest::newRow("no cutter, no such tool")
+            << QByteArray("CUTTER/8,4,0,4,0,0,6\nLOADTL/1") << QByteArray("LOADTL/9");
+        QTest::newRow("no cutter") << QByteArray("CUTTER/8,4,0,4,0,0,6\n") << QByteArray();
+        QTest::newRow("NaN") << QByteArray("GOTO/-8.0000,-5.0000,30.0000") << QByteArray("GOTO/-8,NAN,30");
+        QTest::newRow("an arc") << QByteArray("FINI") << QByteArray("MOVARC/0,0,0,0,0,1,5,ANGLE,90\nFINI");
+        QTest::newRow("far away") << QByteArray("UNITS/MM") << QByteArray("UNITS/MM\nTRANS/1000,0,0");
+        QTest::newRow("cut off") << QByteArray("FINI\n") << QByteArray("GOTO/1,2,");
+    }
+    void bad_cl_files_leave_nothing() {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QByteArray apt = cl();
+        QVERIFY(apt.contains(from));
+        apt.replace(from, to);
+        Sandbox s;
+        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains("path.apt"), run.err.constData());
+        QVERIFY(run.out.isEmpty());
+        QVERIFY(!s.files().contains("out"));
+    }
+
+    void no_motion_near_the_stock() {
+        QByteArray apt = "UNITS/MM\nCUTTER/8,4,0,4,0,0,6\nRAPID\nGOTO/1000,0,0\nGOTO/1100,0,0\nFINI\n";
+        Sandbox s;
+        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains("no motion at feed comes near the stock"), run.err.constData());
+        QVERIFY(!s.files().contains("out"));
+    }
+
+    void moves_of_no_length_do_no_harm() {
+        QByteArray apt = cl();
+        apt.replace("GOTO/0.0000,0.0000,0.0000\n", "GOTO/0.0000,0.0000,0.0000\nGOTO/0.0000,0.0000,0.0000\n");
+        Sandbox s;
+        QCOMPARE(run_cli(simulate, prepared(s, apt).path()).status, 0);
+    }
+};
+
+FACETMILL_TEST(TestSimulate)
+#include "test_simulate.moc"
