@@ -7,9 +7,12 @@
 #ifdef FACETMILL_HAS_PICTURES
 #include "core/job/planner.h"
 #include "core/job/strict_json.h"
+#include "core/job/verification.h"
 #include "viz/render_picture.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #endif
 
 namespace facetmill::cli {
@@ -60,11 +63,22 @@ void run(const Arguments& arguments, Session& session) {
         refuse_to_overwrite(project.part_path(), arguments.value("-o"));
         Planner planner;
         PlanResult result;
-        bool needs_plan = false;
-        for (Layer layer : request.layers)
-            needs_plan = needs_plan || layer == Layer::cc || layer == Layer::cl || layer == Layer::tool;
-        if (needs_plan) {
-            result = *planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.6));
+        const auto wants = [&](std::initializer_list<Layer> layers) {
+            return std::find_first_of(request.layers.begin(), request.layers.end(), layers.begin(),
+                                      layers.end())
+                   != request.layers.end();
+        };
+        const bool verifies = wants({Layer::deviation, Layer::findings});
+        if (verifies || wants({Layer::cc, Layer::cl, Layer::tool})) {
+            const double planned = verifies ? 0.3 : 0.6;
+            const auto plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, planned));
+            result = *plan;
+            if (verifies) {
+                const Progress verifying = progress.part(planned, 0.6);
+                request.verification = std::make_shared<const Verification>(
+                    verify(*plan->part->mesh, stock_solid(project, *plan->part, verifying),
+                           verify_programs(project, plan), verify_settings(project, plan.get()), verifying));
+            }
         } else {
             result.part = planner.prepare(project, progress.part(0.0, 0.6));
             result.stock = stock_box(project.stock, result.part->box);
@@ -103,9 +117,10 @@ Command render_command() {
     return {.name = "render",
             .operands = {"PROJECT|PART"},
             .summary = "Draws a picture (PNG) without a display.",
-            .help = "Layers of --show: part, stock, cc, cl, tool, edges. Paths are planned first. Views: "
-                    "iso, front, top,\n"
-                    "right, rear, bottom, left.",
+            .help =
+                "Layers of --show: part, stock, cc, cl, tool, edges, deviation, findings. Paths are planned "
+                "first, and\n"
+                "verified for the last two. Views: iso, front, top, right, rear, bottom, left.",
             .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
                         {.name = "--show",
                          .value = "LAYERS",
