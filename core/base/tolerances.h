@@ -122,6 +122,8 @@ inline constexpr double unit_rounding = 1e-14;
 inline constexpr double lattice_inset = 1e-3;
 /// Corners of the stock.s surface keep this share of a cell.s edge away from its ends: no triangle vanishes.
 inline constexpr double edge_margin = 5e-4;
+/// Share of its terms below which a negative discriminant is 0.
+inline constexpr double grazing_roundings = 1e-14;
 /// Share of the outline's width below which a piece of it is no piece.
 inline constexpr double vanishing_outline = 1e-13;
 /// Two ends of stretches on a line that differ by less (mm) are the same.

@@ -16,10 +16,12 @@ struct Hits {
     }
 };
 
-/// Roots of a t^2 + 2 b t + c; false where there are none. Without cancellation.
+/// Roots of a t^2 + 2 b t + c; false where there are none. Without cancellation. Two that are one but for
+/// rounding (a line through the point of a cone) are found.
 bool roots(double a, double b, double c, double& first, double& second) {
-    const double d = b * b - a * c;
-    if (!(d >= 0)) return false;
+    double d = b * b - a * c;
+    if (!(d >= -tolerance::grazing_roundings * (b * b + std::abs(a * c)))) return false;
+    d = std::max(d, 0.0);
     const double q = -(b + std::copysign(std::sqrt(d), b));
     if (a == 0) {
         if (q == 0) return false;
@@ -252,12 +254,25 @@ Stretch TurnedBody::along_general(const Vec3& p, const Vec3& u) const {
             if (x * x + y * y <= rim * rim) hits.add(t);
         } else {
             const double k = (s.to.x() - s.from.x()) / (s.to.y() - s.from.y());
-            const double radius = s.from.x() + k * (q.z() - s.from.y()), grow = k * u.z();
+            // Of a pointed piece from where the line is level with the point: near it all terms are small
+            // there, and none is the difference of large ones.
+            double start = 0;
+            Vec3 o = q;
+            double radius = s.from.x() + k * (q.z() - s.from.y());
+            if ((s.from.x() == 0 || s.to.x() == 0) && u.z() != 0) {
+                const double level = s.from.x() == 0 ? s.from.y() : s.to.y(), at = (level - q.z()) / u.z();
+                if (std::abs(at) * std::sqrt(uu) <= 2 * size_) {
+                    start = at;
+                    o = q + at * u;
+                    radius = 0;
+                }
+            }
+            const double grow = k * u.z();
             if (roots(u.x() * u.x() + u.y() * u.y() - grow * grow,
-                      q.x() * u.x() + q.y() * u.y() - radius * grow,
-                      q.x() * q.x() + q.y() * q.y() - radius * radius, first, second)) {
-                try_at(first);
-                try_at(second);
+                      o.x() * u.x() + o.y() * u.y() - radius * grow,
+                      o.x() * o.x() + o.y() * o.y() - radius * radius, first, second)) {
+                try_at(start + first);
+                try_at(start + second);
             }
         }
     }

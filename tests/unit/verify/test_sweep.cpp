@@ -167,6 +167,26 @@ private slots:
         QVERIFY(hit > 200);
     }
 
+    void lines_through_a_point_are_not_lost() {
+        std::mt19937 random(17);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> share(0, 1);
+        const double half = radians(35);
+        const TurnedBody body{CutterProfile(AptCutter::cone(12, half))};
+        for (int n = 0; n < 20000; ++n) {
+            // Through the tip, or by a hair beside it, into the cone.
+            const double lean = 0.9 * half * share(random), turn = 2 * pi * share(random);
+            const Vec3 u(std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean));
+            const double hair = n % 2 ? 0 : 1e-9;
+            const Vec3 p = hair * Vec3(normal(random), normal(random), 0) - 20 * share(random) * u;
+            const Stretch s = body.along(p, u);
+            const double tip = -p.z() / u.z();
+            QVERIFY2(std::abs(s.lo - tip) < 1e-6 && s.hi > s.lo + 5,
+                     qPrintable(
+                         QString("case %1: %2 to %3, the tip is at %4").arg(n).arg(s.lo).arg(s.hi).arg(tip)));
+        }
+    }
+
     void turning_motion_stays_within_its_bound() {
         std::mt19937 random(7);
         std::normal_distribution<double> normal;
