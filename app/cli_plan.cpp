@@ -1,10 +1,7 @@
 // facetmill-cli plan: a project to APT programs and a report.
 #include "app/cli_commands.h"
+#include "app/cli_project.h"
 #include "app/cli_session.h"
-#include "core/job/planner.h"
-
-#include <filesystem>
-#include <system_error>
 
 namespace facetmill::cli {
 
@@ -16,21 +13,12 @@ void run(const Arguments& arguments, Session& session) {
     Project project = load_project(file);
     for (const std::string& setting : arguments.values("--set"))
         apply_setting(project, setting);
-    // Told before the planning, not after it.
     const std::string folder = arguments.value("-o");
-    if (std::error_code ec; std::filesystem::exists(folder, ec) && !std::filesystem::is_directory(folder, ec))
-        throw Error(ErrorCode::unwritable, printable(folder, 400), "is not a folder",
-                    "name a folder to write to");
+    check_folder(folder);
     const Progress progress = session.progress();
     Planner planner;
-    std::shared_ptr<const PlanResult> result;
-    try {
-        result = planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.95));
-    } catch (const Error& e) {
-        // The part's own messages name their file.
-        const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
-        throw named ? e : e.within(printable(file, 400));
-    }
+    const auto result =
+        plan_project(planner, project, file, arguments.value("--op"), progress.part(0.0, 0.95));
     write_plan(project, *result, folder, progress.part(0.95, 1.0, "Writing"));
     session.print(report_json(project, *result));
 }

@@ -1,6 +1,7 @@
 // facetmill-cli simulate: removes material by a project's plan, or by CL files, and compares what is left
 // with the part.
 #include "app/cli_commands.h"
+#include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
 #include "core/job/verification.h"
@@ -36,9 +37,7 @@ void run(const Arguments& arguments, Session& session) {
         throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
                     "give --cl or --op");
     const fs::path folder = arguments.value("-o");
-    if (std::error_code ec; fs::exists(folder, ec) && !fs::is_directory(folder, ec))
-        throw Error(ErrorCode::unwritable, printable(folder.string(), 400), "is not a folder",
-                    "name a folder to write to");
+    check_folder(folder);
     for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
         refuse_to_overwrite(file, folder / name);
         refuse_to_overwrite(project.part_path(), folder / name);
@@ -53,13 +52,8 @@ void run(const Arguments& arguments, Session& session) {
     VerifySettings settings;
     std::vector<std::string> ignored;
     if (cl_files.empty()) {
-        std::shared_ptr<const PlanResult> plan;
-        try {
-            plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, 0.3));
-        } catch (const Error& e) {
-            const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
-            throw named ? e : e.within(printable(file, 400));
-        }
+        const auto plan =
+            plan_project(planner, project, file, arguments.value("--op"), progress.part(0.0, 0.3));
         part = plan->part;
         programs = verify_programs(project, plan);
         settings = verify_settings(project, plan.get());

@@ -12,8 +12,6 @@ namespace facetmill {
 
 namespace {
 constexpr std::size_t checkpoints = 64;
-/// Of the resolution, as in verify(): what a turning axis may be off.
-constexpr double bound_share = 0.5;
 } // namespace
 
 struct StockPlayback::State {
@@ -32,7 +30,7 @@ struct StockPlayback::State {
           const Progress& progress)
         : programs(std::move(all)),
           stock(solid, StockLattice::over(solid.box, resolution, std::size_t(-1)), progress),
-          removal(programs, bound_share * resolution, 0), surface(stock.lattice()) {
+          removal(programs, default_bound_share * resolution, 0), surface(stock.lattice()) {
         for (const VerifyProgram& p : programs) {
             first.push_back(total);
             total += p.motions->motions.size();

@@ -21,6 +21,9 @@ struct Collision {
     double depth = 0; ///< mm; of stock to about the resolution, of the part as exact as the probes
 };
 
+/// What `motion_bound` is of the lattice's resolution unless something else is asked for.
+inline constexpr double default_bound_share = 0.5;
+
 /// Checks the programs before anything is cut: throws Error(non_finite, coordinate_range, out_of_range,
 /// empty_result) that names program and GOTO.
 void check_programs(std::span<const VerifyProgram> programs);

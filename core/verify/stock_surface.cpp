@@ -95,9 +95,8 @@ bool needs_centre(const std::vector<int>& polygon) {
     return false;
 }
 
-std::shared_ptr<const RayTile> tile_of(const StockModel&, const std::vector<std::shared_ptr<RayTile>>& family,
-                                       int axis, int ti, int tj, const StockSolid& solid,
-                                       const StockLattice& lattice) {
+std::shared_ptr<const RayTile> tile_of(const std::vector<std::shared_ptr<RayTile>>& family, int axis, int ti,
+                                       int tj, const StockSolid& solid, const StockLattice& lattice) {
     const int across = tiles_of(lattice.nodes[std::size_t(first_across(axis))]);
     const auto& tile = family[std::size_t(ti) + std::size_t(across) * std::size_t(tj)];
     return tile ? tile : solid_tile(solid, lattice, axis, ti, tj);
@@ -171,7 +170,7 @@ std::shared_ptr<const StockPatch> StockSurface::patch(const StockModel& stock, s
         for (int tj = vb / RayTile::side; tj <= ve / RayTile::side; ++tj)
             for (int ti = ub / RayTile::side; ti <= ue / RayTile::side; ++ti) {
                 const auto tile =
-                    tile_of(stock, stock.tiles_[std::size_t(axis)], axis, ti, tj, stock.solid(), lattice_);
+                    tile_of(stock.tiles_[std::size_t(axis)], axis, ti, tj, stock.solid(), lattice_);
                 for (int b = std::max(vb, tj * RayTile::side);
                      b <= std::min(ve, (tj + 1) * RayTile::side - 1); ++b)
                     for (int a = std::max(ub, ti * RayTile::side);

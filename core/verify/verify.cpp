@@ -15,7 +15,7 @@ namespace facetmill {
 namespace {
 
 /// Shares of the smallest cutter's radius, of the resolution, of the tolerance.
-constexpr double resolution_share = 0.05, bound_share = 0.5, touch_share = 0.02, probe_share = 0.01;
+constexpr double resolution_share = 0.05, touch_share = 0.02, probe_share = 0.01;
 constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -40,7 +40,7 @@ VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii&
         }
     }
     if (!(s.sample_spacing > 0)) s.sample_spacing = s.resolution;
-    if (!(s.motion_bound > 0)) s.motion_bound = bound_share * s.resolution;
+    if (!(s.motion_bound > 0)) s.motion_bound = default_bound_share * s.resolution;
     return s;
 }
 

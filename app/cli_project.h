@@ -1,0 +1,21 @@
+// What the commands that plan a project have in common.
+#pragma once
+
+#include "core/job/planner.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace facetmill::cli {
+
+/// Throws Error(unwritable) where something that is no folder stands at `folder`: told before a long job, not
+/// after it.
+void check_folder(const std::filesystem::path& folder);
+
+/// planner.plan, with errors that name the project's file unless they name the part's. Throws as that does.
+std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
+                                               const std::string& file, const std::string& only_operation,
+                                               const Progress& progress);
+
+} // namespace facetmill::cli
