@@ -10,18 +10,13 @@
 #include "core/cutter/cutter.h"
 #include "core/gouge/contact_index.h"
 #include "core/setup/tool.h"
+#include "core/setup/tool_pose.h"
 
 #include <array>
 #include <span>
 #include <vector>
 
 namespace facetmill {
-
-/// Tip and axis of a tool in part coordinates. The axis is a unit vector from the tip to the holder.
-struct ToolPose {
-    Vec3 tip = Vec3::Zero();
-    Vec3 axis = Vec3::UnitZ();
-};
 
 enum class ToolBody { none, cutter, shank, holder };
 /// "cutter", "shank", "holder"; "none".
