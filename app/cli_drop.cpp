@@ -2,8 +2,8 @@
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
+#include "core/base/strict_json.h"
 #include "core/gouge/axial_lift.h"
-#include "core/job/strict_json.h"
 #include "core/mesh/mesh_io.h"
 
 #include <charconv>

@@ -1,7 +1,7 @@
 // facetmill-cli info: the honest account of a mesh file.
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
-#include "core/job/strict_json.h"
+#include "core/base/strict_json.h"
 #include "core/mesh/mesh_io.h"
 
 namespace facetmill::cli {

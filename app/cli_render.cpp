@@ -5,8 +5,8 @@
 #include "core/base/file.h"
 
 #ifdef FACETMILL_HAS_PICTURES
+#include "core/base/strict_json.h"
 #include "core/job/planner.h"
-#include "core/job/strict_json.h"
 #include "core/job/verification.h"
 #include "viz/render_picture.h"
 

@@ -2,7 +2,7 @@
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
 #include "core/base/parameter.h"
-#include "core/job/strict_json.h"
+#include "core/base/strict_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
 

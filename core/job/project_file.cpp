@@ -1,52 +1,17 @@
 // The project file: reading with every key checked, and writing what reads back the same.
 #include "core/base/file.h"
+#include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
-#include "core/job/strict_json.h"
 
 #include <algorithm>
 
 namespace facetmill {
 
+using namespace strict;
+
 namespace {
-
-std::string member(const std::string& place, const std::string& key) {
-    return place.empty() ? key : place + "." + key;
-}
-std::string element(const std::string& place, std::size_t i) {
-    return place + "[" + std::to_string(i) + "]";
-}
-
-[[noreturn]] void wrong_type(const std::string& place, const Json& value, const std::string& expected) {
-    throw Error(ErrorCode::wrong_type, place, "the value is " + json_type_name(value),
-                "expected " + expected);
-}
-
-void expect_object(const Json& value, const std::string& place) {
-    if (!value.is_object()) wrong_type(place, value, "an object");
-}
-
-const Json& expect_list(const Json& value, const std::string& place) {
-    if (!value.is_array()) wrong_type(place, value, "a list");
-    return value;
-}
-
-const Json& require(const Json& object, const std::string& place, const std::string& key,
-                    const std::string& remedy) {
-    if (!object.contains(key))
-        throw Error(ErrorCode::missing_key, member(place, key), "the key is missing", remedy);
-    return object[key];
-}
-
-std::string read_text(const Json& value, const std::string& place) {
-    if (!value.is_string()) wrong_type(place, value, "a text");
-    auto text = value.get<std::string>();
-    if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
-        throw Error(ErrorCode::out_of_range, place, "the text holds control characters",
-                    "write it on one line");
-    return text;
-}
 
 LengthUnit read_unit(const Json& value, const std::string& place) {
     return parse_length_unit(read_text(value, place), place);
@@ -107,16 +72,6 @@ ParameterValue read_value(const Json& value, const ParameterInfo& info, const st
         return read_numbers<3>(value, info, place, unit);
     }
     throw Error(ErrorCode::internal, place, "unknown kind of parameter", "report this");
-}
-
-[[noreturn]] void unknown_key(const std::string& key, const std::string& place,
-                              std::vector<std::string> known) {
-    const std::string near = nearest_name(key, known);
-    std::string list;
-    for (const auto& k : known)
-        list += (list.empty() ? "" : ", ") + k;
-    throw Error(ErrorCode::unknown_key, member(place, printable(key)), "unknown key",
-                near.empty() ? "known keys: " + list : "did you mean '" + near + "'?");
 }
 
 /// Reads every member of `object` that is not in `own` into the parameter of its name.

@@ -1,7 +1,7 @@
 // Project files of older versions: one step per version, applied in order until the file is of today's.
 #pragma once
 
-#include "core/job/strict_json.h"
+#include "core/base/strict_json.h"
 
 namespace facetmill {
 

@@ -1,8 +1,8 @@
 // What a plan leaves on disk: APT programs and report.json.
 #include "core/base/file.h"
+#include "core/base/strict_json.h"
 #include "core/job/new_folder.h"
 #include "core/job/planner.h"
-#include "core/job/strict_json.h"
 #include "core/output/apt.h"
 
 #include <system_error>

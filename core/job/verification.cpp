@@ -1,7 +1,7 @@
 #include "core/job/verification.h"
 
+#include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
-#include "core/job/strict_json.h"
 #include "core/output/apt.h"
 
 #include <array>

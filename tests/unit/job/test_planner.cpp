@@ -1,8 +1,8 @@
 // The planner: what did not change is reused, and what is reused equals a fresh plan. Outputs appear together
 // or not at all.
 #include "core/base/file.h"
+#include "core/base/strict_json.h"
 #include "core/job/planner.h"
-#include "core/job/strict_json.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "tests/support/error_code.h"

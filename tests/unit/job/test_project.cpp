@@ -1,8 +1,8 @@
 // The project file: every key checked, every value in its unit, what is saved reads back the same.
 #include "core/base/file.h"
+#include "core/base/strict_json.h"
 #include "core/job/project.h"
 #include "core/job/reference.h"
-#include "core/job/strict_json.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,9 @@
-#include "core/job/strict_json.h"
+#include "core/base/strict_json.h"
 
 #include "core/base/error.h"
+#include "core/base/parameter.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -152,8 +154,8 @@ void write(std::string& out, const Json& value, std::size_t indent) {
 
 Json parse_strict_json(std::string_view text, const std::string& name) {
     if (text.size() > largest_text)
-        throw Error(ErrorCode::limit_exceeded, name, "the file is too large for a project",
-                    "name a .facetmill file");
+        throw Error(ErrorCode::limit_exceeded, name, "the file is too large for a project or a machine",
+                    "name a .facetmill or a .json file");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")
         || text.find('\0') != std::string_view::npos)
         throw Error(ErrorCode::encoding, name, "the file is not UTF-8 text (UTF-16 or binary)",
@@ -193,5 +195,55 @@ Json json_number(double value, const std::string& where) {
     if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<long long>(value);
     return value;
 }
+
+namespace strict {
+
+std::string member(const std::string& place, const std::string& key) {
+    return place.empty() ? key : place + "." + key;
+}
+std::string element(const std::string& place, std::size_t i) {
+    return place + "[" + std::to_string(i) + "]";
+}
+
+void wrong_type(const std::string& place, const Json& value, const std::string& expected) {
+    throw Error(ErrorCode::wrong_type, place, "the value is " + json_type_name(value),
+                "expected " + expected);
+}
+
+void expect_object(const Json& value, const std::string& place) {
+    if (!value.is_object()) wrong_type(place, value, "an object");
+}
+
+const Json& expect_list(const Json& value, const std::string& place) {
+    if (!value.is_array()) wrong_type(place, value, "a list");
+    return value;
+}
+
+const Json& require(const Json& object, const std::string& place, const std::string& key,
+                    const std::string& remedy) {
+    if (!object.contains(key))
+        throw Error(ErrorCode::missing_key, member(place, key), "the key is missing", remedy);
+    return object[key];
+}
+
+std::string read_text(const Json& value, const std::string& place) {
+    if (!value.is_string()) wrong_type(place, value, "a text");
+    auto text = value.get<std::string>();
+    if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+        throw Error(ErrorCode::out_of_range, place, "the text holds control characters",
+                    "write it on one line");
+    return text;
+}
+
+void unknown_key(const std::string& key, const std::string& place, const std::vector<std::string>& known) {
+    const std::string near = nearest_name(key, known);
+    std::string list;
+    for (const auto& k : known)
+        list += (list.empty() ? "" : ", ") + k;
+    throw Error(ErrorCode::unknown_key, member(place, printable(key)), "unknown key",
+                near.empty() ? "known keys: " + list : "did you mean '" + near + "'?");
+}
+
+} // namespace strict
 
 } // namespace facetmill
