@@ -30,7 +30,7 @@ if(FACETMILL_SANITIZE)
 endif()
 
 # Rooms of core, each below the ones before it: a room includes only rooms to its left.
-set(FACETMILL_ROOMS base mesh cutter setup gouge strategy link verify output job)
+set(FACETMILL_ROOMS base mesh cutter setup gouge cspace strategy link verify output job)
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
 # dropped from a static one.

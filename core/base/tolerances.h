@@ -116,6 +116,8 @@ inline constexpr double edge_on = 1e-6;
 /// and below which a motion, or the sine of its angle to a line, is none.
 inline constexpr double sweep_roundings = 1e-11;
 inline constexpr double parallel_sine = 1e-8;
+/// Share of a grid's step by which its limits may miss a whole number of steps.
+inline constexpr double grid_rounding = 1e-9;
 /// Below this a part of a unit vector, or an angle, is rounding.
 inline constexpr double unit_rounding = 1e-14;
 /// How far inside the faces of the stock the outermost rays are, as a share of their spacing.

@@ -46,9 +46,16 @@ using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQ
 /// The tips over the places of a packet, the bits that one query each would give.
 using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&,
                               double (&tips)[AxialPacket::most_places]);
+/// The highest lift over a polyline of `count` points (x, y, z each), any axis. Of the query the place and
+/// frame are read, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number of
+/// a segment); the answer's `slot` is that of the segment. -inf and no_slot where no point is under the
+/// cutter.
+using CurveKernel = void (*)(const SurfaceTable&, const AxialQuery&, const double* points,
+                             std::uint32_t count, AxialAnswer&);
 struct AxialKernels {
     AxialKernel upright, tilted;
     PacketKernel packet;
+    CurveKernel curve;
     const char* name;
 };
 

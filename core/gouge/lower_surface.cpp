@@ -45,6 +45,9 @@ void add_tangents(SurfaceTable& table, const CutterProfile& profile) {
         table.tangent_slope[i] = slope;
         table.tangent_at0[i] = std::nextafterf(float(at0), -infinity_f);
     }
+    table.outer_slope = tolerance::steepest_followed;
+    const double outer = distance_of_slope(table, table.outer_slope);
+    table.outer_at0 = profile.height_at(outer) - table.outer_slope * outer;
     table.rim_height = std::nextafterf(float(profile.height_at(table.max_radius)), 0.0f);
     const double slope = slope_at(table, table.max_radius); // of a vertical rim infinite, or no number
     table.has_rim = slope < tolerance::steepest_tangent;

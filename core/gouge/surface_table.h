@@ -24,6 +24,9 @@ struct SurfaceTable {
     /// At max_radius, where g ends and any steeper line is below it: its height and slope.
     bool has_rim = false; ///< the slope there is no steeper than lines may be
     float rim_height = 0, rim_slope = 0;
+    /// A steep support line, in doubles: g(rho) >= outer_at0 + outer_slope rho for every rho; it touches g
+    /// near max_radius.
+    double outer_at0 = 0, outer_slope = 0;
     /// About where a plane touches whose normal makes an angle with this sine with the axis: at the axis up
     /// to guess_level, else at guess_e + guess_r * sine. Only for choosing where bounds are good.
     float guess_e = 0, guess_r = 0, guess_level = 0;

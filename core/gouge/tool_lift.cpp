@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_kernel.h"
+#include "core/gouge/axis_frame.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/lower_surface.h"
 
@@ -20,18 +21,6 @@ struct ToolLift::Body {
 };
 
 namespace {
-
-/// Two unit vectors that make a right-handed frame with the axis; steady while the axis turns away from -Z.
-void across(const Vec3& axis, double (&frame)[3][3]) {
-    const double sign = axis.z() >= 0 ? 1 : -1, a = -1 / (sign + axis.z()), b = axis.x() * axis.y() * a;
-    const Vec3 u(1 + sign * axis.x() * axis.x() * a, sign * b, -sign * axis.x());
-    const Vec3 v(b, sign + axis.y() * axis.y() * a, -axis.y());
-    for (int k = 0; k < 3; ++k) {
-        frame[0][k] = u[k];
-        frame[1][k] = v[k];
-        frame[2][k] = axis[k];
-    }
-}
 
 void check_pose(const ToolPose& pose) {
     const double largest = tolerance::largest_program_coordinate;
@@ -111,7 +100,7 @@ double ToolLift::search(const ToolPose& pose, double least, double enough, Hint&
                         ToolContact* contact) const {
     check_pose(pose);
     AxialQuery query;
-    across(pose.axis, query.frame);
+    set_frame(pose.axis, query.frame);
     query.least = least;
     query.enough = enough;
     const IndexView view = index_->impl().view();
@@ -167,6 +156,13 @@ ToolContact ToolLift::contact(const ToolPose& pose) const {
     return contact;
 }
 
+ToolContact ToolLift::contact_above(const ToolPose& pose, double depth, Hint& hint) const {
+    ToolContact contact;
+    contact.lift = depth;
+    search(pose, depth, infinity, hint, &contact);
+    return contact;
+}
+
 bool ToolLift::is_deeper(const ToolPose& pose, double depth, Hint& hint) const {
     return search(pose, depth, depth, hint, nullptr) > depth;
 }
@@ -183,13 +179,8 @@ void ToolLift::lift(std::span<const ToolPose> poses, std::span<double> lifts,
     });
 }
 
-Vec3 tip_at_contact(const CutterProfile& cutter, const Vec3& point, const Vec3& normal, const Vec3& axis) {
-    const double up = normal.dot(axis);
-    const Vec3 across_axis = normal - up * axis;
-    const double horizontal = across_axis.norm();
-    if (!(up > 0)) throw Error(ErrorCode::out_of_range, "axis", "points into the part", "tilt the tool less");
+Vec2 plane_contact(const CutterProfile& cutter, double angle) {
     // The outermost point of the profile that is no steeper than the plane.
-    const double angle = std::atan2(horizontal, up);
     Vec2 at = Vec2::Zero();
     for (const ProfilePiece& p : cutter.lower_pieces()) {
         if (p.angle_at_start() > angle + tolerance::cutter_angle) break;
@@ -198,6 +189,15 @@ Vec3 tip_at_contact(const CutterProfile& cutter, const Vec3& point, const Vec3& 
         else
             at = p.to;
     }
+    return at;
+}
+
+Vec3 tip_at_contact(const CutterProfile& cutter, const Vec3& point, const Vec3& normal, const Vec3& axis) {
+    const double up = normal.dot(axis);
+    const Vec3 across_axis = normal - up * axis;
+    const double horizontal = across_axis.norm();
+    if (!(up > 0)) throw Error(ErrorCode::out_of_range, "axis", "points into the part", "tilt the tool less");
+    const Vec2 at = plane_contact(cutter, std::atan2(horizontal, up));
     const Vec3 away = horizontal > 0 ? Vec3(across_axis / horizontal) : Vec3(Vec3::Zero());
     return point + at.x() * away - at.y() * axis;
 }

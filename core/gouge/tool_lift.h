@@ -68,6 +68,9 @@ public:
     double lift(const ToolPose& pose, Hint& hint) const;
     /// The same lift, and where it comes from.
     ToolContact contact(const ToolPose& pose) const;
+    /// What stops it above `depth`: lift = max(depth, lift(pose)), and where that comes from; no body where
+    /// nothing stops it higher than `depth`.
+    ToolContact contact_above(const ToolPose& pose, double depth, Hint& hint) const;
     /// True when lift(pose) > depth; ends as soon as that is sure.
     bool is_deeper(const ToolPose& pose, double depth, Hint& hint) const;
 
@@ -86,6 +89,11 @@ private:
     CutterProfile cutter_;
     std::vector<Body> bodies_;
 };
+
+/// Where a plane touches the lower surface of a cutter: (rho, z) in its frame, uphill of the axis, for a
+/// plane that makes `angle` >= 0 with the axis' normal plane. The outermost such point where there are many;
+/// where the plane is steeper than the surface anywhere, the end of it.
+Vec2 plane_contact(const CutterProfile& cutter, double angle);
 
 /// Where the tip of a cutter with this axis is when the cutter touches a plane through `point` with this unit
 /// normal (away from the part; at an acute angle with the axis). Where the cutter touches along a line or in

@@ -1,0 +1,221 @@
+#include "core/cspace/cspace.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/cspace/posture_terms.h"
+
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace facetmill {
+
+namespace {
+
+/// Processor time of the calling thread, s.
+double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+const ToolLift& wanted(const ToolLift* lift) {
+    if (!lift) throw Error(ErrorCode::internal, "CSpaceBuilder", "was made without a tool", "report this");
+    return *lift;
+}
+
+/// What the top of one posture after the other has in common.
+class TopSearch {
+public:
+    TopSearch(const CurveLift& lift, std::span<const RaisedCurve> curves)
+        : lift_(lift), curves_(curves), hints_(curves.size()) {}
+
+    double top(const ToolPose& pose) {
+        double least = infinity;
+        std::size_t lowest = first_;
+        // The curve that was lowest first: of most others it is then enough to know that they are higher.
+        for (std::size_t i = 0; i < curves_.size(); ++i) {
+            const std::size_t c = i == 0 ? first_ : i <= first_ ? i - 1 : i;
+            const double here = lift_.lift(pose, curves_[c], hints_[c], least);
+            if (here < least) {
+                least = here;
+                lowest = c;
+            }
+        }
+        first_ = lowest;
+        return least;
+    }
+
+private:
+    const CurveLift& lift_;
+    std::span<const RaisedCurve> curves_;
+    std::vector<CurveLift::Hint> hints_;
+    std::size_t first_ = 0;
+};
+
+} // namespace
+
+const char* posture_block_name(PostureBlock block) {
+    switch (block) {
+    case PostureBlock::free:
+        return "free";
+    case PostureBlock::local:
+        return "local";
+    case PostureBlock::global:
+        return "global";
+    case PostureBlock::shank:
+        return "shank";
+    case PostureBlock::holder:
+        return "holder";
+    case PostureBlock::lift:
+        return "lift";
+    case PostureBlock::machine:
+        break;
+    }
+    return "machine";
+}
+
+CSpaceBuilder::CSpaceBuilder(const CSpaceInput& input)
+    : input_(input), curve_(wanted(input.lift).cutter(), input.height) {
+    if (!(input.local_radius >= 0))
+        throw Error(ErrorCode::out_of_range, "local_radius", "is negative", "give a length");
+}
+
+double CSpaceBuilder::bottom(const ContactFrame& frame, double lambda, double omega,
+                             ToolLift::Hint& hint) const {
+    const CutterProfile& cutter = input_.lift->cutter();
+    if (!can_touch(cutter, lambda, input_.height)) return infinity;
+    return std::max(0.0, input_.lift->lift(posture_pose(cutter, frame, {lambda, omega, 0}), hint));
+}
+
+double CSpaceBuilder::top(const ContactFrame& frame, double lambda, double omega,
+                          std::span<const RaisedCurve> curves) const {
+    const CutterProfile& cutter = input_.lift->cutter();
+    if (!can_touch(cutter, lambda, input_.height)) return -infinity;
+    const ToolPose pose = posture_pose(cutter, frame, {lambda, omega, 0});
+    double least = infinity;
+    for (const RaisedCurve& curve : curves) {
+        CurveLift::Hint hint;
+        least = std::min(least, curve_.lift(pose, curve, hint, least));
+    }
+    return least;
+}
+
+PostureBlock CSpaceBuilder::judge(const Reason& reason, const ToolPose& pose,
+                                  const ContactFrame& frame) const {
+    if (!(reason.bottom < infinity)) return PostureBlock::shank;
+    if (!(reason.top >= 0)) return PostureBlock::lift;
+    if (reason.bottom <= reason.top) {
+        (void)pose;
+        return PostureBlock::free;
+    }
+    switch (block_cause(reason.contact, frame.point, input_.local_radius)) {
+    case BlockCause::global:
+        return PostureBlock::global;
+    case BlockCause::shank:
+        return PostureBlock::shank;
+    case BlockCause::holder:
+        return PostureBlock::holder;
+    case BlockCause::local:
+    case BlockCause::none:
+        break;
+    }
+    return PostureBlock::local;
+}
+
+CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedCurve> curves,
+                                          const Progress& progress) const {
+    if (!input_.grid)
+        throw Error(ErrorCode::internal, "CSpaceBuilder", "was asked for a space without a grid",
+                    "report this");
+    const PostureGrid& grid = *input_.grid;
+    const CutterProfile& cutter = input_.lift->cutter();
+    struct Lean {
+        LeanTerms terms;
+        Vec2 at;
+        bool touches;
+    };
+    std::vector<Lean> leans;
+    for (const double lambda : grid.lambda) {
+        const LeanTerms terms(lambda);
+        leans.push_back(
+            {terms, plane_contact(cutter, terms.angle), can_touch(cutter, lambda, input_.height)});
+    }
+    std::vector<TurnTerms> turns;
+    for (const double omega : grid.omega)
+        turns.emplace_back(omega);
+    space.bottom.assign(grid.size(), infinity);
+    space.top.assign(grid.size(), -infinity);
+    space.block.assign(grid.size(), PostureBlock::shank);
+
+    // To and fro, so that every posture is a neighbour of the one before: what one met, the next is likely to
+    // meet.
+    const auto each = [&](auto&& body) {
+        constexpr std::size_t postures_per_check = 256;
+        std::size_t seen = 0;
+        for (std::size_t io = 0; io < turns.size(); ++io)
+            for (std::size_t k = 0; k < leans.size(); ++k) {
+                if (seen++ % postures_per_check == 0) progress.check();
+                const std::size_t il = io % 2 == 0 ? k : leans.size() - 1 - k;
+                if (!leans[il].touches) continue;
+                body(grid.node(il, io), leans[il].terms.pose(leans[il].at, space.frame, turns[io], 0));
+            }
+    };
+    const double start = thread_seconds();
+    TopSearch search(curve_, curves);
+    each([&](std::size_t node, const ToolPose& pose) { space.top[node] = search.top(pose); });
+    const double between = thread_seconds();
+    ToolLift::Hint hint;
+    each([&](std::size_t node, const ToolPose& pose) {
+        Reason reason;
+        reason.contact = input_.lift->contact_above(pose, 0, hint);
+        reason.bottom = space.bottom[node] = reason.contact.lift;
+        reason.top = space.top[node];
+        space.block[node] = judge(reason, pose, space.frame);
+    });
+    return {thread_seconds() - between, between - start};
+}
+
+CSpace CSpaceBuilder::build(const ContactFrame& frame, std::span<const RaisedCurve> curves,
+                            const Progress& progress) const {
+    CSpace space;
+    space.frame = frame;
+    fill(space, curves, progress);
+    return space;
+}
+
+std::vector<CSpace> CSpaceBuilder::build(std::span<const ContactFrame> frames,
+                                         std::span<const std::vector<RaisedCurve>> curves,
+                                         const Progress& progress, Stages* stages) const {
+    if (frames.size() != curves.size())
+        throw Error(ErrorCode::internal, "CSpaceBuilder", "every contact point needs its curves",
+                    "report this");
+    std::vector<CSpace> spaces(frames.size());
+    std::vector<Stages> spent(frames.size());
+    parallel_for(frames.size(), 1, progress, [&](std::size_t i) {
+        spaces[i].frame = frames[i];
+        spent[i] = fill(spaces[i], curves[i], progress);
+    });
+    if (stages)
+        for (const Stages& s : spent) {
+            stages->bottom += s.bottom;
+            stages->top += s.top;
+        }
+    return spaces;
+}
+
+CSpaceBuilder::Reason CSpaceBuilder::reason(const ContactFrame& frame, double lambda, double omega,
+                                            std::span<const RaisedCurve> curves) const {
+    const CutterProfile& cutter = input_.lift->cutter();
+    if (!can_touch(cutter, lambda, input_.height)) return {PostureBlock::shank, infinity, -infinity, {}};
+    const ToolPose pose = posture_pose(cutter, frame, {lambda, omega, 0});
+    ToolLift::Hint hint;
+    Reason reason;
+    reason.contact = input_.lift->contact_above(pose, 0, hint);
+    reason.bottom = reason.contact.lift;
+    reason.top = top(frame, lambda, omega, curves);
+    reason.block = judge(reason, pose, frame);
+    return reason;
+}
+
+} // namespace facetmill

@@ -1,0 +1,120 @@
+// The configuration space of one contact point: which postures (lambda, omega) and lifts delta leave a part
+// neither gouged nor uncut there (Lu 3.5.5). Over a grid of postures it lies between two surfaces,
+//
+//   bottom (S2)  the least lift at which cutter, shank and holder cut nothing of the part, and
+//   top (S1)     the largest lift at which the strip beside the pass is still cleared to within the
+//   tolerance,
+//
+// and is empty at a posture where the bottom is above the top. Frames and angles: contact_frame.h.
+//
+// The bottom is the axial lift of the whole tool (core/gouge/tool_lift.h), because delta is along the tool's
+// axis.
+//
+// The top. A strip boundary is a curve on the part that this pass and its neighbour share; raised by the
+// tolerance along the normals it is the *raised curve*, and the cusp is low enough where the tool's sweep
+// reaches it everywhere. One pose reaches it if it holds one point of it. That is enough: the poses of a pass
+// follow each other continuously, so do the points of the raised curve that they hold, and together they hold
+// all of it. So the top is the highest delta at which the pose holds a point of every raised curve: the
+// smallest over the curves of the axial lift of the curve over the cutter's lower surface
+// (core/gouge/curve_lift.h). It may be negative: then even the pose that touches leaves too much.
+//
+// A stock allowance: build the ToolLift with that clearance and put the frame's point that much above the
+// part.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cspace/contact_frame.h"
+#include "core/gouge/curve_lift.h"
+#include "core/gouge/tool_lift.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+class Kinematics;
+
+/// Points of the part that this pass has to clear, each raised by the tolerance along its normal; in order,
+/// roughly along the feed. One point is a curve.
+using RaisedCurve = std::vector<Vec3>;
+
+/// Why a posture is not free. The first that applies, from `lift` downward.
+enum class PostureBlock : std::uint8_t {
+    free,   ///< bottom <= top, and the machine can hold it
+    local,  ///< bottom > top: the cutter has to be lifted off the part within local_radius of the contact
+            ///< point
+    global, ///< the same, off the part elsewhere
+    shank,  ///< the same for the shank; or the cutter leans so far that it cannot touch with its cutting part
+            ///< (can_touch)
+    holder, ///< the same for the holder
+    lift,   ///< top < 0: even where it touches it leaves more than the tolerance at a strip boundary
+    machine, ///< free of the part, but beyond what the machine's axes can do
+};
+/// "free", "local", "global", "shank", "holder", "lift", "machine".
+const char* posture_block_name(PostureBlock block);
+
+struct CSpaceInput {
+    const ToolLift* lift = nullptr;         ///< cutter, shank and holder over the mesh; wanted
+    const PostureGrid* grid = nullptr;      ///< wanted for `build`
+    const Kinematics* kinematics = nullptr; ///< none: a machine without limits
+    double local_radius = 0;                ///< mm
+    double height =
+        0; ///< of the flutes (mm): above it the cutter removes nothing; 0: the cutter's own height
+};
+
+/// Per node of the grid (PostureGrid::node), mm. Where the cutter cannot touch (can_touch), bottom is +inf
+/// and top -inf.
+struct CSpace {
+    ContactFrame frame;
+    std::vector<double> bottom; ///< S2 >= 0
+    std::vector<double> top; ///< S1: +inf without raised curves, -inf where one is out of the cutter's reach
+    std::vector<PostureBlock> block;
+};
+
+/// Safe to use from many threads at once. What the input points to has to live as long as the builder.
+class CSpaceBuilder {
+public:
+    /// Throws Error(internal) when there is no ToolLift, Error(out_of_range) for a negative height or radius.
+    explicit CSpaceBuilder(const CSpaceInput& input);
+
+    const CSpaceInput& input() const { return input_; }
+
+    /// Any posture, also between nodes, without allocation; the same bits as `build`.
+    double bottom(const ContactFrame& frame, double lambda, double omega, ToolLift::Hint& hint) const;
+    double top(const ContactFrame& frame, double lambda, double omega,
+               std::span<const RaisedCurve> curves) const;
+
+    /// Needs input().grid. Cancellation per 256 postures.
+    CSpace build(const ContactFrame& frame, std::span<const RaisedCurve> curves,
+                 const Progress& progress = Progress()) const;
+
+    /// Processor time, s, added up over the threads.
+    struct Stages {
+        double bottom = 0, top = 0;
+    };
+    /// Many contact points, each with its curves, in parallel: the bits of one by one. Throws Error(internal)
+    /// when the spans differ in length. `stages`, if given, is added to.
+    std::vector<CSpace> build(std::span<const ContactFrame> frames,
+                              std::span<const std::vector<RaisedCurve>> curves, const Progress& progress,
+                              Stages* stages = nullptr) const;
+
+    /// One posture, and what stops it: `contact` is where the whole tool is stopped above delta = 0, with
+    /// body none where it is not.
+    struct Reason {
+        PostureBlock block = PostureBlock::free;
+        double bottom = 0, top = 0;
+        ToolContact contact;
+    };
+    Reason reason(const ContactFrame& frame, double lambda, double omega,
+                  std::span<const RaisedCurve> curves) const;
+
+private:
+    PostureBlock judge(const Reason& reason, const ToolPose& pose, const ContactFrame& frame) const;
+    Stages fill(CSpace& space, std::span<const RaisedCurve> curves, const Progress& progress) const;
+
+    CSpaceInput input_;
+    CurveLift curve_;
+};
+
+} // namespace facetmill
