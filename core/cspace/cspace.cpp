@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/cspace/posture_terms.h"
+#include "core/setup/kinematics.h"
 
 #include <cmath>
 #include <ctime>
@@ -106,8 +107,9 @@ PostureBlock CSpaceBuilder::judge(const Reason& reason, const ToolPose& pose,
     if (!(reason.bottom < infinity)) return PostureBlock::shank;
     if (!(reason.top >= 0)) return PostureBlock::lift;
     if (reason.bottom <= reason.top) {
-        (void)pose;
-        return PostureBlock::free;
+        const ToolPose held{pose.tip + reason.bottom * pose.axis, pose.axis};
+        return !input_.kinematics || input_.kinematics->reaches(held) ? PostureBlock::free
+                                                                      : PostureBlock::machine;
     }
     switch (block_cause(reason.contact, frame.point, input_.local_radius)) {
     case BlockCause::global:
@@ -168,9 +170,11 @@ CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedC
     ToolLift::Hint hint;
     each([&](std::size_t node, const ToolPose& pose) {
         Reason reason;
-        reason.contact = input_.lift->contact_above(pose, 0, hint);
-        reason.bottom = space.bottom[node] = reason.contact.lift;
         reason.top = space.top[node];
+        reason.contact.lift = 0;
+        if (input_.bottom_everywhere || reason.top >= 0)
+            reason.contact = input_.lift->contact_above(pose, 0, hint);
+        reason.bottom = space.bottom[node] = reason.contact.lift;
         space.block[node] = judge(reason, pose, space.frame);
     });
     return {thread_seconds() - between, between - start};

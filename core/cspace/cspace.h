@@ -49,7 +49,7 @@ enum class PostureBlock : std::uint8_t {
             ///< (can_touch)
     holder, ///< the same for the holder
     lift,   ///< top < 0: even where it touches it leaves more than the tolerance at a strip boundary
-    machine, ///< free of the part, but beyond what the machine's axes can do
+    machine, ///< free of the part, but beyond what the machine's axes can do at the bottom
 };
 /// "free", "local", "global", "shank", "holder", "lift", "machine".
 const char* posture_block_name(PostureBlock block);
@@ -58,9 +58,13 @@ struct CSpaceInput {
     const ToolLift* lift = nullptr;         ///< cutter, shank and holder over the mesh; wanted
     const PostureGrid* grid = nullptr;      ///< wanted for `build`
     const Kinematics* kinematics = nullptr; ///< none: a machine without limits
-    double local_radius = 0;                ///< mm
-    double height =
-        0; ///< of the flutes (mm): above it the cutter removes nothing; 0: the cutter's own height
+    /// mm. With the cutter's diameter all that lies under an upright flat end is local.
+    double local_radius = 0;
+    /// Of the flutes (mm): above it the cutter removes nothing; 0: the cutter's own height.
+    double height = 0;
+    /// False: where the top is below 0 (`lift`) the bottom is not looked for and stays 0. Enough for choosing
+    /// postures, in a fraction of the time.
+    bool bottom_everywhere = true;
 };
 
 /// Per node of the grid (PostureGrid::node), mm. Where the cutter cannot touch (can_touch), bottom is +inf

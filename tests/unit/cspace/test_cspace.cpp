@@ -74,54 +74,6 @@ double reference_lift(const Tool& tool, const Mesh& mesh, const ToolPose& pose) 
     return best;
 }
 
-Tool tool_of(double diameter, double corner, double flutes, double shank_diameter, double shank_length,
-             double holder_diameter) {
-    Tool tool;
-    tool.diameter = diameter;
-    tool.corner_radius = corner;
-    tool.flute_length = flutes;
-    tool.shank_diameter = shank_diameter;
-    tool.shank_length = shank_length;
-    tool.holder = {{holder_diameter, 30}};
-    return tool;
-}
-
-void add_quad(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    const auto first = Index(mesh.vertices.size());
-    for (const Vec3& p : {a, b, c, d})
-        mesh.vertices.push_back(p);
-    mesh.facets.push_back({first, first + 1, first + 2});
-    mesh.facets.push_back({first, first + 2, first + 3});
-}
-
-Mesh level_plane(double half) {
-    Mesh mesh;
-    add_quad(mesh, {-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0});
-    return mesh;
-}
-
-/// Of a mesh, with a tool and a grid that goes with it.
-struct Bench {
-    std::shared_ptr<const Mesh> mesh;
-    Tool tool;
-    PostureGrid grid = PostureGrid::make(0, radians(60), radians(-90), radians(90), radians(15));
-    ToolLift lift;
-    CSpaceInput input;
-    Bench(Mesh m, const Tool& t)
-        : mesh(std::make_shared<Mesh>(std::move(m))), tool(t),
-          lift(std::make_shared<ContactIndex>(mesh, Progress()), t) {
-        input.lift = &lift;
-        input.grid = &grid;
-        input.local_radius = t.diameter / 2;
-    }
-};
-
-/// On both sides of the origin, along X.
-std::vector<RaisedCurve> beside(double distance, double height) {
-    return {{{-30, distance, height}, {0, distance, height}, {30, distance, height}},
-            {{-30, -distance, height}, {30, -distance, height}}};
-}
-
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
