@@ -7,35 +7,18 @@
 #include "core/base/parallel.h"
 #include "core/gouge/tool_lift.h"
 #include "core/mesh/sample.h"
-#include "tests/bench/scalar/axial_elements.h"
-#include "tests/bench/scalar/lower_surface.h"
+#include "tests/bench/posture_load.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace facetmill;
+using namespace facetmill::bench;
 
 namespace {
-
-double cpu_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-Tool the_tool() {
-    Tool tool;
-    tool.diameter = 12.7;
-    tool.flute_length = 25.4;
-    tool.shank_diameter = 12.7;
-    tool.shank_length = 25.4;
-    tool.holder = {{40, 30}, {60, 40}};
-    return tool;
-}
 
 /// Postures in the frame of a contact point: leaning by `inclination` from the normal, turned by `yaw` about
 /// it.
@@ -53,35 +36,6 @@ std::vector<ToolPose> postures(const CutterProfile& cutter, const Vec3& point, c
     return poses;
 }
 
-/// Every facet whose corners come near enough, body by body; no index.
-double plain_lift(const Mesh& mesh, const std::vector<std::pair<scalar::LowerSurface, double>>& bodies,
-                  const ToolPose& pose) {
-    const Vec3 u = pose.axis.unitOrthogonal(), v = pose.axis.cross(u);
-    double best = -infinity;
-    for (const Facet& f : mesh.facets) {
-        Vec3 p[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 d = mesh.vertices[f[k]] - pose.tip;
-            p[k] = Vec3(d.dot(u), d.dot(v), d.dot(pose.axis));
-        }
-        const double lo_x = std::min({p[0].x(), p[1].x(), p[2].x()}),
-                     hi_x = std::max({p[0].x(), p[1].x(), p[2].x()});
-        const double lo_y = std::min({p[0].y(), p[1].y(), p[2].y()}),
-                     hi_y = std::max({p[0].y(), p[1].y(), p[2].y()});
-        for (const auto& [surface, offset] : bodies) {
-            const double r = surface.max_radius();
-            if (lo_x > r || hi_x < -r || lo_y > r || hi_y < -r) continue;
-            double lift = -infinity;
-            for (std::size_t k = 0; k < 3; ++k)
-                lift = std::max({lift, scalar::vertex_lift(surface, p[k]).tip_z,
-                                 scalar::edge_lift(surface, p[k], p[(k + 1) % 3]).tip_z});
-            lift = std::max(lift, scalar::facet_lift(surface, p[0], p[1], p[2]).tip_z);
-            best = std::max(best, lift - offset);
-        }
-    }
-    return best;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -96,14 +50,9 @@ int main(int argc, char** argv) {
     const CutterProfile cutter(tool.cutter());
     std::printf("complex: %zu facets; %zu contact points\n", mesh->facet_count(), wanted);
     std::vector<std::vector<ToolPose>> all(wanted);
-    const double stride = double(mesh->facet_count()) / double(wanted);
     for (std::size_t i = 0; i < wanted; ++i) {
-        const auto f = std::size_t((double(i) + 0.5) * stride);
-        const Vec3 middle = (mesh->corner(f, 0) + mesh->corner(f, 1) + mesh->corner(f, 2)) / 3;
-        Vec3 normal = mesh->facet_normal(f);
-        if (normal.z() < 0) normal = -normal;
-        if (normal.norm() < 0.5 || std::abs(normal.x()) > 0.99) normal = Vec3::UnitZ();
-        all[i] = postures(cutter, middle, normal);
+        const auto [point, normal] = contact_point(*mesh, i, wanted);
+        all[i] = postures(cutter, point, normal);
     }
     const std::size_t count = all[0].size();
 
@@ -126,14 +75,7 @@ int main(int argc, char** argv) {
     }
     const double tested = double(wanted * count) / (cpu_now() - start);
 
-    std::vector<std::pair<scalar::LowerSurface, double>> bodies;
-    bodies.emplace_back(scalar::LowerSurface(cutter), 0);
-    double height = tool.flute_length + tool.shank_length;
-    for (const HolderSection& s : tool.holder) {
-        bodies.emplace_back(scalar::LowerSurface(CutterProfile(AptCutter::flat(s.diameter, s.length))),
-                            height);
-        height += s.length;
-    }
+    const PlainTool plain_tool(tool);
     const std::size_t samples = std::max<std::size_t>(20, 4'000'000 / mesh->facet_count());
     double worst = 0;
     start = cpu_now();
@@ -141,7 +83,7 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < samples; ++i) {
         const auto& poses = all[(2 * i + 1) * wanted / (2 * samples)];
         plain[i].first = &poses[i * 37 % count];
-        plain[i].second = plain_lift(*mesh, bodies, *plain[i].first);
+        plain[i].second = plain_tool.lift(*mesh, *plain[i].first);
     }
     const double plain_rate = double(samples) / (cpu_now() - start);
     for (const auto& [pose, value] : plain) {
