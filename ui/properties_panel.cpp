@@ -29,7 +29,7 @@ const ParameterTable<MachineChoice>& machine_choice() {
             names.push_back(m.name);
         t.add(&MachineChoice::machine, {.key = "machine",
                                         .label = "Machine",
-                                        .help = "Its rapid speeds decide the machining time.",
+                                        .help = "Its axes and speeds decide the machining time.",
                                         .kind = ParameterKind::choice,
                                         .words = names});
         return t;
@@ -144,6 +144,7 @@ void PropertiesPanel::refresh() {
         std::vector<FormChoice> choices;
         for (const Machine& m : machines())
             choices.push_back({text(m.label), m.name});
+        if (is_machine_file(project.machine)) choices.push_back({text(project.machine), project.machine});
         MachineChoice machine{project.machine};
         show(ParameterView<MachineChoice>(machine, machine_choice()), {{"machine", choices}});
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {

@@ -198,7 +198,7 @@ void VerificationDesk::follow_plan() {
     const double finest = std::isfinite(radius) ? cutter_share * radius : 0.0;
     const double live = viewport_.without_card() ? processor_triangles : card_triangles;
     playback_.load(
-        std::make_shared<PlaybackTrack>(std::move(operations), find_machine(document_.project().machine)),
+        std::make_shared<PlaybackTrack>(std::move(operations), project_machine(document_.project())),
         source_of(input, live, finest),
         live < resting_triangles ? source_of(input, resting_triangles, finest) : StockPlayer::Source());
 }

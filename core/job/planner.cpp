@@ -183,7 +183,7 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
                     "only 3-axis operations can be linked", "choose a 3-axis operation");
     // Each key holds what its stage and all before it read.
     Key key;
-    key.add(std::string_view(part_key)).add(operation.kind()).add(std::string_view(project.machine));
+    key.add(std::string_view(part_key)).add(operation.kind()).add(std::string_view(context.machine.source));
     key.add_up_to(Stage::strategy, project.stock, stock_parameters());
     key.add(project.part.tessellation_tolerance);
     key.add_up_to(Stage::strategy, context.tool, tool_parameters());
@@ -243,7 +243,9 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     program.feed_mm_per_min = common.feed;
     program.spindle_rpm = common.spindle;
     program.multi_axis = !operation.three_axis();
-    result->totals = motion_totals(program, context.machine);
+    program.gauge_length = gauge_length(context.tool);
+    program.part_box = context.part_box;
+    result->totals = motion_totals(program, context.machine, {}, progress);
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);
@@ -286,7 +288,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     context.contact = c.index;
     context.part_box = result->part->box;
     context.stock_box = result->stock;
-    context.machine = find_machine(project.machine);
+    context.machine = project_machine(project);
     context.tessellation_tolerance = project.part.tessellation_tolerance;
     context.unit = project.unit;
     for (auto& p : c.planned)

@@ -95,6 +95,16 @@ fs::path Project::part_path() const {
     return file.is_absolute() ? file : path.parent_path() / file;
 }
 
+fs::path Project::machine_path() const {
+    const fs::path file = machine;
+    return file.is_absolute() ? file : path.parent_path() / file;
+}
+
+Machine project_machine(const Project& project) {
+    return is_machine_file(project.machine) ? load_machine(project.machine_path())
+                                            : find_machine(project.machine);
+}
+
 const Tool& Project::tool_of(const Operation& operation) const {
     const long number = operation.common().tool;
     std::string known;
@@ -108,18 +118,18 @@ const Tool& Project::tool_of(const Operation& operation) const {
 }
 
 void move_project(Project& project, const fs::path& path) {
-    const fs::path file = project.part.file;
     const auto folder = [](const fs::path& p) { return fs::absolute(p).lexically_normal().parent_path(); };
-    const bool is_new = project.path.empty(); // its relative part file waits for a folder to be relative to
-    if (!file.empty() && (is_new ? file.is_absolute() : folder(project.path) != folder(path))) {
-        const fs::path target = fs::absolute(project.part_path()).lexically_normal();
+    const bool is_new = project.path.empty(); // its relative files wait for a folder to be relative to
+    const auto moved = [&](const fs::path& file, const fs::path& now) {
+        if (file.empty() || !(is_new ? file.is_absolute() : folder(project.path) != folder(path)))
+            return file.string();
+        const fs::path target = fs::absolute(now).lexically_normal();
         const fs::path relative = target.lexically_relative(folder(path));
         const bool below = !relative.empty() && *relative.begin() != "..";
-        if (below || (file.is_relative() && !relative.empty()))
-            project.part.file = relative.generic_string();
-        else
-            project.part.file = target.generic_string();
-    }
+        return (below || (file.is_relative() && !relative.empty()) ? relative : target).generic_string();
+    };
+    project.part.file = moved(project.part.file, project.part_path());
+    if (is_machine_file(project.machine)) project.machine = moved(project.machine, project.machine_path());
     project.path = path;
 }
 
@@ -207,7 +217,8 @@ void check_operations(const Project& p) {
 void check_project(const Project& project) {
     check_part(project);
     check_struct(project.stock, stock_parameters(), "stock", project.unit);
-    find_machine(project.machine);
+    // Until the project has a place, nobody knows where a relative file is.
+    if (!is_machine_file(project.machine) || !project.path.empty()) project_machine(project);
     check_tools(project);
     check_operations(project);
 }

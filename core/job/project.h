@@ -33,7 +33,7 @@ struct Project {
     LengthUnit unit = LengthUnit::mm;
     PartSpec part;
     StockSpec stock;
-    std::string machine = "generic-3-axis";
+    std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
     std::vector<Tool> tools;
     std::vector<std::unique_ptr<Operation>> operations;
 
@@ -44,6 +44,8 @@ struct Project {
     Project& operator=(Project&&) = default;
 
     std::filesystem::path part_path() const;
+    /// Of a machine file; the project's `machine` may also be the name of a machine of the program.
+    std::filesystem::path machine_path() const;
     /// Throws Error(missing_reference) that names the operation.
     const Tool& tool_of(const Operation& operation) const;
 };
@@ -58,13 +60,18 @@ Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
 /// Parsing and writing again gives the same text. Throws Error(out_of_range) for a value that is not finite.
 std::string project_to_json(const Project& project);
-/// Gives the project a new place and rewrites a relative part file so that it still names the same file.
+/// The machine by its name or from its file. Throws Error(missing_reference, files, load_machine) that names
+/// `machine` or the file.
+Machine project_machine(const Project& project);
+/// Gives the project a new place and rewrites relative files of part and machine so that they still name the
+/// same files.
 void move_project(Project& project, const std::filesystem::path& path);
 /// Writes beside and renames; a relative part file is written relative to `path`. Throws Error(unwritable).
 void save_project(const Project& project, const std::filesystem::path& path);
 
-/// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. The
-/// place in the error is "operations[0].tolerance", without the file.
+/// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. A
+/// machine file is read only once the project has a path. The place in the error is
+/// "operations[0].tolerance", without the file.
 void check_project(const Project& project);
 
 /// "NAME.key=value" as on the command line; NAME is an operation's name or its place from 1. Only the one

@@ -63,6 +63,31 @@ void table_of(std::string& page, const ParameterTable<Struct>& parameters) {
     table(page, infos);
 }
 
+void machine_tables(std::string& page) {
+    page += "## Machines\n\n| `machine` | meaning | kind |\n|---|---|---|\n";
+    for (const Machine& m : machines())
+        page += "| `" + m.name + "` | **" + cell(m.label) + ".** " + cell(m.description) + " | "
+                + machine_kind(m) + " |\n";
+    page +=
+        "\nTheir axes; a rotary one that a head carries turns the tool, one of a table the part.\n\n"
+        "| machine | axis | carries | travel | largest speed | acceleration |\n|---|---|---|---|---|---|\n";
+    for (const Machine& m : machines())
+        for (int k = 0; k < m.joints(); ++k) {
+            const bool rotary = k >= 3;
+            const double unit = rotary ? radians(1) : 1;
+            const std::string name = rotary ? "°" : " mm";
+            const Travel& t = m.joint_travel(k);
+            const bool head = rotary && m.rotary[std::size_t(k - 3)].carries == RotaryAxis::Carries::tool;
+            page +=
+                "| `" + m.name + "` | " + m.axis_name(k) + " | " + (rotary ? head ? "tool" : "table" : "")
+                + " | "
+                + (t.limited() ? format_number(t.lo / unit) + " to " + format_number(t.hi / unit) + name : "")
+                + " | " + format_number(m.speed(k) / unit) + name + "/s | "
+                + (m.acceleration(k) < infinity ? format_number(m.acceleration(k) / unit) + name + "/s²" : "")
+                + " |\n";
+        }
+}
+
 } // namespace
 
 std::string reference_page() {
@@ -84,7 +109,9 @@ std::string reference_page() {
           "| `units` | `mm` or `in`: unit of every length in the file. Required. |\n"
           "| `part` | The part, see below. Required. |\n"
           "| `stock` | The raw material, see below. Default: the part's box. |\n"
-          "| `machine` | Name of a machine, see below. Default: `"
+          "| `machine` | Name of a machine, see below, or a machine file of your own "
+          "(`resources/machines/README.md`); its "
+          "name ends with `.json`, a relative one starts at the project file. Default: `"
         + Project().machine
         + "`. |\n"
           "| `tools` | List of tools, see below. |\n"
@@ -94,13 +121,7 @@ std::string reference_page() {
     table_of(page, part_parameters());
     page += "## Stock\n\n";
     table_of(page, stock_parameters());
-    page += "## Machines\n\n| `machine` | meaning | rapids in x, y, z |\n|---|---|---|\n";
-    for (const Machine& m : machines()) {
-        page += "| `" + m.name + "` | " + cell(m.label) + " |";
-        for (int k = 0; k < 3; ++k)
-            page += (k ? ", " : " ") + format_number(m.rapid_mm_per_s[k] * 60);
-        page += " mm/min |\n";
-    }
+    machine_tables(page);
     page += "\n## Tools\n\n`number` and `diameter` are required; `shank_diameter` is the tool's diameter "
             "where it is not given.\n\n";
     table_of(page, tool_parameters());

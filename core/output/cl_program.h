@@ -18,6 +18,8 @@ struct ClProgram {
     AptCutter cutter;
     double feed_mm_per_min = 1000, spindle_rpm = 1000;
     bool multi_axis = false;
+    double gauge_length = 0; ///< from tip to spindle nose; 0 where it is not known
+    Box3 part_box;           ///< of the part that is cut; empty where it is not known
     ToolMotions motions;
 };
 

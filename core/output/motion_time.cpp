@@ -1,27 +1,200 @@
 #include "core/output/motion_time.h"
 
+#include "core/base/tolerances.h"
+
+#include <cmath>
+
 namespace facetmill {
 
 namespace {
+
+constexpr std::size_t check_every = 1024;
+
+Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options) {
+    if (options.part_origin) return *options.part_origin;
+    Box3 box = program.part_box;
+    if (box.empty())
+        for (const Motion& m : program.motions.motions)
+            box.add(m.to.tip);
+    return box.empty() ? machine.table : default_part_origin(machine, box);
+}
+
+/// How far the axis is off the middle between its ends when the joints are half-way, beyond half the angle of
+/// the ends.
+double stray(const Kinematics& kinematics, const Joints& from, const Joints& to, const Vec3& axis,
+             const Vec3& next) {
+    const Vec3 sum = axis + next;
+    if (kinematics.rotary_axes() == 0 || !(sum.norm() > tolerance::unit_axis)) return 0; // there is no middle
+    Joints half;
+    half.linear = 0.5 * (from.linear + to.linear);
+    for (std::size_t r = 0; r < 2; ++r)
+        half.rotary[r] = 0.5 * (from.rotary[r] + to.rotary[r]);
+    const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
+    return angle(kinematics.forward(half).axis, sum) - 0.5 * angle(axis, next);
+}
+
+int turns_most(const Kinematics& kinematics, const Joints& from, const Joints& to) {
+    const bool second = kinematics.rotary_axes() == 2
+                        && std::abs(to.rotary[1] - from.rotary[1]) > std::abs(to.rotary[0] - from.rotary[0]);
+    return second ? 4 : 3;
+}
+
+/// The joints of all motions that follow from a start, findings about what cannot be held, and no times yet.
+MachineMotion follow(const ClProgram& program, const Kinematics& kinematics, Joints at,
+                     const MotionTimeOptions& options, const Progress& progress) {
+    using Limit = Kinematics::Reach::Limit;
+    MachineMotion result;
+    const auto& motions = program.motions.motions;
+    result.motions.resize(motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (i % check_every == 0) progress.set(double(i) / double(motions.size()));
+        const ToolPose pose{motions[i].to.tip, motions[i].to.axis};
+        MotionJoints& m = result.motions[i];
+        if (const auto next = kinematics.nearest(pose, at)) {
+            m.at = *next;
+            if (i > 0 && result.motions[i - 1].held && motions[i].kind != MotionKind::rapid)
+                if (const double swing = stray(kinematics, at, m.at, motions[i - 1].to.axis, pose.axis);
+                    swing > options.largest_swing)
+                    result.findings.push_back(
+                        {MotionFinding::Kind::swing, i, turns_most(kinematics, at, m.at), swing});
+        } else {
+            const auto reach = kinematics.reach(pose);
+            m.at = at;
+            m.held = false;
+            const auto kind = reach.limit == Limit::rotary_travel   ? MotionFinding::Kind::rotary_travel
+                              : reach.limit == Limit::linear_travel ? MotionFinding::Kind::linear_travel
+                                                                    : MotionFinding::Kind::axis;
+            result.findings.push_back({kind, i, reach.joint, reach.beyond});
+        }
+        at = m.at;
+    }
+    return result;
+}
+
+double feed_time(const ClProgram& program, const Vec3& step) {
+    return step.norm() / program.feed_mm_per_min * 60.0;
+}
 
 double rapid_time(const Vec3& step, const Machine& machine) {
     return step.cwiseAbs().cwiseQuotient(machine.rapid_mm_per_s).maxCoeff();
 }
 
+void set_times(MachineMotion& result, const ClProgram& program, const Kinematics& kinematics) {
+    const auto& motions = program.motions.motions;
+    const Machine& machine = kinematics.machine();
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        MotionJoints& m = result.motions[i];
+        const Joints& from = result.motions[i - 1].at;
+        const bool rapid = motions[i].kind == MotionKind::rapid;
+        const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
+        if (!program.multi_axis || !m.held)
+            m.seconds = rapid ? rapid_time(step, machine) : feed_time(program, step);
+        else
+            m.seconds = std::max(rapid ? 0.0 : feed_time(program, step), kinematics.time(from, m.at));
+        if (m.seconds > 0)
+            for (int k = 0; k < machine.joints(); ++k)
+                m.rates[std::size_t(k)] = (m.at[k] - from[k]) / m.seconds;
+    }
+}
+
+/// Times with the axes' accelerations, from the speeds of the motions without.
+void add_accelerations(MachineMotion& result, const Machine& machine) {
+    auto& motions = result.motions;
+    // What it takes to change from one motion's speeds to the other's; from or to rest at the ends.
+    const auto change = [&](std::size_t i, std::size_t next) {
+        double seconds = 0;
+        for (int k = 0; k < machine.joints(); ++k) {
+            const auto j = std::size_t(k);
+            const double before = i > 0 ? motions[i].rates[j] : 0,
+                         after = next < motions.size() ? motions[next].rates[j] : 0;
+            seconds = std::max(seconds, std::abs(after - before) / (2 * machine.acceleration(k)));
+        }
+        return i == 0 || next == motions.size() ? seconds : 0.5 * seconds;
+    };
+    std::vector<double> longer(motions.size());
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        double rest = motions[i].seconds;
+        for (int k = 0; k < machine.joints(); ++k)
+            if (const double speed = std::abs(motions[i].rates[std::size_t(k)]); speed > 0)
+                rest = std::max(rest,
+                                trapezoid_time(speed * motions[i].seconds, speed, machine.acceleration(k)));
+        longer[i] = std::min(rest, motions[i].seconds + change(i - 1, i) + change(i, i + 1));
+    }
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        if (motions[i].seconds > 0)
+            for (double& rate : motions[i].rates)
+                rate *= motions[i].seconds / longer[i];
+        motions[i].seconds = longer[i];
+    }
+}
+
+void add_quality(MachineMotion& result, const ClProgram& program, const Machine& machine) {
+    std::array<int, 5> way{};
+    for (std::size_t i = 1; i < result.motions.size(); ++i) {
+        const MotionJoints& m = result.motions[i];
+        result.time_seconds += m.seconds;
+        if (program.motions.motions[i].kind == MotionKind::rapid) {
+            way = {};
+            continue;
+        }
+        for (int k = 0; k < machine.joints(); ++k) {
+            const auto j = std::size_t(k);
+            const double step = m.at[k] - result.motions[i - 1].at[k];
+            if (k >= 3 && std::abs(m.rates[j]) > result.largest_angular_rate) {
+                result.largest_angular_rate = std::abs(m.rates[j]);
+                result.fastest_turn = i;
+            }
+            if (std::abs(step) <= (k < 3 ? tolerance::smallest_chord : tolerance::level_angle)) continue;
+            const int now = step > 0 ? 1 : -1;
+            result.reversals[j] += way[j] == -now;
+            way[j] = now;
+        }
+    }
+}
+
 } // namespace
 
-std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine) {
+MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
+                             const MotionTimeOptions& options, const Progress& progress) {
+    const auto& motions = program.motions.motions;
+    if (motions.empty()) return {};
+    const Kinematics kinematics(machine, program.gauge_length, part_origin(program, machine, options));
+    const Kinematics::Solutions start = kinematics.inverse({motions[0].to.tip, motions[0].to.axis}, {});
+    MachineMotion best;
+    for (int s = 0; s < std::max(start.count, 1); ++s) {
+        const int n = std::max(start.count, 1);
+        MachineMotion one = follow(program, kinematics, start.at[std::size_t(s)], options,
+                                   progress.part(double(s) / n, double(s + 1) / n));
+        set_times(one, program, kinematics);
+        if (options.accelerations) add_accelerations(one, machine);
+        add_quality(one, program, machine);
+        if (s == 0 || one.findings.size() < best.findings.size()
+            || (one.findings.size() == best.findings.size() && one.time_seconds < best.time_seconds))
+            best = std::move(one);
+    }
+    return best;
+}
+
+std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,
+                                   const MotionTimeOptions& options, const Progress& progress) {
     const auto& motions = program.motions.motions;
     std::vector<double> seconds(motions.size(), 0);
+    if (program.multi_axis || options.accelerations) {
+        const MachineMotion all = machine_motion(program, machine, options, progress);
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            seconds[i] = all.motions[i].seconds;
+        return seconds;
+    }
     for (std::size_t i = 1; i < motions.size(); ++i) {
         const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
-        seconds[i] = motions[i].kind == MotionKind::rapid ? rapid_time(step, machine)
-                                                          : step.norm() / program.feed_mm_per_min * 60.0;
+        seconds[i] =
+            motions[i].kind == MotionKind::rapid ? rapid_time(step, machine) : feed_time(program, step);
     }
     return seconds;
 }
 
-MotionTotals motion_totals(const ClProgram& program, const Machine& machine) {
+MotionTotals motion_totals(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options,
+                           const Progress& progress) {
     MotionTotals totals;
     double rapid_seconds = 0;
     const auto& motions = program.motions.motions;
@@ -35,8 +208,28 @@ MotionTotals motion_totals(const ClProgram& program, const Machine& machine) {
             totals.cut_length += step.norm();
         }
     }
-    totals.time_seconds = rapid_seconds + totals.cut_length / program.feed_mm_per_min * 60.0;
+    totals.time_seconds = program.multi_axis || options.accelerations
+                              ? machine_motion(program, machine, options, progress).time_seconds
+                              : rapid_seconds + totals.cut_length / program.feed_mm_per_min * 60.0;
     return totals;
+}
+
+std::string finding_text(const MotionFinding& finding, const Machine& machine, LengthUnit unit) {
+    const std::string place = "motion " + std::to_string(finding.motion + 1) + ": ";
+    const auto angle = [](double a) { return format_number(degrees(a), 4) + "°"; };
+    switch (finding.kind) {
+    case MotionFinding::Kind::axis:
+        return place + "the machine cannot incline the tool like this";
+    case MotionFinding::Kind::rotary_travel:
+        return place + machine.axis_name(finding.joint) + " ends " + angle(finding.amount) + " too early";
+    case MotionFinding::Kind::linear_travel:
+        return place + machine.axis_name(finding.joint) + " ends " + length_text(finding.amount, unit)
+               + " too early";
+    case MotionFinding::Kind::swing:
+        return place + machine.axis_name(finding.joint) + " swings the tool " + angle(finding.amount)
+               + " off its way while it cuts";
+    }
+    return place;
 }
 
 } // namespace facetmill

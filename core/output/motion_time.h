@@ -1,22 +1,90 @@
-// How long a program takes and how far it goes.
+// How long a program takes and how far it goes, and where the axes of the machine stand on the way.
+//
+// A program of three axes takes its lengths at feed, and rapids with every axis at its own largest speed. In
+// a program of several axes each motion at feed takes what its length asks for at feed or what the slowest
+// joint asks for, whichever is longer, and a rapid what the slowest joint asks for (Lu 3.123, with the
+// machine's own joints). The rotary axes go on from where the motion before left them, turns included; the
+// program begins at the solution that takes it through with the fewest findings, then the soonest.
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/base/units.h"
 #include "core/output/cl_program.h"
-#include "core/setup/machine.h"
+#include "core/setup/kinematics.h"
 
+#include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace facetmill {
 
+struct MotionTimeOptions {
+    /// Axes take time to change their speed. An estimate per motion: it takes half of |change of speed| / 2a
+    /// more where it meets each neighbour (all of it where the program begins and ends), which makes a motion
+    /// from rest to rest a trapezoid and straight runs free; never more than that trapezoid.
+    bool accelerations = false;
+    /// Where the part's origin lies in the frame of the machine. Default: default_part_origin for the
+    /// program's part_box, or for the box of its tips where it knows no part.
+    std::optional<Vec3> part_origin;
+    /// How far the tool axis may stray, in the middle of a motion at feed, from the middle between its ends
+    /// before it is a finding, beyond half the angle between the ends; radians. Axes stray where they rewind
+    /// or go round a singular pose.
+    double largest_swing = radians(1);
+};
+
 struct MotionTotals {
     double cut_length = 0;   ///< mm, all motion at feed
     double rapid_length = 0; ///< mm
-    double time_seconds = 0; ///< feed moves at feed; rapids with every axis at its own largest speed
+    double time_seconds = 0; ///< as above
 };
 
-MotionTotals motion_totals(const ClProgram& program, const Machine& machine);
+MotionTotals motion_totals(const ClProgram& program, const Machine& machine,
+                           const MotionTimeOptions& options = {}, const Progress& progress = {});
 
 /// Of every motion; the first comes from nobody knows where and takes no time. Their sum is the total's time.
-std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine);
+std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,
+                                   const MotionTimeOptions& options = {}, const Progress& progress = {});
+
+/// One motion as the machine makes it.
+struct MotionJoints {
+    Joints at; ///< at its end; where the machine cannot hold that, where it stood before
+    bool held = true;
+    double seconds = 0;
+    std::array<double, 5>
+        rates{}; ///< mean speed of each joint, mm/s and rad/s, with sign; 0 for a motion without time
+};
+
+/// What the machine cannot do. Data, not an error: shown with the path.
+struct MotionFinding {
+    enum class Kind {
+        axis,          ///< cannot hold this tool axis at all
+        rotary_travel, ///< a rotary axis ends too early
+        linear_travel, ///< a linear axis ends too early
+        swing,         ///< holds both ends, but between them the tool swings off its way while it cuts
+    };
+    Kind kind = Kind::axis;
+    std::size_t motion = 0;
+    int joint = -1;    ///< the axis that ends, or turns most in a swing; -1 for `axis`
+    double amount = 0; ///< how far beyond the travel, or off its way; mm or radians
+};
+/// "motion 12: A ends 5.2° too early".
+std::string finding_text(const MotionFinding& finding, const Machine& machine, LengthUnit unit);
+
+struct MachineMotion {
+    std::vector<MotionJoints> motions;
+    std::vector<MotionFinding> findings; ///< in the order of the motions; one per motion
+    /// Motions at feed only. How often each joint turns back, by more than rounding, within runs between
+    /// rapids.
+    std::array<std::size_t, 5> reversals{};
+    double largest_angular_rate = 0; ///< of a rotary axis, rad/s
+    std::size_t fastest_turn = 0;    ///< the motion that has it
+    double time_seconds = 0;         ///< the sum
+};
+
+/// The program on the machine, motion by motion; for programs of three axes with the axis +Z. Throws
+/// Error(out_of_range) as Kinematics does, Cancelled within 20 ms.
+MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
+                             const MotionTimeOptions& options = {}, const Progress& progress = {});
 
 } // namespace facetmill

@@ -3,6 +3,7 @@
 #include "core/base/strict_json.h"
 #include "core/job/project.h"
 #include "core/job/reference.h"
+#include "core/setup/machine.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>
@@ -435,6 +436,35 @@ private slots:
         check_project(default_project("x.stl", LengthUnit::mm, flat));
         const Project p = default_project("x.stl", LengthUnit::mm, flat);
         QVERIFY(std::filesystem::path(p.part.file).is_absolute());
+    }
+
+    void a_machine_file_goes_with_the_project() {
+        QTemporaryDir folder;
+        const std::filesystem::path root = folder.path().toStdString();
+        std::filesystem::create_directories(root / "a" / "machines");
+        std::filesystem::create_directories(root / "b");
+        const auto text = InputFile(test::data_path("../resources/machines/trunnion-ac.json"));
+        OutputFile own(root / "a" / "machines" / "own.json");
+        own.write(text.bytes());
+        own.commit();
+        Project p = parsed(changed("tarus-tpi-2000", "machines/own.json")); // has no place yet: not looked for
+        QCOMPARE(p.machine, std::string("machines/own.json"));
+        save_project(p, root / "a" / "p.facetmill");
+        p = load_project(root / "a" / "p.facetmill");
+        QCOMPARE(project_machine(p).label, find_machine("trunnion-ac").label);
+        check_project(p);
+        save_project(p, root / "b" / "p.facetmill");
+        p = load_project(root / "b" / "p.facetmill");
+        QCOMPARE(p.machine, std::string("../a/machines/own.json"));
+        QCOMPARE(project_machine(p).rotary.size(), std::size_t(2));
+        p.machine = "none.json";
+        QCOMPARE(failure_of([&] { check_project(p); }).code, std::string("not_found"));
+        OutputFile bad(root / "b" / "none.json");
+        bad.write("{}");
+        bad.commit();
+        const Failure failure = failure_of([&] { check_project(p); });
+        QCOMPARE(failure.code, std::string("missing_key"));
+        QVERIFY2(failure.where.find("none.json: facetmill_machine") != std::string::npos, failure.line.c_str());
     }
 
     void the_reference_page_is_current() {
