@@ -9,6 +9,7 @@
 #include "tests/support/brute_lift.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/gouge/lift_cases.h"
 #include "tests/unit/gouge/lift_check.h"
 
@@ -135,17 +136,17 @@ class TestAxialLift : public QObject {
 private slots:
 
     void single_facets() {
-        const LiftCheck check = check_lift_cases(0, 100'000);
+        const LiftCheck check = check_lift_cases(0, trials(100'000));
         QVERIFY2(check.first_failure.isEmpty(), qPrintable(check.first_failure));
-        QVERIFY(check.touched > 80'000);
-        QVERIFY2(check.borderline < 200, qPrintable(QString::number(check.borderline)));
+        QVERIFY(check.touched > trials(80'000u));
+        QVERIFY2(check.borderline < trials(200u), qPrintable(QString::number(check.borderline)));
     }
 
     // Edges on the torus, where the contact is found by Newton's steps: corner radii from thin to nearly a
     // ball, slopes from nearly level to nearly vertical, distances around the centre circle.
     void torus_edges() {
         Random rng(3);
-        for (int i = 0; i < 100000; ++i) {
+        for (int i = 0; i < trials(100000); ++i) {
             const double r = 5 * std::pow(10.0, uniform(rng, -6, -1e-4));
             const AptCutter apt = AptCutter::bull(10, r, 50);
             const double slope = std::pow(10.0, uniform(rng, -9, 3));
@@ -185,7 +186,7 @@ private slots:
                 Random rng(100 + c);
                 const AxialLift lift(index, CutterProfile(all[c]));
                 const BruteCutter brute(all[c]);
-                for (const Vec2& p : grid_points(rng, named.size, 9)) {
+                for (const Vec2& p : grid_points(rng, named.size, trials(9, 3))) {
                     const double got = lift.tip_z(p.x(), p.y()),
                                  wanted = brute_lift(brute, *named.mesh, p.x(), p.y());
                     if (got == wanted || std::abs(got - wanted) <= mesh_accuracy) continue;
@@ -211,7 +212,7 @@ private slots:
             for (const AptCutter& cutter : cutters()) {
                 Random rng(9);
                 const AxialLift lift(index, CutterProfile(cutter));
-                for (const Vec2& p : grid_points(rng, named.size, 12)) {
+                for (const Vec2& p : grid_points(rng, named.size, trials(12, 2))) {
                     const AxialContact contact = lift.contact(p.x(), p.y());
                     QCOMPARE(contact.tip_z, lift.tip_z(p.x(), p.y()));
                     ++features[int(contact.feature)];
@@ -248,7 +249,7 @@ private slots:
             for (const AptCutter& cutter : cutters()) {
                 Random rng(4);
                 const AxialLift lift(index, CutterProfile(cutter));
-                std::vector<Vec2> points = grid_points(rng, named.size, 60);
+                std::vector<Vec2> points = grid_points(rng, named.size, trials(60, 2));
                 std::vector<double> heights(points.size()), other(points.size());
                 lift.tip_z(points, heights, Progress());
                 set_thread_count(1);
@@ -372,7 +373,7 @@ private slots:
     // and edges: neither facet may leave the contact to the other.
     void contact_between_nearly_coplanar_facets() {
         Random rng(12);
-        for (int i = 0; i < 600; ++i) {
+        for (int i = 0; i < trials(600); ++i) {
             const double noise = i % 3 ? 0 : std::pow(10.0, uniform(rng, -16, -10));
             const double bowl = i % 3 ? std::pow(10.0, uniform(rng, -17, -12)) : 0; // every edge a valley
             const double turn = uniform(rng, 0, 2 * pi), narrow = std::pow(10.0, uniform(rng, -4, 0));
@@ -408,7 +409,7 @@ private slots:
     // each plane's contact is that point, and rounding may see it outside of both facets.
     void contact_on_a_valley() {
         Random rng(14);
-        for (int i = 0; i < 400; ++i) {
+        for (int i = 0; i < trials(400); ++i) {
             const double turn = uniform(rng, 0, 2 * pi);
             const auto mesh = field(
                 12, 12, [](double x, double) { return 0.05 * x * x; }, 0, 1);
@@ -433,7 +434,7 @@ private slots:
     void small_things_at_the_rim() {
         Random rng(13);
         const AptCutter flat = AptCutter::flat(6, 50);
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < trials(2000); ++i) {
             const Vec3 at(uniform(rng, 50, 100), uniform(rng, 50, 100), uniform(rng, 1, 2));
             const auto mesh = std::make_shared<Mesh>();
             for (int k = 0; k < 3; ++k)

@@ -4,6 +4,7 @@
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/lower_surface.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/gouge/lift_cases.h"
 
 #include <QTest>
@@ -27,7 +28,7 @@ private slots:
         const ContactIndex index(mesh, Progress());
         const IndexView view = index.impl().view();
         int met = 0;
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < trials(20000); ++i) {
             const SurfaceTable surface =
                 lower_surface(CutterProfile(random_cutter(rng, i, uniform(rng, 1, 12))));
             const Vec3 axis =
@@ -57,7 +58,7 @@ private slots:
                     QVERIFY(std::memcmp(&tilted.tip, &first[1].tip, sizeof(double)) == 0);
                 }
         }
-        QVERIFY(met > 10000);
+        QVERIFY(met > trials(10000));
     }
 
     /// The lifts over a packet are those of its places one by one, over smooth and over ill-shaped facets.
@@ -81,7 +82,7 @@ private slots:
             const ContactIndex index(mesh, Progress());
             const IndexView view = index.impl().view();
             const Box3 box = mesh->box();
-            for (int i = 0; i < 3000; ++i) {
+            for (int i = 0; i < trials(3000); ++i) {
                 const AptCutter cutter = random_cutter(rng, i, uniform(rng, 1, 12));
                 const SurfaceTable surface =
                     lower_surface(CutterProfile(cutter).grown(i % 3 ? 0 : uniform(rng, 0, 2)));
@@ -114,7 +115,7 @@ private slots:
                 }
             }
         }
-        QVERIFY(met > 50000);
+        QVERIFY(met > trials(50000));
     }
 };
 

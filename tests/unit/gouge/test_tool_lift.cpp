@@ -8,6 +8,7 @@
 #include "core/gouge/axial_lift.h"
 #include "tests/support/brute_lift.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/gouge/lift_cases.h"
 
 #include <QTest>
@@ -86,7 +87,7 @@ private slots:
     /// digit is held against neighbours, as for upright axes.
     void single_facets_at_any_axis() {
         int touched = 0, borderline = 0;
-        for (std::uint64_t i = 0; i < 40000; ++i) {
+        for (std::uint64_t i = 0; i < trials(40000u); ++i) {
             const LiftCase c = lift_case(i);
             Random rng(i + 77);
             ToolPose pose{Vec3(c.x, c.y, uniform(rng, -10, 10)), random_axis(rng, -1)};
@@ -121,8 +122,8 @@ private slots:
                                     .arg(lowest, 0, 'g', 17)
                                     .arg(highest, 0, 'g', 17)));
         }
-        QVERIFY(touched > 30000);
-        QVERIFY2(borderline < 4000, qPrintable(QString::number(borderline)));
+        QVERIFY(touched > trials(30000));
+        QVERIFY2(borderline < trials(4000), qPrintable(QString::number(borderline)));
     }
 
     void whole_tools() {
@@ -132,7 +133,7 @@ private slots:
             const ToolLift lift(std::make_shared<ContactIndex>(mesh, Progress()), tool);
             Random rng(5);
             int bodies[4] = {};
-            for (int i = 0; i < 600; ++i) {
+            for (int i = 0; i < trials(600, 3); ++i) {
                 const ToolPose pose{Vec3(uniform(rng, 0, 60), uniform(rng, 0, 60), uniform(rng, -5, 5)),
                                     random_axis(rng, i % 3 ? 0.3 : -1)};
                 const double wanted = reference(tool, *mesh, pose), got = lift.lift(pose);
@@ -149,7 +150,7 @@ private slots:
                 QVERIFY(!lift.is_deeper(pose, got, hint));
                 QVERIFY(!lift.is_deeper(pose, got + 1e-6, hint));
             }
-            QVERIFY2(bodies[1] > 20 && bodies[2] > 20 && bodies[3] > 20,
+            QVERIFY2(std::min({bodies[1], bodies[2], bodies[3]}) > trials(20, 3),
                      qPrintable(QString("%1 %2 %3").arg(bodies[1]).arg(bodies[2]).arg(bodies[3])));
         }
     }
@@ -241,7 +242,7 @@ private slots:
     /// A cutter put on a plane touches it and does not cut it, whatever its shape and the tilt.
     void touching_a_plane() {
         Random rng(12);
-        for (int i = 0; i < 3000; ++i) {
+        for (int i = 0; i < trials(3000); ++i) {
             const CutterProfile profile(random_cutter(rng, i, 8));
             const Vec3 normal = random_axis(rng, -1);
             Vec3 axis = random_axis(rng, -1);

@@ -5,6 +5,7 @@
 #include "core/job/reference.h"
 #include "core/setup/machine.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +15,7 @@
 #include <random>
 
 using namespace facetmill;
+using facetmill::test::trials;
 
 namespace {
 
@@ -121,7 +123,7 @@ private slots:
         std::mt19937_64 rng(5);
         std::uniform_real_distribution<double> exponent(-6, 1.5);
         for (const char* unit : {"mm", "in"})
-            for (int i = 0; i < 3000; ++i) {
+            for (int i = 0; i < trials(3000); ++i) {
                 // Digits as a user may type them.
                 const int digits = 1 + int(rng() % 15);
                 const double v = std::pow(10.0, exponent(rng));

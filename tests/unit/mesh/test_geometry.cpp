@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/geometry.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/mesh/shapes.h"
 
 #include <QTest>
@@ -403,7 +404,7 @@ private slots:
 
     void same_bits_for_every_thread_count() {
         std::vector<Vec2> at;
-        const Mesh mesh = torus(400, 0.2, at);
+        const Mesh mesh = torus(trials(400, 4), 0.2, at);
         std::vector<Vec3> normals;
         std::vector<VertexCurvature> curvatures;
         for (const int threads : {1, 2, 5}) {

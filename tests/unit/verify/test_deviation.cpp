@@ -6,6 +6,7 @@
 #include "core/verify/probes.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -196,7 +197,7 @@ private slots:
                 std::make_shared<const MotionTree>(
                     program, [](MotionKind k) { return k != MotionKind::rapid; }, Progress()),
                 bound);
-            for (int i = 0; i < (kind >= 2 ? 30 : 500); ++i) {
+            for (int i = 0; i < trials(kind >= 2 ? 30 : 500); ++i) {
                 const Vec3 p = 18 * Vec3(share(random), share(random), 0.4 * share(random));
                 const Vec3 n = i % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_unit(random);
                 const double start = 5 + 4 * share(random);
@@ -220,7 +221,7 @@ private slots:
                 cut += expected < start;
             }
         }
-        QVERIFY(cut > (kind >= 2 ? 10 : 400)); // lines that meet nothing show little
+        QVERIFY(cut > trials(kind >= 2 ? 10 : 400)); // lines that meet nothing show little
     }
 
     void cusps_between_ball_passes() {

@@ -10,6 +10,7 @@
 #include "core/verify/sweep.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -18,6 +19,7 @@
 
 using namespace facetmill;
 using facetmill::test::code_of;
+using facetmill::test::trials;
 
 namespace {
 
@@ -189,7 +191,8 @@ private slots:
         for (unsigned seed : {1u, 2u, 3u}) {
             const std::vector<AptCutter> cutters{AptCutter::bull(9, 2, 20), AptCutter::ball(8, 12),
                                                  AptCutter::tapered_ball(2, radians(10), 20)};
-            const std::vector<VerifyProgram> programs{program_of(cutters[seed % 3], wild_path(seed, 12))};
+            const std::vector<VerifyProgram> programs{
+                program_of(cutters[seed % 3], wild_path(seed, trials(12, 3)))};
             StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15)), 1.3);
             const StockModel whole = stock;
             cut_all(stock, programs, 0.2);
@@ -244,7 +247,8 @@ private slots:
     }
 
     void threads_do_not_matter() {
-        const std::vector<VerifyProgram> programs{program_of(AptCutter::bull(9, 2, 20), wild_path(9, 40))};
+        const std::vector<VerifyProgram> programs{
+            program_of(AptCutter::bull(9, 2, 20), wild_path(9, trials(40, 5)))};
         const auto run = [&](int threads) {
             set_thread_count(threads);
             StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15)), 0.8);
