@@ -93,7 +93,10 @@ double CSpaceBuilder::top(const ContactFrame& frame, double lambda, double omega
                           std::span<const RaisedCurve> curves) const {
     const CutterProfile& cutter = input_.lift->cutter();
     if (!can_touch(cutter, lambda, input_.height)) return -infinity;
-    const ToolPose pose = posture_pose(cutter, frame, {lambda, omega, 0});
+    return top(posture_pose(cutter, frame, {lambda, omega, 0}), curves);
+}
+
+double CSpaceBuilder::top(const ToolPose& pose, std::span<const RaisedCurve> curves) const {
     double least = infinity;
     for (const RaisedCurve& curve : curves) {
         CurveLift::Hint hint;

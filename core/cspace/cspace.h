@@ -88,6 +88,8 @@ public:
     double bottom(const ContactFrame& frame, double lambda, double omega, ToolLift::Hint& hint) const;
     double top(const ContactFrame& frame, double lambda, double omega,
                std::span<const RaisedCurve> curves) const;
+    /// Of any pose: below 0 where it leaves more than it may at one of the curves.
+    double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
 
     /// Needs input().grid. Cancellation per 256 postures.
     CSpace build(const ContactFrame& frame, std::span<const RaisedCurve> curves,

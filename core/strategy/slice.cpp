@@ -71,7 +71,10 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
             if (above[k] == above[next]) continue;
             const Index a = corners[k], b = corners[next];
             const auto [it, fresh] = crossing_of.try_emplace(edge_key(a, b), std::uint32_t(crossings.size()));
-            if (fresh) crossings.push_back({point_on_edge(mesh_, geometry_, frame_, a, b, offset), {}});
+            if (fresh) {
+                crossings.push_back({point_on_edge(mesh_, geometry_, frame_, a, b, offset), {}});
+                crossings.back().at.facet = Index(f);
+            }
             crossings[it->second].segments.push_back(std::uint32_t(segments.size()));
             s.end[ends++] = it->second;
         }

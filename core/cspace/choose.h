@@ -1,0 +1,54 @@
+// Choosing postures along a pass, from the configuration spaces of its contact points (Lu 3.5.5.2). Three
+// methods:
+//
+//   cm2     curvature matching: yaw 0 and the lead that matches the curvature across the feed; where that is
+//           not free, inclined further, then lifted (Li and Jerard)
+//   local   Lu: point by point the free posture nearest to one and the same axis, by joint-motion time,
+//           searched from the CM2 posture by the penalty method
+//   global  the postures that take the machine least time over the whole pass: the cheapest path through all
+//           configuration spaces
+//
+// mm, radians, seconds; part coordinates.
+#pragma once
+
+#include "core/cspace/cspace.h"
+#include "core/setup/kinematics.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+/// One contact point of a pass.
+struct PassPoint {
+    ContactFrame frame;
+    const CSpace* space = nullptr;
+    const std::vector<RaisedCurve>* curves = nullptr; ///< so that postures between nodes are judged exactly
+    double cm2_lambda = 0;                            ///< the CM2 lead, held to the lead limits
+};
+
+/// Not free: the point is left to clean-up.
+struct ChosenPosture {
+    bool free = false;
+    PostureValue posture;
+};
+
+struct ChooseInput {
+    const CSpaceBuilder* builder = nullptr; ///< with the grid and, if any, the kinematics of its input
+    double feed = 1000.0 / 60;              ///< of the tip, mm/s
+    double turn_limit = radians(15);        ///< between neighbouring tool axes; more separates the pass there
+    std::optional<ToolPose> before;         ///< where the tool comes from: the end of the pass before
+    bool accelerations = false;             ///< count the machine's largest accelerations
+};
+
+/// One posture per point, in their order. Free postures lie in the configuration space: bottom <= delta <=
+/// top, checked between nodes too. Throws Cancelled within 100 ms. The same bits for every thread count.
+std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const ChooseInput& input,
+                                      const Progress& progress);
+std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const ChooseInput& input,
+                                        const Progress& progress);
+std::vector<ChosenPosture> choose_global(std::span<const PassPoint> points, const ChooseInput& input,
+                                         const Progress& progress);
+
+} // namespace facetmill

@@ -1,0 +1,275 @@
+// The cheapest path through all configuration spaces of a pass. What Lu calls too complex to implement is a
+// shortest path: the free nodes of each point's grid, in either way the machine can hold them, are the stops;
+// a move between two of neighbouring points costs the time it takes, feed or joints, whichever is longer.
+// Between nodes the path is then refined: around every stop a smaller grid, the same search, three times.
+#include "core/cspace/choose.h"
+#include "core/cspace/joint_path.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr int refinements = 3;
+/// Where moves take the same time, the one that turns less and lifts less is taken: shares of its joint time
+/// and, for a lift as high as the space, seconds.
+constexpr double joint_share = 0.02, lift_seconds = 1e-4;
+/// What being separated costs, s: about a retract, a rapid and an approach. So much that no smooth path is
+/// given up for it.
+constexpr double separation_seconds = 1000;
+constexpr std::size_t points_per_block = 4;
+
+/// One way to stand at a point.
+struct Stop {
+    PostureValue posture;
+    ToolPose pose;
+    JointClock::Times joints{};
+    double own_cost = 0; ///< s
+};
+
+/// Of one point. On the whole grid they are in the order of its nodes: those of node n stand from first[n] to
+/// first[n + 1]; elsewhere `first` is empty.
+struct Stops {
+    std::vector<Stop> all;
+    std::vector<std::uint32_t> first;
+    bool empty() const { return all.empty(); }
+};
+
+class Search {
+public:
+    Search(std::span<const PassPoint> points, const ChooseInput& input)
+        : points_(points), input_(input), builder_(*input.builder), clock_(builder_.input().kinematics),
+          cos_limit_(std::cos(input.turn_limit)), per_feed_(1 / input.feed) {
+        if (input.before) before_ = clock_.ways(*input.before);
+    }
+
+    std::vector<ChosenPosture> run(const Progress& progress) {
+        std::vector<Stops> stops(points_.size());
+        parallel_for(points_.size(), points_per_block, progress.part(0, 0),
+                     [&](std::size_t i) { stops[i] = nodes(i); });
+        std::vector<ChosenPosture> chosen(points_.size());
+        // Points without a free posture part the pass.
+        for (std::size_t begin = 0; begin < points_.size();) {
+            if (stops[begin].empty()) {
+                ++begin;
+                continue;
+            }
+            std::size_t end = begin;
+            while (end < points_.size() && !stops[end].empty())
+                ++end;
+            refined(stops, begin, end, chosen, progress);
+            begin = end;
+        }
+        return chosen;
+    }
+
+private:
+    double own_cost(const PostureValue& p, double top) const {
+        return top > 0 && std::isfinite(top) ? lift_seconds * p.delta / top : 0;
+    }
+
+    void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {
+        const ToolPose pose = posture_pose(builder_.input().lift->cutter(), point.frame, posture);
+        if (pose.axis.z() < tolerance::lowest_axis_z) return;
+        const JointClock::Ways ways = clock_.ways(pose);
+        for (int w = 0; w < ways.count; ++w)
+            stops.all.push_back({posture, pose, ways.at[std::size_t(w)], own_cost(posture, top)});
+    }
+
+    Stops nodes(std::size_t i) const {
+        const PassPoint& point = points_[i];
+        const PostureGrid& grid = *builder_.input().grid;
+        Stops stops;
+        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
+            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+                const std::size_t n = grid.node(l, o);
+                stops.first.push_back(std::uint32_t(stops.all.size()));
+                if (point.space->block[n] != PostureBlock::free) continue;
+                add(point, {grid.lambda[l], grid.omega[o], point.space->bottom[n]}, point.space->top[n],
+                    stops);
+            }
+        stops.first.push_back(std::uint32_t(stops.all.size()));
+        return stops;
+    }
+
+    double move_cost(const Stop& a, const Stop& b) const {
+        const double joints = clock_.between(a.joints, b.joints);
+        const double feed = (b.pose.tip - a.pose.tip).norm() * per_feed_;
+        return std::max(feed, joints) + joint_share * joints;
+    }
+
+    /// What it costs to come to a stop from where the pass before ended.
+    double entry_cost(const Stop& stop) const {
+        if (!input_.before) return 0;
+        double least = infinity;
+        for (int w = 0; w < before_.count; ++w)
+            least = std::min(least, clock_.between(before_.at[std::size_t(w)], stop.joints));
+        return before_.count > 0 ? least : 0;
+    }
+
+    /// The next pass most likely comes back: half of what it takes to lean as far to the other side.
+    double exit_cost(const Stop& stop, const PassPoint& point) const {
+        const Vec3& n = point.frame.normal;
+        const Vec3 mirrored = 2 * n.dot(stop.pose.axis) * n - stop.pose.axis;
+        if (mirrored.z() < tolerance::lowest_axis_z) return 0;
+        const Vec3 tip =
+            2 * point.frame.point + 2 * n.dot(stop.pose.tip - point.frame.point) * n - stop.pose.tip;
+        const JointClock::Ways ways = clock_.ways({tip, mirrored.normalized()}, &stop.joints);
+        double least = infinity;
+        for (int w = 0; w < ways.count; ++w)
+            least = std::min(least, clock_.between(ways.at[std::size_t(w)], stop.joints));
+        return ways.count > 0 ? 0.5 * least : 0;
+    }
+
+    /// The cheapest of the stops `from` before one, or none (false) within the turn limit.
+    struct Link {
+        double cost = infinity;
+        std::uint32_t from = 0;
+    };
+    void look(const std::vector<Stop>& before, const std::vector<double>& cost, std::uint32_t begin,
+              std::uint32_t end, const Stop& to, Link& best) const {
+        for (std::uint32_t j = begin; j < end; ++j) {
+            if (cost[j] >= best.cost) continue;
+            const Stop& s = before[j];
+            if (s.pose.axis.dot(to.pose.axis) < cos_limit_) continue;
+            const double total = cost[j] + move_cost(s, to);
+            if (total < best.cost) best = {total, j};
+        }
+    }
+
+    /// From nodes near its own; should none of them serve, from all.
+    Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to,
+                       std::size_t node) const {
+        Link best;
+        const auto& all = before.all;
+        if (!before.first.empty()) {
+            const PostureGrid& grid = *builder_.input().grid;
+            const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
+            const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),
+                              o_end = std::min(o + window + 1, width);
+            for (std::size_t i = l - std::min(l, window); i < l_end; ++i) {
+                const std::size_t row = grid.node(i, 0);
+                look(all, cost, before.first[row + o - std::min(o, window)], before.first[row + o_end], to,
+                     best);
+            }
+        }
+        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, best);
+        return best;
+    }
+
+    /// Indices of the cheapest stops of points begin..end - 1.
+    std::vector<std::size_t> cheapest(const std::vector<Stops>& stops, std::size_t begin, std::size_t end,
+                                      const Progress& progress) const {
+        std::vector<std::vector<std::uint32_t>> from(end - begin);
+        std::vector<double> cost, next;
+        for (const Stop& s : stops[begin].all)
+            cost.push_back(s.own_cost + (begin == 0 ? entry_cost(s) : 0));
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            progress.check();
+            const Stops &before = stops[i - 1], &here = stops[i];
+            const auto least = std::min_element(cost.begin(), cost.end());
+            const Link separated{*least + separation_seconds, std::uint32_t(least - cost.begin())};
+            next.assign(here.all.size(), infinity);
+            from[i - begin].assign(here.all.size(), 0);
+            const auto link = [&](std::size_t k, std::size_t node) {
+                Link best = cheapest_link(before, cost, here.all[k], node);
+                if (best.cost > separated.cost) best = separated;
+                next[k] = best.cost + here.all[k].own_cost;
+                from[i - begin][k] = best.from;
+            };
+            if (here.first.empty()) {
+                for (std::size_t k = 0; k < here.all.size(); ++k)
+                    link(k, 0);
+            } else {
+                parallel_for(here.first.size() - 1, nodes_per_block, Progress(), [&](std::size_t n) {
+                    for (std::uint32_t k = here.first[n]; k < here.first[n + 1]; ++k)
+                        link(k, n);
+                });
+            }
+            cost.swap(next);
+        }
+        if (end == points_.size())
+            for (std::size_t k = 0; k < cost.size(); ++k)
+                cost[k] += exit_cost(stops[end - 1].all[k], points_[end - 1]);
+        std::vector<std::size_t> path(end - begin);
+        path.back() = std::size_t(std::min_element(cost.begin(), cost.end()) - cost.begin());
+        for (std::size_t i = path.size() - 1; i > 0; --i)
+            path[i - 1] = from[i][path[i]];
+        return path;
+    }
+
+    /// Stops around one: a grid of 3 by 3 with the given step, those of it that are free.
+    Stops around(std::size_t i, const PostureValue& middle, double step) const {
+        const PassPoint& point = points_[i];
+        const PostureGrid& grid = *builder_.input().grid;
+        ToolLift::Hint hint;
+        Stops stops;
+        for (const int l : {0, -1, 1})
+            for (const int o : {0, -1, 1}) {
+                const double lambda =
+                    std::clamp(middle.lambda + l * step, grid.lambda.front(), grid.lambda.back());
+                const double omega =
+                    std::clamp(middle.omega + o * step, grid.omega.front(), grid.omega.back());
+                if ((l != 0 && lambda == middle.lambda) || (o != 0 && omega == middle.omega)) continue;
+                const double bottom = builder_.bottom(point.frame, lambda, omega, hint);
+                const double top = builder_.top(point.frame, lambda, omega, *point.curves);
+                if (!(bottom <= top)) continue;
+                const PostureValue p{lambda, omega, bottom};
+                const Kinematics* machine = builder_.input().kinematics;
+                if (machine
+                    && !machine->reaches(posture_pose(builder_.input().lift->cutter(), point.frame, p)))
+                    continue;
+                add(point, p, top, stops);
+            }
+        return stops;
+    }
+
+    void refined(const std::vector<Stops>& stops, std::size_t begin, std::size_t end,
+                 std::vector<ChosenPosture>& chosen, const Progress& progress) const {
+        const std::vector<std::size_t> path = cheapest(stops, begin, end, progress);
+        for (std::size_t i = begin; i < end; ++i)
+            chosen[i] = {true, stops[i].all[path[i - begin]].posture};
+        const PostureGrid& grid = *builder_.input().grid;
+        double step = grid.lambda.size() > 1  ? grid.lambda[1] - grid.lambda[0]
+                      : grid.omega.size() > 1 ? grid.omega[1] - grid.omega[0]
+                                              : 0;
+        for (int round = 0; round < refinements && step > 0; ++round) {
+            step *= 0.5;
+            std::vector<Stops> finer(stops.size());
+            parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
+                finer[begin + k] = around(begin + k, chosen[begin + k].posture, step);
+                // The middle is free by construction; should rounding say otherwise it is kept as it was.
+                if (finer[begin + k].empty()) finer[begin + k].all.push_back(stops[begin + k].all[path[k]]);
+            });
+            const std::vector<std::size_t> better = cheapest(finer, begin, end, progress);
+            for (std::size_t i = begin; i < end; ++i)
+                chosen[i].posture = finer[i].all[better[i - begin]].posture;
+        }
+    }
+
+    static constexpr std::size_t nodes_per_block = 64;
+    /// Nodes on either side from which moves are looked for first. Between neighbouring points of a pass axes
+    /// turn by a degree or so; a grid step is three.
+    static constexpr std::size_t window = 2;
+
+    std::span<const PassPoint> points_;
+    const ChooseInput& input_;
+    const CSpaceBuilder& builder_;
+    JointClock clock_;
+    double cos_limit_, per_feed_;
+    JointClock::Ways before_;
+};
+
+} // namespace
+
+std::vector<ChosenPosture> choose_global(std::span<const PassPoint> points, const ChooseInput& input,
+                                         const Progress& progress) {
+    return Search(points, input).run(progress);
+}
+
+} // namespace facetmill

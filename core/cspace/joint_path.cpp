@@ -1,0 +1,55 @@
+#include "core/cspace/joint_path.h"
+
+#include "core/base/tolerances.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
+    half_turn_.fill(infinity);
+    if (!machine) return;
+    const Machine& m = machine->machine();
+    for (int k = 0; k < m.joints(); ++k) {
+        per_unit_[std::size_t(k)] = 1 / m.speed(k);
+        const Travel& travel = m.joint_travel(k);
+        if (k >= 3 && !(travel.hi - travel.lo < 2 * pi))
+            half_turn_[std::size_t(k)] = pi * per_unit_[std::size_t(k)];
+    }
+}
+
+JointClock::Ways JointClock::ways(const ToolPose& pose, const Times* near) const {
+    Ways ways;
+    if (!machine_) {
+        ways.count = 1;
+        return ways;
+    }
+    Joints hint;
+    if (near)
+        for (std::size_t k = 0; k < 2; ++k)
+            if (per_unit_[3 + k] > 0) hint.rotary[k] = (*near)[3 + k] / per_unit_[3 + k];
+    const Kinematics::Solutions solutions = machine_->inverse(pose, hint);
+    const Machine& m = machine_->machine();
+    for (int i = 0; i < solutions.count; ++i) {
+        const Joints& j = solutions.at[std::size_t(i)];
+        Times times{};
+        bool within = true;
+        for (int k = 0; k < m.joints(); ++k) {
+            const auto joint = std::size_t(k);
+            double value = j[k];
+            if (k >= 3 && half_turn_[joint] == infinity) {
+                // Solutions come within half a turn of zero; the travel may lie elsewhere.
+                const Travel& travel = m.joint_travel(k);
+                const double slack = tolerance::level_angle;
+                for (const double turn : {2 * pi, -2 * pi})
+                    if (!travel.contains(value, slack) && travel.contains(value + turn, slack)) value += turn;
+                within = within && travel.contains(value, slack);
+            }
+            times[joint] = value * per_unit_[joint];
+        }
+        if (within) ways.at[std::size_t(ways.count++)] = times;
+    }
+    return ways;
+}
+
+} // namespace facetmill
