@@ -125,6 +125,13 @@ public:
         return *this;
     }
 
+    /// Another stage than the entry was described with: for common parameters that an operation reads earlier.
+    ParameterTable& set_stage(std::string_view key, Stage stage) {
+        for (Entry& e : entries_)
+            if (e.info.key == key) e.info.stage = stage;
+        return *this;
+    }
+
     const std::vector<Entry>& entries() const { return entries_; }
     const Entry* find(std::string_view key) const {
         for (const Entry& e : entries_)

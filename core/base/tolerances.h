@@ -42,6 +42,8 @@ inline constexpr double flat_volume = 1e-9;
 /// Facets whose unit normal has a smaller z than this count as vertical: a 3-axis cutter passes them, but they ask for no
 /// pass of their own.
 inline constexpr double vertical_normal_z = 1e-3;
+/// Tool axes with a smaller z are not planned: the tool could not be drawn out of the part along them.
+inline constexpr double lowest_axis_z = 0.15;
 /// Radians: directions closer than this are the same.
 inline constexpr double level_angle = 1e-6;
 /// To this (mm) the entry of a line into a cutter is found where no closed form is used.

@@ -178,9 +178,6 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
                                                                  const PlanContext& context,
                                                                  const Progress& progress) {
     const OperationCommon& common = operation.common();
-    if (!operation.three_axis())
-        throw Error(ErrorCode::unsupported_format, printable(common.name),
-                    "only 3-axis operations can be linked", "choose a 3-axis operation");
     // Each key holds what its stage and all before it read.
     Key key;
     key.add(std::string_view(part_key)).add(operation.kind()).add(std::string_view(context.machine.source));
@@ -228,9 +225,15 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
         program.motions = same->result->program.motions;
         result->seconds_link = same->result->seconds_link;
     } else {
-        program.motions = link_three_axis(result->path, context, common.allowance,
-                                          default_link_options(result->path, context, common),
-                                          progress.part(0.85, 0.98, common.name + ": linking"));
+        const Progress linking = progress.part(0.85, 0.98, common.name + ": linking");
+        const LinkOptions options = default_link_options(result->path, context, common);
+        const double beside = operation.holder_clearance();
+        program.motions =
+            operation.three_axis()
+                ? link_three_axis(result->path, context, common.allowance, options, linking)
+                : link_five_axis(result->path, context,
+                                 {common.allowance + context.tessellation_tolerance[1], beside, beside},
+                                 options, linking);
         result->seconds_link = seconds_since(start);
         ++work.links;
     }

@@ -43,12 +43,16 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
     return options;
 }
 
-ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
-                            const LinkOptions& options, const Progress& progress) {
+void check_link_options(const LinkOptions& options) {
     if (!(options.clearance > 0) || !(options.chord_tolerance > 0) || !(options.link_distance >= 0))
         throw Error(ErrorCode::out_of_range, "link",
                     "clearance and chord tolerance must be above 0, the link distance at least 0",
                     "correct the operation's settings");
+}
+
+ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
+                            const LinkOptions& options, const Progress& progress) {
+    check_link_options(options);
     const CutterProfile profile(context.tool.cutter());
     const AxialLift lift(context.contact, profile, allowance + context.tessellation_tolerance[1]);
     LineTolerance fine;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/gouge/tool_lift.h"
 #include "core/strategy/operation.h"
 
 #include <cstdint>
@@ -47,5 +48,16 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 /// Cancelled within 100 ms.
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
+
+/// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one plane, lifted
+/// along the tool axis wherever cutter, shank or holder would touch, where the next pass is near and that way is free;
+/// else out along the tool axis, a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z
+/// the tip stands so high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what
+/// cutter, shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
+ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
+                           const LinkOptions& options, const Progress& progress);
+
+/// Throws Error(out_of_range) unless clearance and chord tolerance are above 0 and the link distance at least 0.
+void check_link_options(const LinkOptions& options);
 
 } // namespace facetmill

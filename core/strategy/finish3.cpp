@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/budget.h"
 #include "core/strategy/slice.h"
 #include "core/strategy/stepover.h"
 #include "core/strategy/uncut.h"
@@ -59,33 +60,11 @@ private:
     int unsatisfied_ = 0;
 };
 
-double cusp_budget(const Finish3Settings& settings, const PlanContext& context) {
-    const auto [out, in] = context.tessellation_tolerance;
-    if (!(out >= 0 && in >= 0 && std::isfinite(out) && std::isfinite(in)))
-        throw Error(ErrorCode::out_of_range, "tessellation_tolerance",
-                    "the tessellation tolerances are not lengths of 0 or more",
-                    "correct them in the part's settings");
-    const double budget = settings.tolerance - out - in;
-    if (!(budget > 0))
-        throw Error(ErrorCode::out_of_range, "tolerance",
-                    "the tessellation tolerances (outward " + length_text(out, context.unit) + ", inward "
-                        + length_text(in, context.unit) + ") use up the machining tolerance of "
-                        + length_text(settings.tolerance, context.unit),
-                    "allow a larger tolerance or tessellate the part more finely");
-    return budget;
-}
-
-double chord_of(const Finish3Settings& settings, double budget) {
-    const double chord =
-        settings.chord_tolerance.is_number() ? settings.chord_tolerance.number : 0.05 * budget;
-    return std::max(std::min(chord, 0.5 * budget), tolerance::smallest_chord);
-}
-
 Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
     : settings_(settings), context_(context), progress_(progress),
       cusp_allowed_(cusp_budget(settings, context)),
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
-      chord_(chord_of(settings, cusp_allowed_)), profile_(context.tool.cutter()),
+      chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
       cover_(profile_, 0.125 * cusp_allowed_), lift_(context.contact, profile_, allowance_) {}
 
 StrategyResult Planner::run() {

@@ -53,6 +53,8 @@ public:
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;
+    /// What shank and holder keep from the part, mm.
+    virtual double holder_clearance() const { return 0; }
 
     virtual const OperationCommon& common() const = 0;
     virtual OperationCommon& common() = 0;

@@ -6,10 +6,14 @@
 
 #include "core/base/vec.h"
 
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace facetmill {
+
+struct FiveAxisRecord; // five_axis_record.h
 
 struct CutterContact {
     Vec3 point, normal;
@@ -35,6 +39,12 @@ struct StrategyResult {
     double cusp_max = 0;           ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
     double chord_tolerance = 0;    ///< how far moves may run beside the exact path; 0: the strategy has none; mm
     std::size_t cleanup_points = 0; ///< CC points left for clean-up
+    std::vector<CutterContact> cleanup; ///< those points, where the strategy knows them
+    /// Of a 5-axis strategy, wall seconds: contact points and step-over, bottom and top surfaces of the
+    /// configuration spaces, choosing and joining postures.
+    std::array<double, 4> stage_seconds{};
+    double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
+    std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
     std::size_t rework_regions = 0; ///< regions left for a rework operation
     std::vector<std::string> warnings;
 };

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/lift_line.h"
+#include "core/strategy/up_side.h"
 
 namespace facetmill {
 
@@ -19,36 +20,18 @@ constexpr std::size_t row_part = 512;
 /// Which facets count, and with which side up.
 class UpwardFacets {
 public:
-    UpwardFacets(const Mesh& mesh, const Progress& progress) : mesh_(mesh) {
-        // The area vectors of a closed surface whose windings agree sum up to nothing; its volume tells
-        // which side is out.
-        Vec3 sum = Vec3::Zero();
-        double total = 0, volume = 0;
-        const Vec3 origin = mesh.facets.empty() ? Vec3(Vec3::Zero()) : mesh.corner(0, 0);
-        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-            if (f % check_every == 0) progress.check();
-            const Vec3 cross = mesh.facet_cross(f);
-            sum += cross;
-            total += cross.norm();
-            volume += cross.dot(mesh.corner(f, 0) - origin);
-        }
-        if (sum.norm() <= tolerance::closed_sum * total) out_ = volume > 0 ? 1 : volume < 0 ? -1 : 0;
-    }
+    UpwardFacets(const Mesh& mesh, const Progress& progress) : mesh_(mesh), side_(mesh, progress) {}
 
-    bool closed() const { return out_ != 0; }
+    bool closed() const { return side_.closed(); }
     /// The facet's unit normal with the side up that counts; zero: the facet asks for nothing.
     Vec3 normal(std::size_t f) const {
-        Vec3 n = mesh_.facet_normal(f);
-        if (out_ != 0)
-            n *= out_;
-        else if (n.z() < 0)
-            n = -n;
+        const Vec3 n = side_.towards_tool(mesh_.facet_normal(f));
         return n.z() >= tolerance::vertical_normal_z ? n : Vec3(Vec3::Zero());
     }
 
 private:
     const Mesh& mesh_;
-    int out_ = 0; ///< factor that turns normals outward; 0: unknown
+    UpSide side_;
 };
 
 /// Samples in the middles of even pieces of a facet: rows along its longest edge.

@@ -1,0 +1,440 @@
+#include "core/strategy/finish5.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/cspace/choose.h"
+#include "core/strategy/five_axis_record.h"
+#include "core/strategy/posture_path.h"
+#include "core/strategy/posture_study.h"
+#include "core/strategy/tilted_stepover.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+const OperationRegistration registration("finish5", "Finish, 5-axis",
+                                         [] { return std::make_unique<Finish5>(); });
+
+constexpr std::size_t most_drive_planes = 100000;
+/// Contact points of a plan, roughly: a day's work.
+constexpr double most_contacts = 2e7;
+/// The step that the search starts with, in diameters.
+constexpr double first_step_share = 0.4;
+/// How far, in the cutter's radius, a pass goes on beyond the part's border at most.
+constexpr double most_extension_share = 2;
+
+class Planner5 {
+public:
+    Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress)
+        : settings_(settings), progress_(progress), field_(context, settings, progress.part(0, 0.05)),
+          stepover_(field_), record_(std::make_shared<FiveAxisRecord>()) {
+        record_->context = field_.context();
+        record_->settings = settings;
+    }
+
+    StrategyResult run() {
+        const auto& lines = field_.lines();
+        if (!(lines.lo() <= lines.hi()))
+            throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
+                        "check part and direction");
+        check_size();
+        result_.direction = field_.drive().angle;
+        progress_.part(0.05, 1, "Finishing with five axes").set(0);
+        if (settings_.stepover.is_number())
+            plan_constant(settings_.stepover.number);
+        else
+            plan_adaptive();
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Progress at(double v) const {
+        const double lo = field_.lines().lo(), hi = field_.lines().hi();
+        const double share = hi > lo ? (v - lo) / (hi - lo) : 1.0;
+        const double f = 0.05 + 0.95 * std::clamp(share, 0.0, 1.0);
+        return progress_.part(f, f);
+    }
+
+    int travel(int drive) const {
+        return settings_.pattern == Finish5Settings::Pattern::zigzag && drive % 2 == 1 ? -1 : 1;
+    }
+
+    /// What would take days is most likely a part in another unit.
+    void check_size() const {
+        const Vec3 size = field_.context().part_box.size();
+        const double step =
+            settings_.stepover.is_number() ? settings_.stepover.number : 0.5 * field_.radius();
+        if (size.x() * size.y() <= most_contacts * step * 0.4 * field_.radius()) return;
+        throw Error(ErrorCode::limit_exceeded, settings_.name,
+                    "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
+                        + format_number(most_contacts) + " contact points of this tool",
+                    "check the part's units, or take a larger tool or step-over");
+    }
+
+    template <class Make>
+    auto timed(Make&& make) {
+        const auto start = Clock::now();
+        auto made = make();
+        result_.stage_seconds[0] += std::chrono::duration<double>(Clock::now() - start).count();
+        return made;
+    }
+
+    void plan_adaptive() {
+        const auto& lines = field_.lines();
+        double usual = first_step_share * 2 * field_.radius();
+        std::optional<EstimatedPass> last;
+        std::vector<double> border_lo;
+        result_.stepover_min = infinity;
+        while (true) {
+            const Progress here = at(last ? last->v : lines.lo());
+            if (last && timed([&] { return stepover_.reaches_border(*last); })) break;
+            if (result_.drive_planes >= int(most_drive_planes))
+                refuse_planes("tolerance", "the tolerance asks for");
+            // Nothing more to meet: the border is a line no plane cuts.
+            if (last && lines.beyond(lines.hi(), lines.lo()) - last->plane <= 1) break;
+            auto step = timed([&] {
+                return stepover_.next(last ? &*last : nullptr, travel(result_.drive_planes + (last ? 1 : 0)),
+                                      last ? usual : 0.5 * usual, here);
+            });
+            if (!step.satisfied) ++unsatisfied_;
+            if (last) {
+                const double width = step.pass.v - last->v;
+                usual = width;
+                result_.stepover_min = std::min(result_.stepover_min, width);
+                result_.stepover_max = std::max(result_.stepover_max, width);
+                const auto border = stepover_.borders(*last, step.pass);
+                finish_pass(*last, border_lo, border, here);
+                border_lo = border;
+            }
+            last = std::move(step.pass);
+        }
+        if (last) finish_pass(*last, border_lo, {}, at(last->v));
+        if (result_.stepover_max == 0) result_.stepover_min = 0;
+    }
+
+    void plan_constant(double step) {
+        const auto& lines = field_.lines();
+        const double planes =
+            std::max(1.0, std::ceil((lines.hi() - lines.lo()) / step - tolerance::level_angle));
+        if (planes > double(most_drive_planes))
+            refuse_planes("stepover", "a step-over of " + text(step) + " makes");
+        const double first = 0.5 * (lines.lo() + lines.hi()) - 0.5 * (planes - 1) * step;
+        for (std::size_t i = 0; i < std::size_t(planes); ++i) {
+            const double v = first + double(i) * step;
+            const Progress here = at(v);
+            const long plane = std::lround((v - lines.lo()) / lines.spacing());
+            const EstimatedPass pass = timed([&] { return stepover_.estimate(plane, travel(int(i)), here); });
+            std::vector<double> lo(stepover_.bin(infinity) + 1, pass.v - 0.5 * step), hi = lo;
+            std::fill(hi.begin(), hi.end(), pass.v + 0.5 * step);
+            finish_pass(pass, lo, hi, here);
+        }
+        result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
+    }
+
+    [[noreturn]] void refuse_planes(const char* key, const std::string& what) const {
+        throw Error(ErrorCode::limit_exceeded, key,
+                    what + " more than " + std::to_string(most_drive_planes) + " drive planes",
+                    "choose a larger step-over or tolerance");
+    }
+
+    /// How much farther than its own end the strip of a line reaches, along u; plus what the tool lags behind
+    /// at the strip's borders.
+    double extension(const EstimatedPass& pass, const SurfaceLine& line, bool first, double v_lo,
+                     double v_hi) const {
+        const auto& lines = field_.lines();
+        const SlicePoint& end = first ? line.points.front() : line.points.back();
+        const double r = field_.radius();
+        double farther = 0;
+        const long step = std::max(1L, std::lround(r / 16 / lines.spacing()));
+        for (long k = lines.beyond(v_lo, v_hi) / step * step; lines.v(k) <= v_hi; k += step)
+            for (const SurfaceSlice::End& other : lines.slice(k)->ends())
+                if (other.first == first && (other.point - end.point).norm() <= 2 * r)
+                    farther = std::max(farther, first ? end.u - other.u : other.u - end.u);
+        const double aside = std::min(std::max(pass.v - v_lo, v_hi - pass.v), r);
+        const double lag = r - std::sqrt(r * r - aside * aside);
+        return std::min(farther + lag, most_extension_share * r);
+    }
+
+    void finish_pass(const EstimatedPass& pass, const std::vector<double>& border_lo,
+                     const std::vector<double>& border_hi, const Progress& progress) {
+        const int drive = result_.drive_planes++;
+        const double part_lo = field_.lines().lo(), part_hi = field_.lines().hi();
+        std::vector<std::size_t> order(pass.lines.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            order[i] = pass.travel > 0 ? i : order.size() - 1 - i;
+        for (const std::size_t l : order) {
+            PlacedLine placed = place_line(pass, l, [&](double u) {
+                const std::size_t bin = stepover_.bin(u);
+                return std::array<double, 2>{border_lo.empty() ? part_lo : border_lo[bin],
+                                             border_hi.empty() ? part_hi : border_hi[bin]};
+            });
+            choose(placed, drive, progress);
+            const auto start = Clock::now();
+            JoinedPasses joined = join_postures(field_, placed, progress);
+            result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - start).count();
+            for (Pass& p : joined.passes) {
+                p.drive = drive;
+                p.offset = pass.v;
+                result_.passes.push_back(std::move(p));
+            }
+            result_.cleanup.insert(result_.cleanup.end(), joined.uncut.begin(), joined.uncut.end());
+            result_.cusp_max = std::max(result_.cusp_max, joined.cusp);
+            result_.lead_min = std::min(result_.lead_min, joined.lead_min);
+            result_.lead_max = std::max(result_.lead_max, joined.lead_max);
+        }
+        field_.lines().forget(field_.lines().beyond(pass.v, part_hi)
+                              - long(2.5 * field_.radius() / field_.lines().spacing()));
+    }
+
+    template <class Strip>
+    PlacedLine place_line(const EstimatedPass& pass, std::size_t l, Strip&& strip) const {
+        const SurfaceLine& line = pass.lines[l];
+        PlacedLine placed;
+        placed.line = &line;
+        placed.travel = pass.travel;
+        const auto add = [&](double s) {
+            ContactPlace p = field_.place(line, s, pass.v, pass.travel);
+            const auto [lo, hi] = strip(p.u);
+            p.v_lo = std::min(lo, pass.v);
+            p.v_hi = std::max(hi, pass.v);
+            placed.places.push_back(p);
+        };
+        const auto beyond = [&](bool first) {
+            const auto [lo, hi] = strip(first ? line.points.front().u : line.points.back().u);
+            return extension(pass, line, first, std::min(lo, pass.v), std::max(hi, pass.v));
+        };
+        const double front = beyond(true), back = beyond(false);
+        const double longest = 0.2 * field_.radius();
+        const auto pieces = [&](double length) { return std::size_t(std::ceil(length / longest)); };
+        for (std::size_t k = pieces(front); k > 0; --k)
+            add(-front * double(k) / double(pieces(front)));
+        for (const auto& c : pass.contacts[l])
+            add(c.place.s);
+        for (std::size_t k = 1; k <= pieces(back); ++k)
+            add(line.length() + back * double(k) / double(pieces(back)));
+        if (pass.travel < 0) std::reverse(placed.places.begin(), placed.places.end());
+        return placed;
+    }
+
+    void choose(PlacedLine& line, int drive, const Progress& progress) {
+        const auto start = Clock::now();
+        const PostureStudy study = study_postures(field_, line.places, progress);
+        const double spent = std::chrono::duration<double>(Clock::now() - start).count();
+        const double cpu = std::max(study.stages.bottom + study.stages.top, 1e-12);
+        result_.stage_seconds[1] += spent * study.stages.bottom / cpu;
+        result_.stage_seconds[2] += spent * study.stages.top / cpu;
+        const auto choosing = Clock::now();
+        line.choices = choose_postures(field_, study, settings_.posture, last_pose(), progress);
+        result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - choosing).count();
+        FiveAxisRecord::Line recorded{record_->points.size(), 0, drive};
+        for (std::size_t i = 0; i < line.places.size(); ++i) {
+            record_->points.push_back({line.places[i], study.points[i].cm2_lambda, line.choices[i]});
+            if (line.choices[i].free) continue;
+            for (const PostureBlock b : study.spaces[i].block)
+                ++blocked_[std::size_t(b)];
+        }
+        recorded.end = record_->points.size();
+        record_->lines.push_back(recorded);
+    }
+
+    std::optional<ToolPose> last_pose() const {
+        if (result_.passes.empty()) return std::nullopt;
+        const CutterLocation& end = result_.passes.back().cl.back();
+        return ToolPose{end.tip, end.axis};
+    }
+
+    /// What blocks most postures of the points that have none.
+    std::string main_cause() const {
+        std::size_t worst = 1;
+        for (std::size_t k = 1; k < blocked_.size(); ++k)
+            if (blocked_[k] > blocked_[worst]) worst = k;
+        switch (PostureBlock(worst)) {
+        case PostureBlock::local:
+            return "the part close to the contact point stands in the cutter's way: use a smaller tool there";
+        case PostureBlock::global:
+            return "the part elsewhere stands in the cutter's way: use a smaller or longer tool there, or "
+                   "wider limits";
+        case PostureBlock::shank:
+            return "the shank would hit the part: use a longer or thinner tool";
+        case PostureBlock::holder:
+            return "the holder would hit the part: use a longer tool or a smaller holder";
+        case PostureBlock::machine:
+            return "the machine's axes do not reach: turn the part or take another machine";
+        default:
+            return "the cutter leaves more than the tolerance: use a smaller step-over or tool";
+        }
+    }
+
+    void finish() {
+        result_.cleanup_points = result_.cleanup.size();
+        result_.five_axis = record_;
+        if (result_.passes.empty())
+            throw Error(ErrorCode::empty_result, settings_.name,
+                        record_->points.empty() ? "no place of the part can be come to from above"
+                                                : "none of " + std::to_string(record_->points.size())
+                                                      + " contact points has a free posture",
+                        record_->points.empty() ? "turn the part" : main_cause());
+        result_.cusp_max += field_.chord();
+        result_.chord_tolerance = field_.chord();
+        if (unsatisfied_ > 0)
+            result_.warnings.push_back(std::to_string(unsatisfied_) + " of "
+                                       + std::to_string(result_.drive_planes)
+                                       + " drive planes cross places where no step-over meets the tolerance");
+        if (result_.cleanup_points > 0)
+            result_.warnings.push_back(
+                std::to_string(result_.cleanup_points) + " contact points of "
+                + std::to_string(record_->points.size())
+                + " have no free posture or cannot be joined to their neighbours and are left to clean-up; "
+                  "mostly "
+                + main_cause());
+        if (settings_.stepover.is_number() && result_.cusp_max > field_.cusp())
+            result_.warnings.push_back("the step-over of " + text(settings_.stepover.number)
+                                       + " leaves cusps of " + text(result_.cusp_max)
+                                       + "; the tolerance allows " + text(field_.cusp()));
+    }
+
+    std::string text(double mm) const { return length_text(mm, field_.context().unit); }
+
+    const Finish5Settings& settings_;
+    const Progress& progress_;
+    FiveAxisField field_;
+    TiltedStepOver stepover_;
+    std::shared_ptr<FiveAxisRecord> record_;
+    StrategyResult result_;
+    std::array<std::size_t, 8> blocked_{};
+    int unsatisfied_ = 0;
+};
+
+} // namespace
+
+const ParameterTable<Finish5Settings>& finish5_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        using S = Finish5Settings;
+        ParameterTable<S> t;
+        add_common_parameters(t);
+        t.set_stage("feed", Stage::strategy); // postures are chosen by time
+        t.add_choice(&S::posture,
+                     {.key = "posture",
+                      .label = "Posture",
+                      .help = "How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis "
+                              "point by point, global takes the path that needs least machining time.",
+                      .words = {"cm2", "local", "global"}});
+        t.add(&S::grid_degrees, {.key = "grid_degrees",
+                                 .label = "Posture grid",
+                                 .help = "Step of inclination and yaw in the configuration space.",
+                                 .kind = K::number,
+                                 .quantity = Quantity::angle,
+                                 .minimum = radians(0.25),
+                                 .maximum = radians(30)});
+        t.add(&S::lead_limits, {.key = "lead_limits",
+                                .label = "Lead limits",
+                                .help = "Smallest and largest inclination of the tool axis from the surface "
+                                        "normal towards the travel.",
+                                .kind = K::pair,
+                                .quantity = Quantity::angle,
+                                .minimum = 0,
+                                .maximum = radians(89),
+                                .ordered = true});
+        t.add(&S::yaw_limits, {.key = "yaw_limits",
+                               .label = "Yaw limits",
+                               .help = "How far the inclination may turn about the surface normal, to the "
+                                       "right (below 0) and to the left of the travel.",
+                               .kind = K::pair,
+                               .quantity = Quantity::angle,
+                               .minimum = -pi,
+                               .maximum = pi,
+                               .ordered = true});
+        t.add(&S::stepover, {.key = "stepover",
+                             .label = "Step-over",
+                             .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
+                                     "largest that the tolerance allows; a length is kept.",
+                             .kind = K::number_or_word,
+                             .quantity = Quantity::length,
+                             .minimum = 0,
+                             .maximum = 1000,
+                             .open_minimum = true,
+                             .words = {"adaptive"}});
+        t.add_choice(&S::pattern,
+                     {.key = "pattern",
+                      .label = "Pattern",
+                      .help = "zigzag cuts to and fro; oneway always cuts in the direction of travel and "
+                              "returns above the part.",
+                      .words = {"zigzag", "oneway"}});
+        t.add(&S::chord_tolerance, {.key = "chord_tolerance",
+                                    .label = "Chord tolerance",
+                                    .help = "How far motions may run beside the exact path; auto is a "
+                                            "twentieth of the tolerance. At most half the tolerance is used.",
+                                    .kind = K::number_or_word,
+                                    .quantity = Quantity::length,
+                                    .minimum = 0,
+                                    .maximum = 1000,
+                                    .open_minimum = true,
+                                    .words = {"auto"},
+                                    .advanced = true});
+        t.add(&S::normal_limit, {.key = "normal_limit",
+                                 .label = "Normal limit",
+                                 .help = "Largest turn of the surface normal between neighbouring points of "
+                                         "a pass.",
+                                 .kind = K::number,
+                                 .quantity = Quantity::angle,
+                                 .minimum = radians(0.1),
+                                 .maximum = 0.5 * pi,
+                                 .advanced = true});
+        t.add(&S::turn_limit, {.key = "turn_limit",
+                               .label = "Turn limit",
+                               .help = "Largest turn of the tool axis between neighbouring points of a pass.",
+                               .kind = K::number,
+                               .quantity = Quantity::angle,
+                               .minimum = radians(0.5),
+                               .maximum = pi,
+                               .advanced = true});
+        t.add(&S::holder_clearance, {.key = "holder_clearance",
+                                     .label = "Holder clearance",
+                                     .help = "Distance that shank and holder keep from the part.",
+                                     .kind = K::number,
+                                     .quantity = Quantity::length,
+                                     .minimum = 0,
+                                     .maximum = 1000,
+                                     .advanced = true});
+        t.add(&S::accelerations, {.key = "accelerations",
+                                  .label = "Accelerations",
+                                  .help = "Count what the machine's axes can accelerate when postures are "
+                                          "chosen.",
+                                  .kind = K::boolean,
+                                  .advanced = true});
+        return t;
+    }();
+    return table;
+}
+
+std::vector<const ParameterInfo*> Finish5::parameters() const {
+    Finish5Settings unused;
+    return ParameterView(unused, finish5_parameters()).parameters();
+}
+
+ParameterValue Finish5::get(std::string_view key) const {
+    Finish5Settings copy = settings_;
+    return ParameterView(copy, finish5_parameters()).get(key);
+}
+
+void Finish5::set(std::string_view key, const ParameterValue& value) {
+    ParameterView(settings_, finish5_parameters()).set(key, value);
+}
+
+StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {
+    if (!context.part || context.part->facets.empty())
+        throw Error(ErrorCode::empty_result, settings_.name, "the part has no facets", "choose another part");
+    return Planner5(settings_, context, progress).run();
+}
+
+} // namespace facetmill

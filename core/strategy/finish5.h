@@ -1,0 +1,69 @@
+// Finishing with five axes along parallel drive planes, postures from the configuration space (Lu 3.5.2,
+// 3.5.5).
+//
+// Contact points lie in drive planes, on the surface; at each the tool touches with an inclination and a yaw
+// against the surface's normal and the travel (core/cspace says how they are measured). The step over to the
+// next plane is the largest at which a posture close to the curvature-matched one (CM2) on either side leaves
+// no cusp above the tolerance (tilted_stepover.h). The strips between planes being fixed, every contact point
+// has its configuration space, and the postures are chosen in it: `cm2`, `local` (Lu) or `global`
+// (core/cspace/choose.h). Between contact points the motion is checked and divided until it neither gouges
+// nor leaves the configuration space (posture_path.h). Points without a free posture are left to clean-up.
+//
+// As for three axes (finish3.h), of the tolerance the part's tessellation tolerances are taken off, and the
+// inner one is kept off the part.
+#pragma once
+
+#include "core/strategy/operation.h"
+
+namespace facetmill {
+
+struct Finish5Settings : OperationCommon {
+    enum class Pattern { zigzag, oneway };
+    enum class PostureChoice { cm2, local, global };
+
+    Finish5Settings() {
+        name = "Finish5";
+        tolerance = 0.1;
+    }
+    PostureChoice posture = PostureChoice::global;
+    double grid_degrees = radians(3);
+    std::array<double, 2> lead_limits{0, radians(45)};
+    std::array<double, 2> yaw_limits{radians(-45), radians(45)};
+    NumberOrWord stepover{0, "adaptive"}; ///< mm
+    Pattern pattern = Pattern::zigzag;
+    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: a twentieth of the tolerance
+    double normal_limit = radians(5);
+    double turn_limit = radians(15); ///< between neighbouring tool axes
+    double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
+    bool accelerations = false;      ///< count the machine's accelerations when postures are chosen
+};
+
+const ParameterTable<Finish5Settings>& finish5_parameters();
+
+class Finish5 : public Operation {
+public:
+    Finish5() = default;
+    explicit Finish5(Finish5Settings settings) : settings_(std::move(settings)) {}
+
+    std::string_view kind() const override { return "finish5"; }
+    std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish5>(settings_); }
+    bool three_axis() const override { return false; }
+    double holder_clearance() const override { return settings_.holder_clearance; }
+    const OperationCommon& common() const override { return settings_; }
+    OperationCommon& common() override { return settings_; }
+    const Finish5Settings& settings() const { return settings_; }
+
+    std::vector<const ParameterInfo*> parameters() const override;
+    ParameterValue get(std::string_view key) const override;
+    void set(std::string_view key, const ParameterValue& value) override;
+
+    /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
+    /// Error(out_of_range) for limits that leave nothing and for a tool that is wider than the part,
+    /// Error(limit_exceeded) beyond 100 000 drive planes. Cancelled within 100 ms.
+    StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
+
+private:
+    Finish5Settings settings_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,191 @@
+#include "core/strategy/posture_path.h"
+
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// A motion between neighbouring contact points is halved this often at most.
+constexpr int most_divisions = 6;
+/// Of the cutter's radius: a run of free points shorter than this is left to clean-up with its neighbours.
+constexpr double shortest_run_share = 0.1;
+
+/// Of the chord tolerance: what is used of it along the axis at the places looked at, so that what lies
+/// between them keeps within it too.
+constexpr double chord_share = 0.6;
+
+struct Stop {
+    ContactPlace place;
+    PostureValue posture;
+    CutterLocation cl;
+};
+
+class Joiner {
+public:
+    Joiner(const FiveAxisField& field, const PlacedLine& line) : field_(field), line_(line) {}
+
+    Stop stop(const ContactPlace& place, const PostureValue& posture) const {
+        const ToolPose pose = posture_pose(field_.cutter(), place.frame, posture);
+        return {place, posture, {pose.tip, pose.axis}};
+    }
+
+    /// Appends what stands between a and b; false where the way is not free.
+    bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& way) {
+        const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
+        if (angle > field_.settings().turn_limit * (1 + tolerance::level_angle)) {
+            if (divisions == 0) return false; // neighbours that are so far apart are not joined
+        }
+        const ContactPlace middle = place_between(a.place, b.place);
+        if (deepest_between(field_.lift(), a.cl, b.cl, hint_) <= chord_share * field_.chord()
+            && clears(a, b, middle))
+            return true;
+        if (divisions == most_divisions) return false;
+        Stop at;
+        if (!halfway(a, b, middle, at)) return false;
+        std::vector<Stop> first, second;
+        if (!between(a, at, divisions + 1, first) || !between(at, b, divisions + 1, second)) return false;
+        way.insert(way.end(), first.begin(), first.end());
+        way.push_back(at);
+        way.insert(way.end(), second.begin(), second.end());
+        return true;
+    }
+
+    /// The height of the cusp that a posture leaves over its strip, mm, without the chord's share.
+    double cusp(const Stop& stop) const {
+        const auto curves = field_.strip_curves(stop.place);
+        const double top =
+            field_.builder().top(stop.place.frame, stop.posture.lambda, stop.posture.omega, curves);
+        const double margin = (top - stop.posture.delta) * std::cos(stop.posture.lambda);
+        return std::max(field_.cusp() - field_.chord() - margin, 0.0);
+    }
+
+private:
+    ContactPlace place_between(const ContactPlace& a, const ContactPlace& b) const {
+        ContactPlace p = field_.place(*line_.line, 0.5 * (a.s + b.s), a.v, line_.travel);
+        p.v_lo = 0.5 * (a.v_lo + b.v_lo);
+        p.v_hi = 0.5 * (a.v_hi + b.v_hi);
+        return p;
+    }
+
+    /// Half-way the tool still holds a point of every line that it has to clear there.
+    bool clears(const Stop& a, const Stop& b, const ContactPlace& middle) const {
+        const CutterLocation half = location_on_way(a.cl, b.cl, 0.5);
+        const auto curves = field_.strip_curves(middle);
+        return field_.builder().top(ToolPose{half.tip, half.axis}, curves) >= -field_.chord();
+    }
+
+    /// A free posture half-way: that between the two, or where it is not free the nearest on a small grid.
+    bool halfway(const Stop& a, const Stop& b, const ContactPlace& middle, Stop& at) {
+        const auto& settings = field_.settings();
+        const auto curves = field_.strip_curves(middle);
+        const double lambda = 0.5 * (a.posture.lambda + b.posture.lambda);
+        const double omega = 0.5 * (a.posture.omega + b.posture.omega);
+        const double step = settings.grid_degrees;
+        constexpr std::array<std::array<int, 2>, 9> around{
+            {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+        for (const double scale : {0.5, 1.0})
+            for (const auto& [i, k] : around) {
+                PostureValue p;
+                p.lambda =
+                    std::clamp(lambda + i * scale * step, settings.lead_limits[0], settings.lead_limits[1]);
+                p.omega =
+                    std::clamp(omega + k * scale * step, settings.yaw_limits[0], settings.yaw_limits[1]);
+                const double bottom = field_.builder().bottom(middle.frame, p.lambda, p.omega, hint_);
+                const double top = field_.builder().top(middle.frame, p.lambda, p.omega, curves);
+                if (!(bottom <= top)) continue;
+                p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
+                if (!field_.kinematics().reaches(posture_pose(field_.cutter(), middle.frame, p))) continue;
+                at = stop(middle, p);
+                return true;
+            }
+        return false;
+    }
+
+    const FiveAxisField& field_;
+    const PlacedLine& line_;
+    ToolLift::Hint hint_;
+};
+
+} // namespace
+
+CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t) {
+    CutterLocation at;
+    at.tip = a.tip + t * (b.tip - a.tip);
+    const double angle = std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
+    if (angle < tolerance::level_angle) {
+        at.axis = (a.axis + t * (b.axis - a.axis)).normalized();
+    } else {
+        const double over = 1 / std::sin(angle);
+        at.axis =
+            (std::sin((1 - t) * angle) * over * a.axis + std::sin(t * angle) * over * b.axis).normalized();
+    }
+    return at;
+}
+
+double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b,
+                       ToolLift::Hint& hint) {
+    double deepest = -infinity;
+    for (const double t : {0.5, 0.25, 0.75}) {
+        const CutterLocation at = location_on_way(a, b, t);
+        deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
+    }
+    return deepest;
+}
+
+JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress) {
+    JoinedPasses result;
+    Joiner joiner(field, line);
+    std::vector<Stop> run;
+    const auto finish = [&] {
+        if (run.empty()) return;
+        double length = 0;
+        for (std::size_t i = 1; i < run.size(); ++i)
+            length += (run[i].place.surface - run[i - 1].place.surface).norm();
+        if (length < shortest_run_share * field.radius()) {
+            for (const Stop& s : run)
+                result.uncut.push_back({s.place.surface, s.place.frame.normal});
+        } else {
+            Pass pass;
+            for (const Stop& s : run) {
+                pass.cc.push_back({s.place.surface, s.place.frame.normal});
+                pass.cl.push_back(s.cl);
+                result.cusp = std::max(result.cusp, joiner.cusp(s));
+                result.lead_min = std::min(result.lead_min, s.posture.lambda);
+                result.lead_max = std::max(result.lead_max, s.posture.lambda);
+                result.lift_max = std::max(result.lift_max, s.posture.delta);
+            }
+            result.passes.push_back(std::move(pass));
+        }
+        run.clear();
+    };
+    for (std::size_t i = 0; i < line.places.size(); ++i) {
+        progress.check();
+        if (!line.choices[i].free) {
+            finish();
+            result.uncut.push_back({line.places[i].surface, line.places[i].frame.normal});
+            continue;
+        }
+        const Stop here = joiner.stop(line.places[i], line.choices[i].posture);
+        if (!run.empty()) {
+            std::vector<Stop> way;
+            if (joiner.between(run.back(), here, 0, way)) {
+                run.insert(run.end(), way.begin(), way.end());
+            } else {
+                // What lies between the two is cut by neither.
+                const Vec3 middle = 0.5 * (run.back().place.surface + here.place.surface);
+                const Vec3 normal = run.back().place.frame.normal;
+                finish();
+                result.uncut.push_back({middle, normal});
+            }
+        }
+        run.push_back(here);
+    }
+    finish();
+    return result;
+}
+
+} // namespace facetmill

@@ -1,0 +1,41 @@
+// From chosen postures to cutter locations: the motion between contact points is checked and divided until
+// it keeps clear of the part and within the configuration space (Lu checks contact
+// points only).
+//
+// Between two locations the tip moves straight and the axis turns in one plane, as machines with tool centre
+// point control do and as the verifier assumes.
+#pragma once
+
+#include "core/cspace/choose.h"
+#include "core/strategy/five_axis_field.h"
+#include "core/strategy/path.h"
+
+namespace facetmill {
+
+/// One line of the surface as it is to be cut: contact places in the order of travel.
+struct PlacedLine {
+    const SurfaceLine* line = nullptr;
+    int travel = 1;
+    std::vector<ContactPlace> places;
+    std::vector<ChosenPosture> choices;
+};
+
+/// A location on the way, with the line's place that it cuts.
+struct JoinedPasses {
+    std::vector<Pass> passes;         ///< drive and offset are the caller's
+    std::vector<CutterContact> uncut; ///< contact points left to clean-up
+    double cusp = 0;                  ///< largest to expect along the line, mm
+    double lead_min = infinity, lead_max = -infinity, lift_max = 0;
+};
+
+/// Tip and axis between two locations, as they move.
+CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t);
+
+/// Deepest that the tool cuts, along its axis, at three places of the motion; below 0: clear.
+double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b,
+                       ToolLift::Hint& hint);
+
+/// Throws Cancelled per pair of neighbours.
+JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress);
+
+} // namespace facetmill

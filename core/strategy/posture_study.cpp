@@ -1,0 +1,66 @@
+#include "core/strategy/posture_study.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+
+namespace facetmill {
+
+namespace {
+constexpr std::size_t places_per_block = 8;
+} // namespace
+
+PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
+                            const Progress& progress) {
+    PostureStudy study;
+    study.curves.resize(places.size());
+    parallel_for(places.size(), places_per_block, progress.part(0, 0),
+                 [&](std::size_t i) { study.curves[i] = field.strip_curves(places[i]); });
+    std::vector<ContactFrame> frames;
+    frames.reserve(places.size());
+    for (const ContactPlace& p : places)
+        frames.push_back(p.frame);
+    study.spaces = field.builder().build(frames, study.curves, progress.part(0, 0), &study.stages);
+    // Tools that lie down cannot be drawn out along their axis.
+    const PostureGrid& grid = field.grid();
+    for (CSpace& space : study.spaces)
+        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
+            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+                PostureBlock& block = space.block[grid.node(l, o)];
+                if (block == PostureBlock::free
+                    && posture_axis(space.frame, grid.lambda[l], grid.omega[o]).z()
+                           < tolerance::lowest_axis_z)
+                    block = PostureBlock::machine;
+            }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        PassPoint point;
+        point.frame = places[i].frame;
+        point.space = &study.spaces[i];
+        point.curves = &study.curves[i];
+        point.cm2_lambda = field.cm2_lead(places[i]);
+        study.points.push_back(point);
+    }
+    return study;
+}
+
+std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const PostureStudy& study,
+                                           Finish5Settings::PostureChoice method,
+                                           const std::optional<ToolPose>& before, const Progress& progress) {
+    ChooseInput input;
+    input.builder = &field.builder();
+    input.feed = field.settings().feed / 60;
+    input.before = before;
+    input.turn_limit = field.settings().turn_limit;
+    input.accelerations = field.settings().accelerations;
+    using Method = Finish5Settings::PostureChoice;
+    switch (method) {
+    case Method::cm2:
+        return choose_cm2(study.points, input, progress);
+    case Method::local:
+        return choose_local(study.points, input, progress);
+    case Method::global:
+        break;
+    }
+    return choose_global(study.points, input, progress);
+}
+
+} // namespace facetmill

@@ -1,0 +1,70 @@
+// Step-over for tilted cutters (Lu 3.22-3.33, made exact): how far apart two drive planes may lie.
+//
+// Lu estimates the posture by CM2, takes the height of the cutter's rim over the surface at a quarter of the
+// diameter, and scales by a safety factor, for one side of the gap at a time. Here a contact point's width on
+// a side is the largest distance at which its estimated posture, lifted clear of the part, still holds a
+// point of the surface's line raised by what may stay (CSpaceBuilder::top). The estimated posture is the
+// least inclined one, at yaw 0, that need hardly be lifted: CM2 as the part itself allows it. The next plane
+// is the farthest at which everywhere along the travel the widths of the two passes, one to each side, add up
+// to the gap; where they meet is the border of their strips.
+#pragma once
+
+#include "core/strategy/five_axis_field.h"
+
+namespace facetmill {
+
+/// A pass while the step-over is sought: its contacts, each with an estimated posture and two widths.
+struct EstimatedPass {
+    struct Contact {
+        ContactPlace place;
+        double lambda = 0, delta = 0;
+        bool usable = false;               ///< some posture at yaw 0 stays within the tolerance
+        double width_lo = 0, width_hi = 0; ///< towards smaller and larger v; +inf: the surface ends before
+    };
+    long plane = 0;
+    double v = 0;
+    int travel = 1;
+    std::vector<SurfaceLine> lines;
+    std::vector<std::vector<Contact>> contacts; ///< per line, in the order of growing s
+    /// Per bin of u: the smallest widths; +inf where nothing is asked, 0 where the pass does not come.
+    std::vector<double> width_lo, width_hi;
+    std::vector<bool> comes;
+};
+
+class TiltedStepOver {
+public:
+    explicit TiltedStepOver(const FiveAxisField& field);
+
+    EstimatedPass estimate(long plane, int travel, const Progress& progress) const;
+
+    struct Step {
+        EstimatedPass pass;
+        bool satisfied = true; ///< false: even the smallest step leaves too much somewhere
+    };
+    /// The farthest plane after `last` (nullptr: after the border of the part) that leaves nothing above the
+    /// tolerance between; `usual` is where the search starts, mm.
+    Step next(const EstimatedPass* last, int travel, double usual, const Progress& progress) const;
+    /// True when nothing above the tolerance stays between `last` and the part's border.
+    bool reaches_border(const EstimatedPass& last) const;
+
+    /// Border of the strips of two neighbouring passes, per bin of u.
+    std::vector<double> borders(const EstimatedPass& a, const EstimatedPass& b) const;
+    std::size_t bin(double u) const;
+
+    double smallest_step() const { return smallest_; }
+    double largest_step() const { return largest_; }
+
+private:
+    void estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const;
+    double width(const EstimatedPass::Contact& contact, int side) const;
+    /// `a` or `b` may be nullptr: the part's border.
+    bool fits(const EstimatedPass* a, const EstimatedPass* b) const;
+    bool surface_between(double v0, double v1, std::size_t bin) const;
+
+    const FiveAxisField& field_;
+    double u_lo_, bin_, smallest_, largest_;
+    std::size_t bins_;
+    long look_; ///< planes between two looks at a width
+};
+
+} // namespace facetmill
