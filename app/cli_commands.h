@@ -9,6 +9,7 @@ Command info_command();
 Command sample_command();
 Command plan_command();
 Command simulate_command();
+Command cspace_command();
 Command drop_command();
 Command render_command();
 Command reference_command();

@@ -1,0 +1,71 @@
+// facetmill-cli cspace: one contact point's configuration space.
+#include "app/cli_commands.h"
+#include "app/cli_project.h"
+#include "app/cli_session.h"
+#include "core/base/file.h"
+#include "core/job/cspace_json.h"
+
+#include <charconv>
+
+namespace facetmill::cli {
+
+namespace {
+
+std::size_t point_number(const std::string& text) {
+    std::size_t number = 0;
+    const auto r = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || r.ec != std::errc() || r.ptr != text.data() + text.size())
+        throw Error(ErrorCode::usage, "--point", "'" + printable(text, 40) + "' is not a number of a point",
+                    "give a whole number from 0");
+    return number;
+}
+
+void run(const Arguments& arguments, Session& session) {
+    use_threads(arguments);
+    const std::string file = arguments.operand(0);
+    const std::size_t number = point_number(arguments.value("--point"));
+    Project project = load_project(file);
+    for (const std::string& setting : arguments.values("--set"))
+        apply_setting(project, setting);
+    const std::string output = arguments.value("-o"), name = arguments.value("--op");
+    refuse_to_overwrite(file, output);
+    refuse_to_overwrite(project.part_path(), output);
+    OutputFile out(output); // first, so that a place that cannot be written is told at once
+    const Progress progress = session.progress();
+    Planner planner;
+    const auto result = plan_project(planner, project, file, name, progress.part(0.0, 0.7));
+    const auto& record = result->operations.front()->path.five_axis;
+    if (!record)
+        throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
+                    "has no configuration spaces: its tool axes do not turn",
+                    "name an operation of kind finish5");
+    const FiveAxisStudy study(record, progress.part(0.7, 0.8, "Configuration space"));
+    const FiveAxisStudy::Point point = study.point(number, progress.part(0.8, 1.0));
+    const std::string json = cspace_json(study, point, project.unit);
+    out.write(json);
+    out.commit();
+    session.print(json);
+}
+
+} // namespace
+
+Command cspace_command() {
+    return {.name = "cspace",
+            .operands = {"PROJECT"},
+            .summary = "Writes the configuration space of one contact point of a 5-axis operation.",
+            .help = "Plans the operation first. Contact points are numbered from 0 in machining order.\n"
+                    "delta_bottom and delta_top have a row per lambda and a column per omega; blocked says\n"
+                    "why each posture is not free: local, global, shank, holder, lift or machine.",
+            .options =
+                {{.name = "--op", .value = "NAME", .help = "the operation", .required = true},
+                 {.name = "--point", .value = "I", .help = "number of the contact point", .required = true},
+                 {.name = "--set",
+                  .value = "NAME.key=value",
+                  .help = "changes a parameter of an operation for this run",
+                  .repeated = true},
+                 threads_option(),
+                 {.name = "-o", .value = "FILE.json", .help = "the file to write", .required = true}},
+            .run = run};
+}
+
+} // namespace facetmill::cli

@@ -1,0 +1,16 @@
+// One contact point's configuration space as `facetmill-cli cspace` writes it.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/strategy/five_axis_study.h"
+
+#include <string>
+
+namespace facetmill {
+
+/// Lengths in `unit`, angles in degrees: point, frame, `lambda_deg`, `omega_deg`, `delta_bottom`, `delta_top` and
+/// `blocked` ([lambda][omega]; null where a surface is not finite), the causes' meanings, and the postures of the three
+/// methods. Throws Cancelled.
+std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit);
+
+} // namespace facetmill
