@@ -1,6 +1,7 @@
 #include "app/cli_project.h"
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 #include <system_error>
 
@@ -13,14 +14,23 @@ void check_folder(const std::filesystem::path& folder) {
                     "name a folder to write to");
 }
 
+void keep_inputs(const Project& project, const std::string& file, const std::filesystem::path& output) {
+    refuse_to_overwrite(file, output);
+    refuse_to_overwrite(project.part_path(), output);
+    if (!project.stock_path().empty()) refuse_to_overwrite(project.stock_path(), output);
+}
+
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
                                                const std::string& file, const std::string& only_operation,
                                                const Progress& progress) {
     try {
         return planner.plan(project, only_operation, progress);
     } catch (const Error& e) {
-        // The part's own messages name their file.
-        const bool named = e.where().starts_with(printable(project.part_path().string(), 400));
+        // The messages of part and stock name their files.
+        const auto names = [&](const std::filesystem::path& mesh) {
+            return !mesh.empty() && e.where().starts_with(printable(mesh.string(), 400));
+        };
+        const bool named = names(project.part_path()) || names(project.stock_path());
         throw named ? e : e.within(printable(file, 400));
     }
 }

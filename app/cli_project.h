@@ -13,7 +13,11 @@ namespace facetmill::cli {
 /// after it.
 void check_folder(const std::filesystem::path& folder);
 
-/// planner.plan, with errors that name the project's file unless they name the part's. Throws as that does.
+/// Refuses to write over the project's file, its part and its stock (refuse_to_overwrite).
+void keep_inputs(const Project& project, const std::string& file, const std::filesystem::path& output);
+
+/// planner.plan, with errors that name the project's file unless they name the part's or the stock's. Throws
+/// as that does.
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
                                                const std::string& file, const std::string& only_operation,
                                                const Progress& progress);

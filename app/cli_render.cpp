@@ -5,8 +5,10 @@
 #include "core/base/file.h"
 
 #ifdef FACETMILL_HAS_PICTURES
+#include "app/cli_project.h"
 #include "core/base/strict_json.h"
 #include "core/job/planner.h"
+#include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "viz/render_picture.h"
 
@@ -60,7 +62,7 @@ void run(const Arguments& arguments, Session& session) {
         if (arguments.has("--units"))
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
         const Project project = load_project(input);
-        refuse_to_overwrite(project.part_path(), arguments.value("-o"));
+        keep_inputs(project, input, arguments.value("-o"));
         Planner planner;
         PlanResult result;
         const auto wants = [&](std::initializer_list<Layer> layers) {
@@ -76,12 +78,12 @@ void run(const Arguments& arguments, Session& session) {
             if (verifies) {
                 const Progress verifying = progress.part(planned, 0.6);
                 request.verification = std::make_shared<const Verification>(
-                    verify(*plan->part->mesh, stock_solid(project, *plan->part, verifying),
-                           verify_programs(project, plan), verify_settings(project, plan.get()), verifying));
+                    verify(*plan->part->mesh, plan->stock, verify_programs(project, plan),
+                           verify_settings(project, plan.get()), verifying));
             }
         } else {
             result.part = planner.prepare(project, progress.part(0.0, 0.6));
-            result.stock = stock_box(project.stock, result.part->box);
+            result.stock = stock_solid(project.stock, *result.part);
         }
         take_plan(request, project, result);
     } else {

@@ -4,6 +4,7 @@
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
+#include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 
 #include <cstdio>
@@ -39,8 +40,7 @@ void run(const Arguments& arguments, Session& session) {
     const fs::path folder = arguments.value("-o");
     check_folder(folder);
     for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
-        refuse_to_overwrite(file, folder / name);
-        refuse_to_overwrite(project.part_path(), folder / name);
+        keep_inputs(project, file, folder / name);
         for (const std::string& cl : cl_files)
             refuse_to_overwrite(cl, folder / name);
     }
@@ -73,8 +73,10 @@ void run(const Arguments& arguments, Session& session) {
     }
     settings.resolution = resolution;
     settings.sample_spacing = spacing;
-    const StockSolid stock = stock_solid(project, *part, progress);
-    const Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
+    const StockSolid stock = stock_solid(project.stock, *part);
+    Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
+    const auto warnings = stock_warnings(project.stock, *part, project.unit);
+    result.remarks.insert(result.remarks.begin(), warnings.begin(), warnings.end());
     write_verification(project, programs, result, folder, progress.part(0.95, 1.0));
     const std::string findings = findings_line(project, programs, result);
     session.print(verify_json(project, programs, result));

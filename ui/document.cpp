@@ -1,5 +1,6 @@
 #include "ui/document.h"
 
+#include "core/job/stock_solid.h"
 #include "ui/text.h"
 
 #include <QUndoCommand>
@@ -56,15 +57,17 @@ void Document::clear() {
     open(Project(), QString(), false);
 }
 
-void Document::saved(const std::filesystem::path& path, const std::string& part_file) {
-    // The part is the same file under another name: what was read from it stays current.
+void Document::saved(const Project& written) {
+    // Part and stock are the same files under other names: what was read from them stays current.
     const bool current = part_is_current();
     std::vector<bool> good(operation_count());
     for (std::size_t i = 0; i < good.size(); ++i)
         if (const auto it = records_.find(ids_[i]); it != records_.end())
             good[i] = it->second.fingerprint == fingerprint(project_, i);
-    project_.path = path;
-    project_.part.file = part_file;
+    project_.path = written.path;
+    project_.part.file = written.part.file;
+    project_.stock.file = written.stock.file;
+    project_.machine = written.machine;
     if (current) part_key_ = part_key(project_);
     for (std::size_t i = 0; i < good.size(); ++i)
         if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
@@ -90,6 +93,7 @@ void Document::restore(const Snapshot& snapshot) {
     const std::filesystem::path path = project_.path;
     const std::string part_file = project_.part.file;
     project_ = snapshot.project;
+    if (!path.empty() && project_.path != path) move_project(project_, path); // for the stock's file
     project_.path = path;
     project_.part.file = part_file;
     ids_ = snapshot.ids;
@@ -214,6 +218,12 @@ std::string Document::part_key(const Project& project) {
     for (const auto& three : {project.part.rotate, project.part.translate})
         for (const double v : three)
             key += "|" + format_number(v, 17);
+    if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) {
+        key += "|" + stock.string() + "|" + std::string(unit_name(project.stock.unit));
+        for (const auto& three : {project.stock.rotate, project.stock.translate})
+            for (const double v : three)
+                key += "|" + format_number(v, 17);
+    }
     return key;
 }
 
@@ -223,6 +233,7 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
     alone.part = project.part;
     alone.part.file = project.part_path().string();
     alone.stock = project.stock;
+    alone.stock.file = project.stock_path().string();
     alone.machine = project.machine;
     const Operation& operation = *project.operations.at(i);
     for (const Tool& t : project.tools)
@@ -273,10 +284,11 @@ void Document::take(const std::vector<OperationOutcome>& outcomes) {
 }
 
 std::shared_ptr<const PlanResult> Document::complete_plan() const {
-    if (!part_is_current() || project_.operations.empty()) return nullptr;
+    if (!part_is_current() || !has_stock() || project_.operations.empty()) return nullptr;
     auto plan = std::make_shared<PlanResult>();
     plan->part = part_;
-    plan->stock = stock_box(project_.stock, part_->box);
+    plan->stock = stock_solid(project_.stock, *part_);
+    plan->stock_warnings = stock_warnings(project_.stock, *part_, project_.unit);
     for (std::size_t i = 0; i < operation_count(); ++i) {
         if (state(i) != OperationState::planned) return nullptr;
         auto copy = std::make_shared<OperationResult>(*result(i));

@@ -46,8 +46,8 @@ public:
     /// path; `unsaved` makes it modified from the start (a project that exists nowhere on disk yet).
     void open(Project project, const QString& name, bool unsaved);
     void clear();
-    /// After the project was written to `path` as it is now, with this part entry.
-    void saved(const std::filesystem::path& path, const std::string& part_file);
+    /// After the project was written as it is now, but with this path and these files.
+    void saved(const Project& written);
 
     /// Changes a copy of the project by `edit` and takes it as one step of the history. Where `edit` throws
     /// nothing changes.
@@ -75,10 +75,14 @@ public:
     // the part as read
     void set_part(std::shared_ptr<const PreparedPart> part, const std::string& key);
     const std::shared_ptr<const PreparedPart>& part() const { return part_; }
-    /// File, unit and placement: what the mesh depends on.
+    /// Files, units and placements: what the meshes of part and stock depend on.
     static std::string part_key(const Project& project);
     /// False when the project says something else than what was read.
     bool part_is_current() const { return part_ && part_key_ == part_key(project_); }
+    /// False where the stock is a mesh that could not be read with the part.
+    bool has_stock() const {
+        return part_ && (project_.stock.kind != StockSpec::Kind::mesh || part_->stock_mesh);
+    }
 
     // results
     OperationState state(std::size_t i) const;

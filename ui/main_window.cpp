@@ -170,6 +170,7 @@ void MainWindow::connect_parts() {
     });
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
+    connect(properties_, &PropertiesPanel::choose_stock, this, &MainWindow::choose_stock);
     connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
     connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);
     connect(desk_, &VerificationDesk::verified, this, [this] {

@@ -51,6 +51,8 @@ public:
     /// Verifies the plan; what is not planned as it stands is planned first.
     void verify();
     void cancel();
+    /// Makes a mesh the stock, as a step of the history; it is read in the background.
+    void set_stock_file(const QString& path);
     /// Writes to `path`; false when that failed, with the reason in the window.
     bool save_to(const QString& path);
     /// Writes APT programs and report.json into `folder`, in the background.
@@ -89,6 +91,8 @@ private:
     struct LoadedPart {
         std::shared_ptr<const PreparedPart> part;
         PartDisplayPtr display;
+        StockShapePtr stock;   ///< of a stock that is a mesh
+        QString stock_failure; ///< why there is none though there should be
         std::string key;
     };
     struct PlanWork;
@@ -118,6 +122,7 @@ private:
     // main_window_files.cpp
     bool may_discard();
     void open_with_dialog();
+    void choose_stock();
     void open_project(const std::filesystem::path& path);
     void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
     void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
@@ -174,6 +179,7 @@ private:
         shown_results_; ///< in the order of the scene's path sources
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
+    StockShapePtr stock_mesh_; ///< as read with the part
     bool settling_ = false;
     bool verify_next_ = false;           ///< when the planning under way is through
     std::vector<QDockWidget*> made_way_; ///< put behind the parameters because the window is narrow

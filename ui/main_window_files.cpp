@@ -83,6 +83,28 @@ void MainWindow::open_with_dialog() {
     if (!path.isEmpty()) open_file(path);
 }
 
+void MainWindow::choose_stock() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Stock mesh"), settings::last_folder(),
+                                     tr("Meshes (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)"));
+    if (path.isEmpty())
+        properties_->reset(); // the kind is what it was
+    else
+        set_stock_file(path);
+}
+
+void MainWindow::set_stock_file(const QString& path) {
+    const std::filesystem::path file = path_of(QFileInfo(path).absoluteFilePath());
+    const std::filesystem::path& project = document_.project().path;
+    const std::filesystem::path relative = file.lexically_relative(project.parent_path());
+    const bool below = !project.empty() && !relative.empty() && *relative.begin() != "..";
+    settings::set_last_folder(QFileInfo(path).absolutePath());
+    document_.change(tr("Choose stock"), [&](Project& p) {
+        p.stock.kind = StockSpec::Kind::mesh;
+        p.stock.file = (below ? relative : file).generic_string();
+    });
+}
+
 void MainWindow::open_file(const QString& path, std::optional<LengthUnit> unit) {
     if (!may_discard()) return;
     const QFileInfo info(path);
@@ -236,15 +258,12 @@ bool MainWindow::save_to(const QString& path) {
         const std::filesystem::path target = path_of(QFileInfo(path).absoluteFilePath());
         Project copy = document_.project();
         const std::filesystem::path part = copy.part_path();
-        if (part.parent_path() == path_of(sample_folder_)) {
-            // A sample lies among the program's own files: the project takes it along.
+        move_project(copy, target);
+        // A sample lies among the program's own files: the project takes it along.
+        if (part.parent_path() == path_of(sample_folder_))
             copy.part.file = copy_beside(part, target.parent_path()).filename().string();
-            copy.path = target;
-        } else {
-            move_project(copy, target);
-        }
         save_project(copy, target);
-        document_.saved(target, copy.part.file);
+        document_.saved(copy);
     } catch (const Error& e) {
         fail(text(e.what()));
         return false;

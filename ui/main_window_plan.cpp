@@ -1,6 +1,7 @@
 // Planning and showing what was planned.
 #include "ui/main_window.h"
 
+#include "core/job/stock_solid.h"
 #include "ui/elided_label.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
@@ -26,8 +27,20 @@ struct MainWindow::PlanWork {
 MainWindow::LoadedPart MainWindow::load_part(Planner& planner, const Project& project,
                                              const Progress& progress) {
     LoadedPart loaded;
-    loaded.part = planner.prepare(project, progress.part(0, 0.7, "Reading the part"));
-    loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 1, "Preparing the view"));
+    const Progress reading = progress.part(0, 0.7, "Reading the part");
+    try {
+        loaded.part = planner.prepare(project, reading);
+    } catch (const Error& e) {
+        // Without its stock a part can be seen, though not planned.
+        if (project.stock.kind != StockSpec::Kind::mesh) throw;
+        Project alone = project;
+        alone.stock = StockSpec();
+        loaded.part = planner.prepare(alone, reading);
+        loaded.stock_failure = text(e.what());
+    }
+    loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 0.9, "Preparing the view"));
+    if (loaded.part->stock_mesh)
+        loaded.stock = make_stock_shape(stock_solid(project.stock, *loaded.part), progress.part(0.9, 1));
     loaded.key = Document::part_key(project);
     return loaded;
 }
@@ -49,8 +62,10 @@ void MainWindow::reload_part() {
 void MainWindow::show_part(const LoadedPart& loaded, bool new_view) {
     viewport_->scene().set_part(loaded.display);
     viewport_->content_changed();
+    stock_mesh_ = loaded.stock;
     document_.set_part(loaded.part, loaded.key);
     show_stock();
+    if (!loaded.stock_failure.isEmpty()) tell(MessageBar::Kind::warning, sentence(loaded.stock_failure));
     if (new_view)
         viewport_->set_view(StandardView::iso);
     else
@@ -59,7 +74,13 @@ void MainWindow::show_part(const LoadedPart& loaded, bool new_view) {
 
 void MainWindow::show_stock() {
     const auto& part = document_.part();
-    viewport_->scene().set_stock(part ? stock_box(document_.project().stock, part->box) : Box3());
+    const StockSpec& stock = document_.project().stock;
+    StockShapePtr shape;
+    if (part && stock.kind == StockSpec::Kind::mesh)
+        shape = stock_mesh_;
+    else if (part)
+        shape = make_stock_shape(stock_solid(stock, *part), {});
+    viewport_->scene().set_stock_shape(shape);
 }
 
 void MainWindow::verify() {
@@ -90,7 +111,7 @@ void MainWindow::plan(std::optional<std::size_t> only) {
             work->wanted.push_back(i);
             work->ids.push_back(document_.operation_id(i));
         }
-    work->read_part = !document_.part_is_current();
+    work->read_part = !document_.part_is_current() || !document_.has_stock();
     message_->dismiss();
     document_.set_planning(work->ids);
     job_.start(
@@ -139,6 +160,10 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
     std::erase_if(work->outcomes, [this](const OperationOutcome& o) { return !document_.index_of(o.id); });
     document_.take(work->outcomes);
     QStringList failures;
+    if (document_.part())
+        for (const std::string& warning :
+             stock_warnings(document_.project().stock, *document_.part(), document_.unit()))
+            tell(MessageBar::Kind::warning, text(warning), false);
     for (const OperationOutcome& o : work->outcomes) {
         const QString name = text(document_.operation(*document_.index_of(o.id)).common().name);
         if (!o.result) {

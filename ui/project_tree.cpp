@@ -192,6 +192,22 @@ void ProjectTree::select(const TreeNode& node) {
     if (QTreeWidgetItem* found = item(node)) tree_->setCurrentItem(found);
 }
 
+namespace {
+
+QString stock_label(const Project& project) {
+    switch (project.stock.kind) {
+    case StockSpec::Kind::box:
+        return ProjectTree::tr("Stock: box");
+    case StockSpec::Kind::cylinder:
+        return ProjectTree::tr("Stock: cylinder");
+    case StockSpec::Kind::mesh:
+        return ProjectTree::tr("Stock: %1").arg(path_text(project.stock_path().filename()));
+    }
+    return {};
+}
+
+} // namespace
+
 void ProjectTree::rebuild() {
     const auto before = selected();
     rebuilding_ = true;
@@ -211,7 +227,7 @@ void ProjectTree::rebuild() {
         const LengthUnit unit = document_.unit();
         const auto file = project.part_path();
         add(nullptr, {TreeNode::Kind::part, 0}, Icon::part, path_text(file.filename()), path_text(file));
-        add(nullptr, {TreeNode::Kind::stock, 0}, Icon::stock, tr("Stock: box"));
+        add(nullptr, {TreeNode::Kind::stock, 0}, Icon::stock, stock_label(project));
         QString machine = text(project.machine);
         for (const Machine& m : machines())
             if (m.name == project.machine) machine = text(m.label);

@@ -12,6 +12,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace facetmill::ui {
 
 namespace {
@@ -60,9 +62,15 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     sketch_->setMinimumHeight(220);
     edit_tool_ = new QPushButton(icon(Icon::edit), tr("Edit tool…"), content);
     edit_tool_->setObjectName(QStringLiteral("edit_tool"));
+    choose_stock_ = new QPushButton(icon(Icon::open), tr("Choose mesh…"), content);
+    choose_stock_->setObjectName(QStringLiteral("choose_stock"));
     column->addWidget(title_);
     column->addWidget(hint_);
     column->addWidget(form_);
+    auto* stock_box = new QVBoxLayout;
+    stock_box->setContentsMargins(8, 4, 8, 4);
+    stock_box->addWidget(choose_stock_);
+    column->addLayout(stock_box);
     auto* tool_box = new QVBoxLayout;
     tool_box->setContentsMargins(8, 4, 8, 4);
     tool_box->addWidget(sketch_, 1);
@@ -83,6 +91,7 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     connect(edit_tool_, &QPushButton::clicked, this, [this] {
         if (node_ && node_->kind == TreeNode::Kind::tool) emit edit_tool(node_->index);
     });
+    connect(choose_stock_, &QPushButton::clicked, this, &PropertiesPanel::choose_stock);
     connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
     refresh();
@@ -108,6 +117,8 @@ QString PropertiesPanel::shape() const {
         for (const Tool& t : document_.project().tools)
             shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
     }
+    if (node_->kind == TreeNode::Kind::stock)
+        shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind));
     return shape;
 }
 
@@ -119,7 +130,7 @@ void PropertiesPanel::refresh() {
     const bool build = now != shape_;
     shape_ = now;
     QString title, hint;
-    bool form = false, tool = false;
+    bool form = false, tool = false, mesh_stock = false;
     const auto show = [&](const Parameterized& values,
                           const std::map<std::string, std::vector<FormChoice>>& choices = {},
                           const std::vector<std::string>& hidden = {}) {
@@ -138,7 +149,13 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::stock) {
         title = tr("Stock");
         StockSpec copy = project.stock;
-        show(ParameterView<StockSpec>(copy, stock_parameters()));
+        const ParameterView<StockSpec> view(copy, stock_parameters());
+        const auto& keys = stock_keys(copy.kind);
+        std::vector<std::string> hidden;
+        for (const ParameterInfo* info : view.parameters())
+            if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
+        show(view, {}, hidden);
+        mesh_stock = copy.kind == StockSpec::Kind::mesh;
     } else if (node_->kind == Kind::machine) {
         title = tr("Machine");
         std::vector<FormChoice> choices;
@@ -172,6 +189,7 @@ void PropertiesPanel::refresh() {
     form_->setVisible(form);
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
+    choose_stock_->setVisible(mesh_stock);
     if (build && !form) form_->set_parameters({}, unit);
 }
 
@@ -187,6 +205,11 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
             if (i != node.index && text(document_.operation(i).common().name) == name)
                 return wrong(tr("Another operation has this name"));
     }
+    if (node.kind == Kind::stock && key == "kind" && std::get<std::string>(value) == "mesh"
+        && document_.project().stock.file.empty())
+        return emit choose_stock(); // no project without a file for it
+    if (node.kind == Kind::stock && key == "file" && std::get<std::string>(value).empty())
+        return wrong(tr("Name a mesh file"));
     const QString what = tr("Edit %1").arg(text(key).replace(QChar('_'), QChar(' ')));
     try {
         document_.change(what, [&](Project& p) {

@@ -25,9 +25,13 @@ public:
     /// Takes over what stands in the fields; false, with the focus on the field, when one is invalid.
     bool commit();
     ParameterForm* form() { return form_; }
+    /// Shows again what the document holds.
+    void reset() { refresh(); }
 
 signals:
     void edit_tool(std::size_t index);
+    /// A mesh for the stock is asked for.
+    void choose_stock();
 
 private:
     void refresh();
@@ -41,7 +45,7 @@ private:
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
-    QPushButton* edit_tool_ = nullptr;
+    QPushButton *edit_tool_ = nullptr, *choose_stock_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -1,5 +1,6 @@
 #include "ui/verification_desk.h"
 
+#include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/setup/machine.h"
 #include "ui/camera_flight.h"
@@ -38,7 +39,7 @@ struct PlaybackInput {
 StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input, double triangles,
                               double finest) {
     return [=](const Progress& progress) {
-        const StockSolid solid = stock_solid(input->project, *input->plan->part, progress);
+        const StockSolid& solid = input->plan->stock;
         return std::make_unique<StockPlayback>(solid, verify_programs(input->project, input->plan),
                                                resolution_for(solid.box, triangles, finest), progress);
     };
@@ -85,7 +86,8 @@ VerificationDesk::VerificationDesk(Document& document, Viewport& viewport, Layer
 VerificationDesk::~VerificationDesk() = default;
 
 bool VerificationDesk::can_verify() const {
-    if (!document_.part_is_current() || document_.operation_count() == 0) return false;
+    if (!document_.part_is_current() || !document_.has_stock() || document_.operation_count() == 0)
+        return false;
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         if (document_.state(i) != OperationState::planned) return false;
     return true;
@@ -94,7 +96,7 @@ bool VerificationDesk::can_verify() const {
 std::shared_ptr<const PlanResult> VerificationDesk::plan_as_it_stands() const {
     auto plan = std::make_shared<PlanResult>();
     plan->part = document_.part();
-    plan->stock = stock_box(document_.project().stock, document_.part()->box);
+    plan->stock = stock_solid(document_.project().stock, *document_.part());
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         plan->operations.push_back(document_.result(i));
     return plan;
@@ -115,11 +117,9 @@ void VerificationDesk::verify() {
         [outcome, project](const Progress& progress) {
             const PlanResult& plan = *outcome->plan;
             const auto programs = verify_programs(*project, outcome->plan);
-            const StockSolid solid =
-                stock_solid(*project, *plan.part, progress.part(0, 0.03, "Making the stock"));
             auto result = std::make_shared<Verification>(
-                facetmill::verify(*plan.part->mesh, solid, programs, verify_settings(*project, &plan),
-                                  progress.part(0.03, 0.97, "Verifying")));
+                facetmill::verify(*plan.part->mesh, plan.stock, programs, verify_settings(*project, &plan),
+                                  progress.part(0, 0.97, "Verifying")));
             outcome->display =
                 prepare_deviation_display(result->surface, default_scale(*result, project->unit),
                                           progress.part(0.97, 1, "Preparing the view"));

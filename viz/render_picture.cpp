@@ -69,7 +69,7 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     scene.set_unit(request.unit);
     scene.set_part_style(request.part_style);
     if (request.part) scene.set_part(prepare_part_display(request.part, progress.part(0.0, 0.4)));
-    scene.set_stock(request.stock);
+    scene.set_stock_shape(make_stock_shape(request.stock, progress));
     scene.set_cut_stock(request.cut_stock);
     if (wanted(Layer::deviation) && request.verification && request.verification->surface)
         scene.set_deviation(prepare_deviation_display(

@@ -16,9 +16,9 @@ namespace facetmill {
 
 struct RenderRequest {
     MeshPtr part;
-    Box3 stock; ///< empty: none
+    StockSolid stock; ///< box empty: none
     std::vector<std::shared_ptr<const OperationResult>> operations;
-    StockPatches cut_stock;                           ///< what the layer `stock` shows instead of the box
+    StockPatches cut_stock;                           ///< what the layer `stock` shows instead of it
     std::shared_ptr<const Verification> verification; ///< for the layers `deviation` and `findings`
     std::optional<DeviationScale> deviation_scale;    ///< default_scale without it
     std::optional<Tool> tool;                         ///< drawn in the layer `tool` ...

@@ -119,24 +119,25 @@ PartStyle Scene::part_style() const {
     return impl_->part_style;
 }
 
-void Scene::set_stock(const Box3& box) {
-    impl_->stock = box;
+void Scene::set_stock_shape(StockShapePtr shape) {
+    if (shape == impl_->stock_shape) return;
+    // The arrays stay until the actors have others.
+    const StockShapePtr old = std::exchange(impl_->stock_shape, std::move(shape));
     impl_->stock_faces.clear();
     impl_->stock_lines.clear();
-    if (!box.empty()) {
-        const Vec3 half = box.size() / 2;
-        impl_->stock_points.clear();
-        for (int corner = 0; corner < 8; ++corner)
-            for (int k = 0; k < 3; ++k)
-                impl_->stock_points.push_back(float(corner >> k & 1 ? half[k] : -half[k]));
-        impl_->stock_triangles = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                  2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-        impl_->stock_segments = {0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7};
-        impl_->stock_faces.set_data(triangle_data(impl_->stock_points, {}, impl_->stock_triangles),
-                                    box.center());
-        impl_->stock_lines.set_data(segment_data(impl_->stock_points, impl_->stock_segments), box.center());
+    impl_->stock = Box3();
+    if (const StockShapePtr& s = impl_->stock_shape) {
+        impl_->stock = s->box;
+        impl_->stock_faces.set_data(triangle_data(s->points, {}, s->triangles), s->centre);
+        impl_->stock_lines.set_data(segment_data(s->points, s->segments), s->centre);
     }
     impl_->apply_visibility();
+}
+
+void Scene::set_stock(const Box3& box) {
+    StockSolid solid;
+    solid.box = box;
+    set_stock_shape(make_stock_shape(solid, {}));
 }
 
 void Scene::set_path(PathDisplayPtr path) {

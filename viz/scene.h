@@ -19,6 +19,7 @@
 #include "viz/deviation_display.h"
 #include "viz/part_display.h"
 #include "viz/path_display.h"
+#include "viz/stock_shape.h"
 
 #include <cstddef>
 #include <memory>
@@ -49,7 +50,7 @@ StandardView parse_view(std::string_view text, const std::string& where);
 enum class Layer {
     part,      ///< the part's surface with its sharp and open edges
     edges,     ///< all facet edges
-    stock,     ///< a transparent box; the cut stock, which hides the part, where there is one
+    stock,     ///< the uncut stock, transparent; the cut stock, which hides the part, where there is one
     deviation, ///< the part's surface in the colours of its deviations; stands for the surface of `part`
     findings,  ///< dots where something was found
     cc,        ///< cutter contacts
@@ -164,12 +165,14 @@ public:
     void set_part_style(PartStyle style);
     PartStyle part_style() const;
 
-    /// An empty box removes the stock.
+    /// The uncut stock; nullptr removes it.
+    void set_stock_shape(StockShapePtr shape);
+    /// A box; an empty one removes the stock.
     void set_stock(const Box3& box);
 
-    /// The cut stock instead of the box, while the stock has a box; empty: the box again. Patches that are
-    /// the same objects as before cost nothing, so that a few changed ones can be swapped between two frames.
-    /// `detail`, where not empty, is a finer surface of the same stock: drawn in full pictures, while
+    /// The cut stock instead of the uncut one, while there is that; empty: the uncut one again. Patches that
+    /// are the same objects as before cost nothing, so that a few changed ones can be swapped between two
+    /// frames. `detail`, where not empty, is a finer surface of the same stock: drawn in full pictures, while
     /// `patches` serve when the view moves.
     void set_cut_stock(const StockPatches& patches, const StockPatches& detail = {});
 

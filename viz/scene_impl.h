@@ -102,6 +102,7 @@ struct Scene::Impl {
 
     PartDisplayPtr part;
     Box3 stock;
+    StockShapePtr stock_shape; ///< behind the actors' data
     StockPatches cut_stock, cut_detail;
     DeviationDisplayPtr deviation;
     DeviationScale deviation_scale;
@@ -129,8 +130,6 @@ struct Scene::Impl {
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
     std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder
     std::array<SceneActor, 3> axes;
-    std::vector<float> stock_points; ///< behind the actors' data
-    std::vector<std::int32_t> stock_triangles, stock_segments;
     std::array<RevolvedShape, 3> axis_shapes;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/job/stock_solid.h"
 #include "core/mesh/geometry.h"
 
 #include <charconv>
@@ -83,24 +84,58 @@ std::string file_stamp(const fs::path& path) {
     return key.text();
 }
 
-bool in_place(const PartSpec& part) {
+/// `Spec`: of the part or its stock.
+template <class Spec>
+MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) {
     const std::array<double, 3> none{0, 0, 0};
-    return part.rotate == none && part.translate == none;
-}
-
-MeshPtr placed(const MeshPtr& mesh, const PartSpec& part, const Progress& progress) {
-    if (in_place(part)) return mesh;
+    if (spec.rotate == none && spec.translate == none) return mesh;
     const Mat3 turn =
-        (Eigen::AngleAxisd(part.rotate[2], Vec3::UnitZ()) * Eigen::AngleAxisd(part.rotate[1], Vec3::UnitY())
-         * Eigen::AngleAxisd(part.rotate[0], Vec3::UnitX()))
+        (Eigen::AngleAxisd(spec.rotate[2], Vec3::UnitZ()) * Eigen::AngleAxisd(spec.rotate[1], Vec3::UnitY())
+         * Eigen::AngleAxisd(spec.rotate[0], Vec3::UnitX()))
             .toRotationMatrix();
-    const Vec3 move(part.translate[0], part.translate[1], part.translate[2]);
+    const Vec3 move(spec.translate[0], spec.translate[1], spec.translate[2]);
     auto copy = std::make_shared<Mesh>();
     copy->facets = mesh->facets;
     copy->vertices.resize(mesh->vertices.size());
     parallel_for(mesh->vertices.size(), vertices_per_block, progress,
                  [&](std::size_t i) { copy->vertices[i] = turn * mesh->vertices[i] + move; });
     return copy;
+}
+
+template <class Spec>
+std::string mesh_key(const fs::path& path, const Spec& spec) {
+    return Key()
+        .add(std::string_view(file_stamp(path)))
+        .add(unit_name(spec.unit))
+        .add(spec.rotate)
+        .add(spec.translate)
+        .text();
+}
+
+void check_coordinates(const Box3& box, const char* what) {
+    if (box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).maxCoeff() <= tolerance::largest_coordinate) return;
+    throw Error(ErrorCode::coordinate_range, what,
+                std::string("a coordinate is too large once the ") + what + " is in its place",
+                std::string("check the ") + what + "'s units and translate");
+}
+
+/// Only a closed mesh says what is inside.
+MeshPtr load_stock(const fs::path& path, const StockSpec& stock, const Progress& progress) {
+    const LoadedMesh loaded = load_mesh(path, stock.unit, progress.part(0.0, 0.9, "Reading the stock"));
+    const MeshReport& r = loaded.report;
+    const std::string file = printable(path.string(), 400);
+    if (!r.watertight)
+        throw Error(ErrorCode::out_of_range, file,
+                    "the stock's mesh is not closed: " + std::to_string(r.open_edges) + " open edges, "
+                        + std::to_string(r.non_manifold_edges) + " of more than two facets, "
+                        + std::to_string(r.inconsistent_edges) + " between facets that face apart",
+                    "close it, or use a box or cylinder");
+    if (std::abs(r.file_volume) <= tolerance::flat_volume * r.file_area * r.file_box.diagonal())
+        throw Error(ErrorCode::out_of_range, file, "the stock's mesh encloses nothing",
+                    "give a solid, or use a box or cylinder");
+    const MeshPtr mesh = placed(loaded.mesh, stock, progress.part(0.9, 1.0));
+    check_coordinates(mesh->box(), "stock");
+    return mesh;
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -116,7 +151,7 @@ struct Planner::Cache {
         bool used = false;
     };
 
-    std::string load_key, part_key;
+    std::string load_key, part_key, stock_key; ///< stock_key: empty where its mesh is none
     std::optional<LoadedMesh> loaded;
     std::shared_ptr<const PreparedPart> part;
     ContactIndexPtr index; ///< of part->mesh, or null
@@ -144,33 +179,40 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const fs::path path = project.part_path();
     Key load_key;
     load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
-    Key part_key = load_key;
-    part_key.add(project.part.rotate).add(project.part.translate);
-    if (c.part && c.part_key == part_key.text()) {
-        progress.set(1.0);
-        return c.part;
+    const std::string part_key = mesh_key(path, project.part);
+    const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
+    const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock) : std::string();
+    const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
+    if (!c.part || c.part_key != part_key) {
+        if (!c.loaded || c.load_key != load_key.text()) {
+            LoadedMesh loaded =
+                load_mesh(path, project.part.unit, reading.part(0.0, 0.6, "Reading the part"));
+            ++c.work.loads;
+            c.loaded = std::move(loaded);
+            c.load_key = load_key.text();
+        }
+        auto part = std::make_shared<PreparedPart>();
+        part->mesh = placed(c.loaded->mesh, project.part, reading.part(0.6, 0.65));
+        part->report = c.loaded->report;
+        part->box = part->mesh->box();
+        check_coordinates(part->box, "part");
+        part->reach = reach_about_middle(*part->mesh, part->box);
+        part->geometry = compute_geometry(*part->mesh, reading.part(0.65, 1.0, "Measuring the part"));
+        ++c.work.placements;
+        c.part = std::move(part);
+        c.part_key = part_key;
+        c.stock_key.clear();
+        c.index = nullptr;
     }
-    if (!c.loaded || c.load_key != load_key.text()) {
-        LoadedMesh loaded = load_mesh(path, project.part.unit, progress.part(0.0, 0.6, "Reading the part"));
-        ++c.work.loads;
-        c.loaded = std::move(loaded);
-        c.load_key = load_key.text();
+    if (c.stock_key != stock_key) {
+        auto part = std::make_shared<PreparedPart>(*c.part);
+        part->stock_mesh =
+            has_stock ? load_stock(project.stock_path(), project.stock, progress.part(0.7, 1.0)) : nullptr;
+        c.part = std::move(part);
+        c.stock_key = stock_key;
     }
-    auto part = std::make_shared<PreparedPart>();
-    part->mesh = placed(c.loaded->mesh, project.part, progress.part(0.6, 0.65));
-    part->report = c.loaded->report;
-    part->box = part->mesh->box();
-    if (!(part->box.lo.cwiseAbs().cwiseMax(part->box.hi.cwiseAbs()).maxCoeff()
-          <= tolerance::largest_coordinate))
-        throw Error(ErrorCode::coordinate_range, "part",
-                    "a coordinate is too large once the part is in its place",
-                    "check the part's units and translate");
-    part->geometry = compute_geometry(*part->mesh, progress.part(0.65, 1.0, "Measuring the part"));
-    ++c.work.placements;
-    c.part = part;
-    c.part_key = part_key.text();
-    c.index = nullptr;
-    return part;
+    progress.set(1.0);
+    return c.part;
 }
 
 std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& project,
@@ -180,7 +222,10 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     const OperationCommon& common = operation.common();
     // Each key holds what its stage and all before it read.
     Key key;
-    key.add(std::string_view(part_key)).add(operation.kind()).add(std::string_view(context.machine.source));
+    key.add(std::string_view(part_key))
+        .add(std::string_view(stock_key))
+        .add(operation.kind())
+        .add(std::string_view(context.machine.source));
     key.add_up_to(Stage::strategy, project.stock, stock_parameters());
     key.add(project.part.tessellation_tolerance);
     key.add_up_to(Stage::strategy, context.tool, tool_parameters());
@@ -278,7 +323,8 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     Cache& c = *cache_;
     auto result = std::make_shared<PlanResult>();
     result->part = prepare(project, progress.part(0.0, 0.15));
-    result->stock = stock_box(project.stock, result->part->box);
+    result->stock = stock_solid(project.stock, *result->part);
+    result->stock_warnings = stock_warnings(project.stock, *result->part, project.unit);
     if (!c.index || c.index->mesh_ptr() != result->part->mesh) {
         c.index =
             std::make_shared<ContactIndex>(result->part->mesh, progress.part(0.15, 0.2, "Indexing the part"));
@@ -290,7 +336,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     context.geometry = result->part->geometry;
     context.contact = c.index;
     context.part_box = result->part->box;
-    context.stock_box = result->stock;
+    context.stock_box = result->stock.box;
     context.machine = project_machine(project);
     context.tessellation_tolerance = project.part.tessellation_tolerance;
     context.unit = project.unit;

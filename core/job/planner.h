@@ -8,6 +8,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/output/cl_program.h"
 #include "core/output/motion_time.h"
+#include "core/verify/program.h"
 
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,8 @@ struct PreparedPart {
     MeshReport report;
     std::shared_ptr<const MeshGeometry> geometry;
     Box3 box;
+    std::array<double, 3> reach{}; ///< see stock_cylinder
+    MeshPtr stock_mesh;            ///< in place; null where the project's stock is none
 };
 
 struct OperationResult {
@@ -42,7 +45,8 @@ struct PlannerWork {
 
 struct PlanResult {
     std::shared_ptr<const PreparedPart> part;
-    Box3 stock;
+    StockSolid stock;
+    std::vector<std::string> stock_warnings;
     std::vector<std::shared_ptr<const OperationResult>>
         operations; ///< in the project's order; those asked for
 };
@@ -55,8 +59,9 @@ public:
     Planner();
     ~Planner();
 
-    /// The part of a project, from the cache when file, time stamp, size, unit and placement are the same.
-    /// Throws Error(files, coordinate_range) or Cancelled.
+    /// The part of a project and the mesh of its stock, from the cache when file, time stamp, size, unit and
+    /// placement are the same. Throws Error(files, coordinate_range; of a stock that is not closed or holds
+    /// nothing out_of_range) or Cancelled.
     std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;
@@ -74,8 +79,8 @@ private:
 /// report.json as the contract says, in the project's units: lengths in `units`, seconds.
 std::string report_json(const Project& project, const PlanResult& result);
 
-/// "01-Finish.apt": the operation's place in the project and its name, in which '-' stands for what file systems
-/// or shells might stumble over.
+/// "01-Finish.apt": the operation's place in the project and its name, in which '-' stands for what file
+/// systems or shells might stumble over.
 std::string program_file_name(std::size_t place, const std::string& operation_name);
 
 /// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none.

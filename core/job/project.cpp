@@ -90,14 +90,24 @@ Project& Project::operator=(const Project& other) {
     return *this;
 }
 
+namespace {
+
+fs::path from_project(const fs::path& project, const fs::path& file) {
+    return file.is_absolute() ? file : project.parent_path() / file;
+}
+
+} // namespace
+
 fs::path Project::part_path() const {
-    const fs::path file = part.file;
-    return file.is_absolute() ? file : path.parent_path() / file;
+    return from_project(path, part.file);
+}
+
+fs::path Project::stock_path() const {
+    return stock.kind == StockSpec::Kind::mesh ? from_project(path, stock.file) : fs::path();
 }
 
 fs::path Project::machine_path() const {
-    const fs::path file = machine;
-    return file.is_absolute() ? file : path.parent_path() / file;
+    return from_project(path, machine);
 }
 
 Machine project_machine(const Project& project) {
@@ -120,16 +130,17 @@ const Tool& Project::tool_of(const Operation& operation) const {
 void move_project(Project& project, const fs::path& path) {
     const auto folder = [](const fs::path& p) { return fs::absolute(p).lexically_normal().parent_path(); };
     const bool is_new = project.path.empty(); // its relative files wait for a folder to be relative to
-    const auto moved = [&](const fs::path& file, const fs::path& now) {
+    const auto moved = [&](const fs::path& file) {
         if (file.empty() || !(is_new ? file.is_absolute() : folder(project.path) != folder(path)))
             return file.string();
-        const fs::path target = fs::absolute(now).lexically_normal();
+        const fs::path target = fs::absolute(from_project(project.path, file)).lexically_normal();
         const fs::path relative = target.lexically_relative(folder(path));
         const bool below = !relative.empty() && *relative.begin() != "..";
         return (below || (file.is_relative() && !relative.empty()) ? relative : target).generic_string();
     };
-    project.part.file = moved(project.part.file, project.part_path());
-    if (is_machine_file(project.machine)) project.machine = moved(project.machine, project.machine_path());
+    project.part.file = moved(project.part.file);
+    project.stock.file = moved(project.stock.file);
+    if (is_machine_file(project.machine)) project.machine = moved(project.machine);
     project.path = path;
 }
 
@@ -156,17 +167,27 @@ std::string at(const char* list, std::size_t i) {
     return list + ("[" + std::to_string(i) + "]");
 }
 
-void check_part(const Project& p) {
-    check_struct(p.part, part_parameters(), "part", p.unit);
-    if (p.part.file.empty())
-        throw Error(ErrorCode::missing_key, "part.file", "the part has no file",
+/// `what`: part or stock.
+void check_mesh_file(const std::string& file, const std::string& what) {
+    if (file.empty())
+        throw Error(ErrorCode::missing_key, what + ".file", "the " + what + " has no file",
                     "name an STL, OBJ or PLY file");
-    std::string extension = fs::path(p.part.file).extension().string();
+    std::string extension = fs::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".facetmill")
-        throw Error(ErrorCode::unsupported_format, "part.file", "a project cannot be the part of a project",
-                    "name an STL, OBJ or PLY file");
+        throw Error(ErrorCode::unsupported_format, what + ".file",
+                    "a project cannot be the " + what + " of a project", "name an STL, OBJ or PLY file");
+}
+
+void check_part(const Project& p) {
+    check_struct(p.part, part_parameters(), "part", p.unit);
+    check_mesh_file(p.part.file, "part");
+}
+
+void check_stock(const Project& p) {
+    check_struct(p.stock, stock_parameters(), "stock", p.unit);
+    if (p.stock.kind == StockSpec::Kind::mesh) check_mesh_file(p.stock.file, "stock");
 }
 
 void check_tools(const Project& p) {
@@ -216,7 +237,7 @@ void check_operations(const Project& p) {
 
 void check_project(const Project& project) {
     check_part(project);
-    check_struct(project.stock, stock_parameters(), "stock", project.unit);
+    check_stock(project);
     // Until the project has a place, nobody knows where a relative file is.
     if (!is_machine_file(project.machine) || !project.path.empty()) project_machine(project);
     check_tools(project);
@@ -307,7 +328,7 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     Project p;
     p.unit = unit;
     p.part.file = fs::absolute(part_file).lexically_normal().generic_string();
-    p.part.unit = unit;
+    p.part.unit = p.stock.unit = unit;
     const double margin = allowed(round_down(diagonal / 40) * per, stock_parameters().find("margin")->info);
     p.stock.margin = {margin, margin, margin};
 

@@ -44,6 +44,7 @@ struct Project {
     Project& operator=(Project&&) = default;
 
     std::filesystem::path part_path() const;
+    std::filesystem::path stock_path() const; ///< of the mesh; empty where the stock is none
     /// Of a machine file; the project's `machine` may also be the name of a machine of the program.
     std::filesystem::path machine_path() const;
     /// Throws Error(missing_reference) that names the operation.
@@ -51,11 +52,12 @@ struct Project {
 };
 
 /// Strict: every key is known, no key occurs twice, every value has its type and range, references lead
-/// somewhere. Required are `facetmill`, `units`, `part.file`, per tool `number` and `diameter`, per operation
-/// `kind` and `tool`; anything else has its described default (`part.units`: the project's; `shank_diameter`:
-/// the tool's diameter). Throws Error(syntax, truncated, encoding, limit_exceeded, unknown_key, wrong_type,
-/// out_of_range, missing_key, missing_reference, newer_version, files ...) whose place is "file:
-/// operations[0].tolerance". Older versions are migrated.
+/// somewhere; a stock has the keys of its kind. Required are `facetmill`, `units`, `part.file`, of a mesh
+/// stock `file`, per tool `number` and `diameter`, per operation `kind` and `tool`; anything else has its
+/// described default (`part.units`, `stock.units`: the project's; `shank_diameter`: the tool's diameter).
+/// Throws Error(syntax, truncated, encoding, limit_exceeded, unknown_key, wrong_type, out_of_range,
+/// missing_key, missing_reference, newer_version, files ...) whose place is "file: operations[0].tolerance".
+/// Older versions are migrated.
 Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
 /// Parsing and writing again gives the same text. Throws Error(out_of_range) for a value that is not finite.
@@ -63,10 +65,10 @@ std::string project_to_json(const Project& project);
 /// The machine by its name or from its file. Throws Error(missing_reference, files, load_machine) that names
 /// `machine` or the file.
 Machine project_machine(const Project& project);
-/// Gives the project a new place and rewrites relative files of part and machine so that they still name the
-/// same files.
+/// Gives the project a new place and rewrites relative files of part, stock and machine so that they still
+/// name the same files.
 void move_project(Project& project, const std::filesystem::path& path);
-/// Writes beside and renames; a relative part file is written relative to `path`. Throws Error(unwritable).
+/// Writes beside and renames; relative files are written relative to `path`. Throws Error(unwritable).
 void save_project(const Project& project, const std::filesystem::path& path);
 
 /// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. A

@@ -140,6 +140,24 @@ std::unique_ptr<Operation> read_operation(const Json& object, const std::string&
     return operation;
 }
 
+void read_stock(const Json& object, StockSpec& stock, LengthUnit unit) {
+    stock.unit = unit;
+    ParameterView<StockSpec> view(stock, stock_parameters());
+    read_parameters(object, "stock", view, unit, {});
+    // What says nothing of this kind was meant for another one.
+    const std::vector<std::string>& keys = stock_keys(stock.kind);
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        if (std::find(keys.begin(), keys.end(), it.key()) != keys.end()) continue;
+        std::string list;
+        for (const auto& k : keys)
+            list += (list.empty() ? "" : ", ") + k;
+        throw Error(ErrorCode::unknown_key, member("stock", it.key()),
+                    "a stock of kind '" + stock_kind_name(stock.kind) + "' has no such key",
+                    "known keys: " + list);
+    }
+    if (stock.kind == StockSpec::Kind::mesh) require(object, "stock", "file", "name the stock's mesh file");
+}
+
 Project read_project(Json file) {
     if (!file.is_object()) wrong_type("", file, "an object with the key \"facetmill\"");
     migrate_project(file);
@@ -157,10 +175,8 @@ Project read_project(Json file) {
     project.part.unit = unit;
     ParameterView<PartSpec> part_view(project.part, part_parameters());
     read_parameters(part, "part", part_view, unit, {});
-    if (file.contains("stock")) {
-        ParameterView<StockSpec> view(project.stock, stock_parameters());
-        read_parameters(file["stock"], "stock", view, unit, {});
-    }
+    project.stock.unit = unit;
+    if (file.contains("stock")) read_stock(file["stock"], project.stock, unit);
     if (file.contains("machine")) project.machine = read_text(file["machine"], "machine");
     if (file.contains("tools")) {
         const Json& tools = expect_list(file["tools"], "tools");
@@ -193,9 +209,14 @@ Json write_value(const ParameterValue& value, const ParameterInfo& info, const s
     return numbers(std::get<std::array<double, 3>>(value));
 }
 
+void write_parameter(Json& object, const std::string& place, const Parameterized& source,
+                     const ParameterInfo& info, LengthUnit unit) {
+    object[info.key] = write_value(source.get(info.key), info, member(place, info.key), unit);
+}
+
 void write_parameters(Json& object, const std::string& place, const Parameterized& source, LengthUnit unit) {
     for (const ParameterInfo* info : source.parameters())
-        object[info->key] = write_value(source.get(info->key), *info, member(place, info->key), unit);
+        write_parameter(object, place, source, *info, unit);
 }
 
 template <class Struct>
@@ -231,7 +252,11 @@ std::string project_to_json(const Project& project) {
     file["facetmill"] = project_version;
     file["units"] = std::string(unit_name(unit));
     file["part"] = write_struct(project.part, part_parameters(), "part", unit);
-    file["stock"] = write_struct(project.stock, stock_parameters(), "stock", unit);
+    file["stock"] = Json::object();
+    StockSpec stock = project.stock;
+    const ParameterView<StockSpec> view(stock, stock_parameters());
+    for (const std::string& key : stock_keys(stock.kind))
+        write_parameter(file["stock"], "stock", view, view.parameter(key), unit);
     file["machine"] = project.machine;
     file["tools"] = Json::array();
     for (std::size_t i = 0; i < project.tools.size(); ++i) {

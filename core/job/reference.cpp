@@ -120,6 +120,16 @@ std::string reference_page() {
           "## Part\n\n";
     table_of(page, part_parameters());
     page += "## Stock\n\n";
+    for (const std::string& kind : stock_parameters().find("kind")->info.words) {
+        StockSpec stock;
+        ParameterView<StockSpec>(stock, stock_parameters()).set("kind", kind);
+        std::string keys;
+        for (const std::string& key : stock_keys(stock.kind))
+            if (key != "kind") keys += (keys.empty() ? "`" : ", `") + key + "`";
+        page += "- `" + kind + "`: " + keys
+                + (stock.kind == StockSpec::Kind::mesh ? "; `file` is required" : "") + "\n";
+    }
+    page += "\n";
     table_of(page, stock_parameters());
     machine_tables(page);
     page += "\n## Tools\n\n`number` and `diameter` are required; `shank_diameter` is the tool's diameter "

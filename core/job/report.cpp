@@ -87,7 +87,9 @@ std::string report_json(const Project& project, const PlanResult& result) {
                           {"watertight", mesh.watertight},
                           {"box", box_json(result.part->box, per)},
                           {"warnings", mesh.warnings}};
-    report["stock"] = Json{{"box", box_json(result.stock, per)}};
+    report["stock"] = Json{{"kind", stock_kind_name(project.stock.kind)},
+                           {"box", box_json(result.stock.box, per)},
+                           {"warnings", result.stock_warnings}};
     report["machine"] = project.machine;
     report["operations"] = std::move(operations);
     return pretty_json(report);

@@ -133,13 +133,6 @@ VerifyProgram read_verify_program(const Project& project, const fs::path& path,
             std::make_shared<const ToolMotions>(std::move(read.program.motions)), std::nullopt};
 }
 
-StockSolid stock_solid(const Project& project, const PreparedPart& part, const Progress& progress) {
-    progress.check();
-    StockSolid solid;
-    solid.box = stock_box(project.stock, part.box);
-    return solid;
-}
-
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     VerifySettings settings;
     const OperationCommon* last = nullptr;

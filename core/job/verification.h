@@ -21,9 +21,6 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
 VerifyProgram read_verify_program(const Project& project, const std::filesystem::path& path,
                                   std::vector<std::string>& ignored, const Progress& progress);
 
-/// The project's stock around its part.
-StockSolid stock_solid(const Project& project, const PreparedPart& part, const Progress& progress);
-
 /// Tolerance and allowance of the last operation planned, or without a plan (null) of the project's last; the
 /// gouge limit is the chord tolerance that the operations keep, at least 1e-4 mm.
 VerifySettings verify_settings(const Project& project, const PlanResult* plan);

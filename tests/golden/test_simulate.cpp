@@ -26,6 +26,8 @@ const char* const project = R"({ "facetmill": 1, "units": "mm", "part": { "file"
                "shank_length": 10, "holder": [ { "diameter": 30, "length": 20 } ] } ],
   "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.05, "stepover": "adaptive" } ] })";
 
+const char* const box_stock = R"({ "kind": "box", "margin": [1, 1, 2] })";
+
 QByteArray plate() {
     const double x[2] = {0, 40}, y[2] = {0, 30}, z[2] = {-10, 0};
     const int corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -139,6 +141,82 @@ private slots:
         QVERIFY(run.err.contains("gouge of 0.3") && run.err.contains("GOTO"));
         QCOMPARE(run.err_lines(), 1);
         QCOMPARE(s.files("out").size(), 3);
+    }
+
+    void what_is_left_is_the_stock_of_the_next_job() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 40"); // nothing but the cutter meets the bar
+        text.replace(box_stock, R"({ "kind": "cylinder", "diameter": 56, "margin": [0, 0, 2] })");
+        const CliRun first = run_cli(simulate, prepared(s, cl(), text).path());
+        QVERIFY2(first.status == 0, first.err.constData());
+        const QJsonObject before = json(first.out);
+        // 2 mm off a bar of 56 mm where the rows go, 12 mm long.
+        const double bar = 3.14159265358979 * 28 * 28 * 12, left = before["stock_volume"].toDouble();
+        QVERIFY2(left < bar - 0.9 * 40 * 30 * 2 && left > bar - 52 * 50 * 2, first.out.constData());
+        QVERIFY(before["gouge_max"].toDouble() < 1e-6);
+        QVERIFY(load_mesh((s.path() + "/out/stock.stl").toStdString(), LengthUnit::mm, Progress())
+                    .report.watertight);
+        // Cut again, nothing is left to cut; and it may not be written over.
+        text.replace(R"({ "kind": "cylinder", "diameter": 56, "margin": [0, 0, 2] })",
+                     R"({ "kind": "mesh", "file": "out/stock.stl" })");
+        s.write("job.facetmill", text);
+        const CliRun over = run_cli(simulate, s.path());
+        QCOMPARE(over.status, 1);
+        QVERIFY(over.err.contains("stock.stl"));
+        QStringList again = simulate;
+        again.last() = "again";
+        const CliRun second = run_cli(again, s.path());
+        QVERIFY2(second.status == 0, second.err.constData());
+        const QJsonObject after = json(second.out);
+        QVERIFY(std::abs(after["stock_volume"].toDouble() - left) < 0.002 * left);
+        QVERIFY(std::abs(after["excess_max"].toDouble() - before["excess_max"].toDouble()) < 0.05);
+        QVERIFY(after["gouge_max"].toDouble() < 1e-6);
+    }
+
+    void a_stock_that_is_too_small_is_told() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 40");
+        text.replace(box_stock, R"({ "kind": "cylinder", "diameter": 44, "margin": [0, 0, 2] })");
+        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        QVERIFY2(run.status == 0, run.err.constData());
+        const QByteArray remarks = QJsonDocument(json(run.out)["remarks"].toArray()).toJson();
+        QVERIFY2(remarks.contains("does not hold the part: its diameter is 44 mm, the part needs 50 mm"),
+                 remarks.constData());
+        QVERIFY2(remarks.contains("The stock does not reach"), remarks.constData());
+    }
+
+    void a_bad_stock_leaves_nothing_data() {
+        QTest::addColumn<QByteArray>("stock");
+        QTest::addColumn<QByteArray>("said");
+        const auto row = [](const char* name, const char* stock, const char* said) {
+            QTest::newRow(name) << QByteArray(stock) << QByteArray(said);
+        };
+        row("no such mesh", R"({ "kind": "mesh", "file": "none.stl" })", "none.stl");
+        row("an open mesh", R"({ "kind": "mesh", "file": "open.stl" })",
+            "open.stl: the stock's mesh is not closed");
+        row("no mesh", R"({ "kind": "mesh", "file": "job.txt" })", "job.txt");
+        row("another kind's key", R"({ "kind": "box", "axis": "x" })", "stock.axis");
+        row("a cylinder of no size", R"({ "kind": "cylinder", "diameter": 0 })", "stock.diameter");
+        row("far away", R"({ "kind": "mesh", "file": "part.stl", "translate": [500, 0, 0] })",
+            "no motion at feed comes near the stock");
+    }
+    void a_bad_stock_leaves_nothing() {
+        QFETCH(QByteArray, stock);
+        QFETCH(QByteArray, said);
+        Sandbox s;
+        QByteArray text = project;
+        text.replace(box_stock, stock);
+        QByteArray open = plate();
+        open.replace(open.indexOf("facet"), open.indexOf("endfacet\n") + 9 - open.indexOf("facet"), "");
+        s.write("open.stl", open);
+        s.write("job.txt", "no mesh at all");
+        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains(said), run.err.constData());
+        QVERIFY(run.out.isEmpty());
+        QVERIFY(!s.files().contains("out"));
     }
 
     void a_holder_in_the_stock() {

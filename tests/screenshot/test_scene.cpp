@@ -109,6 +109,29 @@ private slots:
         check(scene, "stock-front", 480, 360, StandardView::front);
         check(scene, "stock-bottom", 480, 360, StandardView::bottom);
     }
+    void round_and_cast_stock() {
+        Scene scene;
+        scene.set_part(box_part({0, 0, 0}, {60, 40, 25}));
+        StockSolid solid;
+        solid.kind = StockSolid::Kind::cylinder;
+        solid.box = {{-10, -20, 0}, {70, 60, 30}};
+        solid.radius = 40;
+        scene.set_stock_shape(make_stock_shape(solid, {}));
+        check(scene, "stock-round");
+        solid.axis = 0;
+        solid.box = {{-5, -10, -17.5}, {65, 50, 42.5}};
+        solid.radius = 30;
+        scene.set_stock_shape(make_stock_shape(solid, {}));
+        check(scene, "stock-lying");
+        solid.kind = StockSolid::Kind::mesh;
+        solid.mesh = hill_part();
+        solid.box = solid.mesh->box();
+        scene.set_stock_shape(make_stock_shape(solid, {}));
+        check(scene, "stock-cast");
+        QVERIFY(scene.has(Layer::stock));
+        scene.set_stock_shape(make_stock_shape(StockSolid(), {}));
+        QVERIFY(!scene.has(Layer::stock));
+    }
     void path_layers() {
         Scene scene;
         fill(scene);

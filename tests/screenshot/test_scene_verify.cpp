@@ -335,7 +335,7 @@ private slots:
         const auto surface = level_surface(60, [](double x, double y) { return (x - 30) / 100 + y / 900; });
         RenderRequest request;
         request.part = box_part({0, 0, 0}, {100, 80, 10});
-        request.stock = {{0, 0, 0}, {100, 80, 20}};
+        request.stock.box = {{0, 0, 0}, {100, 80, 20}};
         request.verification = std::make_shared<Verification>(verification_of(surface));
         request.layers = {Layer::part, Layer::deviation, Layer::findings};
         request.unit = LengthUnit::inch;

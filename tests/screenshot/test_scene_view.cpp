@@ -292,7 +292,7 @@ private slots:
         auto prepared = std::make_shared<PreparedPart>();
         prepared->mesh = request.part;
         plan.part = prepared;
-        plan.stock = {{-5, -5, 0}, {105, 85, 20}};
+        plan.stock.box = {{-5, -5, 0}, {105, 85, 20}};
         plan.operations = {hill_operation()};
         take_plan(request, project, plan);
         QVERIFY(request.title.find("hill") != std::string::npos

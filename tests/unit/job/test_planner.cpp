@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/strict_json.h"
 #include "core/job/planner.h"
+#include "core/job/stock_solid.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "tests/support/error_code.h"
@@ -35,6 +36,15 @@ Mesh wavy_sheet(int n, double size, double height) {
             m.facets.push_back({at(0, 0), at(1, 0), at(1, 1)});
             m.facets.push_back({at(0, 0), at(1, 1), at(0, 1)});
         }
+    return m;
+}
+
+Mesh block(const Vec3& lo, const Vec3& hi) {
+    Mesh m;
+    for (int c = 0; c < 8; ++c)
+        m.vertices.emplace_back(c & 1 ? hi.x() : lo.x(), c & 2 ? hi.y() : lo.y(), c & 4 ? hi.z() : lo.z());
+    m.facets = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return m;
 }
 
@@ -107,6 +117,116 @@ std::vector<std::string> files_in(const fs::path& folder) {
 class TestPlanner : public QObject {
     Q_OBJECT
 private slots:
+    void rapids_clear_every_kind_of_stock() {
+        Workplace w;
+        w.project.operations.resize(1);
+        w.project.operations[0]->common().clearance = 2;
+        const Box3 part = load_mesh(w.folder / "part.stl", LengthUnit::mm, {}).mesh->box();
+        save_stl(block(Vec3(-3, -2, -9), Vec3(14, 12, 7)), w.folder / "raw.stl", LengthUnit::mm, {});
+        StockSpec box, round, lying, cast;
+        box.margin = {1, 1, 4};
+        round.kind = lying.kind = StockSpec::Kind::cylinder;
+        round.margin = {1, 1, 5};
+        lying.axis = StockSpec::Axis::x;
+        lying.diameter = {30, {}};
+        cast.kind = StockSpec::Kind::mesh;
+        cast.file = "raw.stl";
+        cast.translate = {0, 0, 0.5};
+        const double middle = part.center().z();
+        const std::pair<StockSpec, double> tops[] = {
+            {box, part.hi.z() + 4}, {round, part.hi.z() + 5}, {lying, middle + 15}, {cast, 7.5}};
+        Planner planner;
+        for (const auto& [stock, top] : tops) {
+            w.project.stock = stock;
+            const auto plan = planner.plan(w.project, "", {});
+            QVERIFY(std::abs(plan->stock.box.hi.z() - top) < 1e-9);
+            double rapids = -infinity;
+            for (const Motion& m : plan->operations[0]->program.motions.motions)
+                if (m.kind == MotionKind::rapid) rapids = std::max(rapids, m.to.tip.z());
+            QVERIFY2(std::abs(rapids - (top + 2)) < 1e-6, stock_kind_name(stock.kind).c_str());
+            QVERIFY(plan->stock_warnings.empty());
+            const Json report = Json::parse(report_json(w.project, *plan));
+            QCOMPARE(report["stock"]["kind"].get<std::string>(), stock_kind_name(stock.kind));
+            QVERIFY(report["stock"]["warnings"].empty());
+        }
+        QCOMPARE(planner.work().loads, 1); // the part; its index serves for all
+        QCOMPARE(planner.work().indexes, 1);
+    }
+
+    void a_round_stock_holds_its_part() {
+        // Of diameter `auto` no point of the part is outside, and some point is on its side.
+        Workplace w;
+        w.project.operations.resize(1);
+        w.project.stock.kind = StockSpec::Kind::cylinder;
+        Planner planner;
+        const auto part = planner.prepare(w.project, {});
+        for (const auto axis : {StockSpec::Axis::x, StockSpec::Axis::y, StockSpec::Axis::z}) {
+            w.project.stock.axis = axis;
+            const StockSolid solid = stock_solid(w.project.stock, *part);
+            QCOMPARE(solid.axis, int(axis));
+            double farthest = 0;
+            for (const Vec3& p : part->mesh->vertices) {
+                Vec3 q = p - solid.box.center();
+                q[solid.axis] = 0;
+                farthest = std::max(farthest, q.norm());
+            }
+            QVERIFY(std::abs(farthest - solid.radius) < 1e-12);
+            QVERIFY(stock_warnings(w.project.stock, *part, LengthUnit::mm).empty());
+            // One that is too small is told, and plans all the same.
+            w.project.stock.diameter = {1.8 * solid.radius, {}};
+            const auto warnings = stock_warnings(w.project.stock, *part, LengthUnit::mm);
+            QCOMPARE(warnings.size(), std::size_t(1));
+            QVERIFY(warnings[0].find("does not hold the part") != std::string::npos);
+            w.project.stock.diameter = {0, "auto"};
+        }
+        w.project.stock.diameter = {4, {}};
+        const auto plan = planner.plan(w.project, "", {});
+        const Json report = Json::parse(report_json(w.project, *plan));
+        QCOMPARE(report["stock"]["warnings"].size(), std::size_t(1));
+    }
+
+    void a_mesh_that_is_no_stock_is_refused() {
+        Workplace w;
+        w.project.operations.resize(1);
+        w.project.stock.kind = StockSpec::Kind::mesh;
+        w.project.stock.file = "raw.stl";
+        Planner planner;
+        const auto plan = [&] { planner.plan(w.project, "", {}); };
+        QCOMPARE(code_of(plan), std::string("not_found"));
+        Mesh raw = block(Vec3(-1, -1, -3), Vec3(11, 11, 5));
+        raw.facets.pop_back();
+        save_stl(raw, w.folder / "raw.stl", LengthUnit::mm, {});
+        QCOMPARE(code_of(plan), std::string("out_of_range"));
+        try {
+            plan();
+        } catch (const Error& e) {
+            QVERIFY(e.where().find("raw.stl") != std::string::npos);
+            QVERIFY(e.message().find("not closed: 3 open edges") != std::string::npos);
+        }
+        // A sheet seen from both sides is closed and holds nothing.
+        Mesh sheet;
+        sheet.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 10, 0)};
+        sheet.facets = {{0, 1, 2}, {0, 2, 1}};
+        save_stl(sheet, w.folder / "raw.stl", LengthUnit::mm, {});
+        QCOMPARE(code_of(plan), std::string("out_of_range"));
+        // As soon as the file is good, so is the plan; and the part was read once.
+        save_stl(block(Vec3(-1, -1, -3), Vec3(11, 11, 5)), w.folder / "raw.stl", LengthUnit::mm, {});
+        const auto good = planner.plan(w.project, "", {});
+        QVERIFY(good->stock_warnings.empty());
+        QCOMPARE(planner.work().loads, 1);
+        // In another place it does not hold the part; the path depends on where it is.
+        w.project.stock.translate = {5, 0, 2};
+        const auto moved = planner.plan(w.project, "", {});
+        QCOMPARE(moved->stock_warnings.size(), std::size_t(1));
+        QCOMPARE(planner.work().strategies, 2);
+        w.project.stock.translate = {2e6, 0, 0};
+        QCOMPARE(code_of(plan), std::string("out_of_range"));
+        w.project.stock.translate = {1e6, 0, 0};
+        w.project.stock.unit = LengthUnit::inch;
+        save_stl(block(Vec3(0, 0, 0), Vec3(5e5, 5e5, 5e5)), w.folder / "raw.stl", LengthUnit::mm, {});
+        QCOMPARE(code_of(plan), std::string("coordinate_range"));
+    }
+
     /// However large the chord tolerance asked for, links climb over what stands between two passes.
     void a_large_chord_tolerance_does_not_cut_through_ribs() {
         Workplace w;

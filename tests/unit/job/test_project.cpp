@@ -210,7 +210,25 @@ private slots:
             "p.facetmill: part.rotate[2]");
         row("margin negative", changed("[0.5, 0.5, 0.25]", "[0.5, -0.5, 0.25]"), "out_of_range",
             "p.facetmill: stock.margin");
-        row("stock kind", changed("\"box\"", "\"cylinder\""), "out_of_range", "p.facetmill: stock.kind");
+        row("stock kind", changed("\"box\"", "\"ball\""), "out_of_range", "p.facetmill: stock.kind");
+        const std::string box = R"({ "kind": "box", "margin": [0.5, 0.5, 0.25] })";
+        const auto stock = [&](const char* text) { return changed(box, text); };
+        row("a box with a diameter", stock(R"({ "kind": "box", "diameter": 2 })"), "unknown_key",
+            "p.facetmill: stock.diameter");
+        row("a cylinder with a file", stock(R"({ "kind": "cylinder", "file": "x.stl" })"), "unknown_key",
+            "p.facetmill: stock.file");
+        row("a cylinder of no size", stock(R"({ "kind": "cylinder", "diameter": 0 })"), "out_of_range",
+            "p.facetmill: stock.diameter");
+        row("a cylinder along w", stock(R"({ "kind": "cylinder", "axis": "w" })"), "out_of_range",
+            "p.facetmill: stock.axis");
+        row("a mesh with a margin", stock(R"({ "kind": "mesh", "file": "x.stl", "margin": [1, 1, 1] })"),
+            "unknown_key", "p.facetmill: stock.margin");
+        row("a mesh without a file", stock(R"({ "kind": "mesh" })"), "missing_key",
+            "p.facetmill: stock.file");
+        row("a mesh with an empty file", stock(R"({ "kind": "mesh", "file": "" })"), "missing_key",
+            "p.facetmill: stock.file");
+        row("a project as stock", stock(R"({ "kind": "mesh", "file": "x.facetmill" })"), "unsupported_format",
+            "p.facetmill: stock.file");
         row("tools no list", "{\"facetmill\":1,\"units\":\"mm\",\"part\":{\"file\":\"a\"},\"tools\":{}}",
             "wrong_type", "p.facetmill: tools");
         row("name empty", changed("\"name\": \"Finish\"", "\"name\": \" \""), "out_of_range",
@@ -396,6 +414,56 @@ private slots:
         b.tools[0].diameter = 3;
         QCOMPARE(a.operations[0]->common().tolerance, 0.004 * 25.4);
         QCOMPARE(a.tools[0].diameter, 12.7);
+    }
+
+    void every_kind_of_stock_is_kept() {
+        const std::string box = R"({ "kind": "box", "margin": [0.5, 0.5, 0.25] })";
+        const Project round = parsed(
+            changed(box, R"({ "kind": "cylinder", "axis": "x", "diameter": 2, "margin": [0.5, 0, 0] })"));
+        QVERIFY(round.stock.kind == StockSpec::Kind::cylinder && round.stock.axis == StockSpec::Axis::x);
+        QCOMPARE(round.stock.diameter.number, 50.8);
+        const Project fitting = parsed(changed(box, R"({ "kind": "cylinder" })"));
+        QVERIFY(fitting.stock.diameter.is("auto") && fitting.stock.axis == StockSpec::Axis::z);
+        const Project cast = parsed(changed(
+            box,
+            R"({ "kind": "mesh", "file": "raw/cast.stl", "rotate": [0, 0, 180], "translate": [1, 0, 0] })"));
+        QCOMPARE(cast.stock.file, std::string("raw/cast.stl"));
+        QVERIFY(cast.stock.unit == LengthUnit::inch); // as the project
+        QCOMPARE(cast.stock.translate[0], 25.4);
+        QVERIFY(parsed(changed(box, R"({ "kind": "mesh", "file": "x.stl", "units": "mm" })")).stock.unit
+                == LengthUnit::mm);
+        for (const Project* p : {&round, &fitting, &cast}) {
+            const std::string once = project_to_json(*p);
+            QCOMPARE(project_to_json(parsed(once)), once);
+            // Only what says something of the kind.
+            QStringList keys;
+            const Json written = Json::parse(once);
+            for (auto it = written["stock"].begin(); it != written["stock"].end(); ++it)
+                keys << QString::fromStdString(it.key());
+            QStringList known;
+            for (const std::string& key : stock_keys(p->stock.kind))
+                known << QString::fromStdString(key);
+            keys.sort();
+            known.sort();
+            QCOMPARE(keys, known);
+        }
+    }
+
+    void the_stock_is_found_after_a_move() {
+        QTemporaryDir dir;
+        const std::filesystem::path root = std::filesystem::canonical(dir.path().toStdString());
+        for (const char* f : {"a", "a/raw", "b"})
+            std::filesystem::create_directories(root / f);
+        Project p = parsed(contract_project);
+        p.path = root / "a" / "p.facetmill";
+        QVERIFY(p.stock_path().empty());
+        p.stock.kind = StockSpec::Kind::mesh;
+        p.stock.file = "raw/cast.stl";
+        QCOMPARE(p.stock_path(), root / "a/raw/cast.stl");
+        save_project(p, root / "b" / "q.facetmill");
+        const Project moved = load_project(root / "b" / "q.facetmill");
+        QCOMPARE(moved.stock.file, std::string("../a/raw/cast.stl"));
+        QCOMPARE(std::filesystem::weakly_canonical(moved.stock_path()), root / "a/raw/cast.stl");
     }
 
     void the_part_is_found_after_a_move() {

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <set>
+
 using namespace facetmill;
 
 class TestStockMachine : public QObject {
@@ -30,8 +32,55 @@ private slots:
         view.set("margin", view.parameter("margin").parse("1, 0, 2", LengthUnit::inch));
         QCOMPARE(spec.margin[2], 50.8);
         QVERIFY_THROWS_EXCEPTION(Error, view.set("margin", std::array<double, 3>{0, -1, 0}));
-        QVERIFY_THROWS_EXCEPTION(Error, view.set("kind", std::string("cylinder")));
+        QVERIFY_THROWS_EXCEPTION(Error, view.set("kind", std::string("ball")));
+        QVERIFY_THROWS_EXCEPTION(Error, view.set("diameter", 0.0));
+        QVERIFY_THROWS_EXCEPTION(Error, view.set("diameter", std::string("round")));
         QCOMPARE(spec.margin[0], 25.4);
+    }
+
+    void every_kind_has_its_keys() {
+        // Every key belongs to some kind, and every kind knows its own name.
+        std::set<std::string> all;
+        for (const auto kind : {StockSpec::Kind::box, StockSpec::Kind::cylinder, StockSpec::Kind::mesh}) {
+            StockSpec spec;
+            ParameterView<StockSpec>(spec, stock_parameters()).set("kind", stock_kind_name(kind));
+            QVERIFY(spec.kind == kind);
+            for (const std::string& key : stock_keys(kind)) {
+                QVERIFY(stock_parameters().find(key));
+                all.insert(key);
+            }
+        }
+        QCOMPARE(all.size(), stock_parameters().entries().size());
+    }
+
+    void cylinders_stand_round_the_part() {
+        Box3 part;
+        part.add(Vec3(-1, 2, 3));
+        part.add(Vec3(9, 26, 33));
+        const std::array<double, 3> reach{19, 16, 13}; // of the box's corners about x, y, z at most
+        StockSpec spec;
+        spec.kind = StockSpec::Kind::cylinder;
+        spec.margin = {1, 2, 4};
+        StockCylinder c = stock_cylinder(spec, part, reach);
+        QCOMPARE(c.axis, 2);
+        QCOMPARE(c.radius, 15.0); // 13 and the larger of 1 and 2
+        QCOMPARE(c.needed, 13.0);
+        QVERIFY(c.box.lo == Vec3(4 - 15, 14 - 15, 3)); // the bottom is the part's
+        QVERIFY(c.box.hi == Vec3(4 + 15, 14 + 15, 37));
+        spec.axis = StockSpec::Axis::x;
+        c = stock_cylinder(spec, part, reach);
+        QCOMPARE(c.radius, 23.0);
+        QVERIFY(c.box.lo == Vec3(-2, 14 - 23, 18 - 23));
+        QVERIFY(c.box.hi == Vec3(10, 14 + 23, 18 + 23));
+        spec.axis = StockSpec::Axis::y;
+        spec.diameter = {20, {}};
+        c = stock_cylinder(spec, part, reach);
+        QCOMPARE(c.axis, 1);
+        QCOMPARE(c.radius, 10.0);
+        QCOMPARE(c.needed, 16.0);
+        QVERIFY(c.box.lo == Vec3(4 - 10, 0, 18 - 10));
+        QVERIFY(c.box.hi == Vec3(4 + 10, 28, 18 + 10));
+        QVERIFY(stock_cylinder(spec, Box3(), reach).box.empty());
     }
 
     void machines_are_found_by_name() {

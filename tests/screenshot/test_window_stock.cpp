@@ -1,0 +1,197 @@
+// The stock in the window: its kinds in the form, the mesh that is chosen for it, and what it looks like.
+#include "core/mesh/mesh_io.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/parameter_form.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
+#include "ui/viewport.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::TreeNode;
+
+namespace {
+
+/// Chooses a word of a list as a user does.
+void choose(ui::MainWindow& window, const char* key, const char* word) {
+    auto* combo = window.properties().form()->findChild<QComboBox*>(QLatin1String(key));
+    combo->setCurrentIndex(combo->findText(QLatin1String(word)));
+    emit combo->activated(combo->currentIndex());
+}
+
+QString shown(ui::MainWindow& window, const char* key) {
+    const auto* combo = window.properties().form()->findChild<QComboBox*>(QLatin1String(key));
+    return combo ? combo->currentText() : QString();
+}
+
+QString stock_in_tree(ui::MainWindow& window) {
+    const auto* tree = window.tree().findChild<QTreeWidget*>();
+    return tree->topLevelItem(1)->text(0);
+}
+
+/// Answers the next file dialog; an empty path turns it down.
+void answer_dialog(const QString& path, bool& asked) {
+    QTimer::singleShot(100, qApp, [path, &asked] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        asked = true;
+        if (path.isEmpty()) {
+            dialog->reject();
+            return;
+        }
+        dialog->setDirectory(QFileInfo(path).absolutePath());
+        dialog->selectFile(path);
+        static_cast<QDialog*>(dialog)->accept();
+    });
+}
+
+/// A block 1 inch larger all round than the box.
+QString write_block(const QString& path, const Box3& around, bool open = false) {
+    Mesh m;
+    for (int c = 0; c < 8; ++c) {
+        Vec3 p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = c >> k & 1 ? around.hi[k] + 25.4 : around.lo[k] - 25.4;
+        m.vertices.push_back(p);
+    }
+    m.facets = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    if (open) m.facets.pop_back();
+    save_stl(m, path.toStdString(), LengthUnit::inch, {});
+    return path;
+}
+
+} // namespace
+
+class TestWindowStock : public QObject, private WindowFixture {
+    Q_OBJECT
+private slots:
+    void init() {
+        QVERIFY(show_window());
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::stock, 0});
+    }
+    void cleanup() { close_window(); }
+
+    void a_round_stock() {
+        const auto& stock = w().document().project().stock;
+        auto* form = w().properties().form();
+        QVERIFY(form->findChild<QComboBox*>(QStringLiteral("kind")));
+        QVERIFY(!form->findChild<QWidget*>(QStringLiteral("diameter"))); // a box has none
+        const Box3 box = w().viewport().scene().bounds();
+        const QImage as_box = view_picture(w());
+        choose(w(), "kind", "cylinder");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stock.kind == StockSpec::Kind::cylinder);
+        QCOMPARE(shown(w(), "kind"), QStringLiteral("cylinder"));
+        QCOMPARE(shown(w(), "diameter"), QStringLiteral("auto"));
+        QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: cylinder"));
+        const Box3 round = w().viewport().scene().bounds();
+        QVERIFY(round.size().x() > box.size().x() && round.size().y() > box.size().y());
+        QVERIFY(changed_pixels(as_box, view_picture(w())) > 500);
+        shot(w(), QStringLiteral("stock-cylinder"));
+        enter(w(), "diameter", QStringLiteral("0"));
+        QVERIFY(!error_under(w(), "diameter").isEmpty());
+        enter(w(), "diameter", QStringLiteral("1.5"));
+        QVERIFY(error_under(w(), "diameter").isEmpty());
+        QVERIFY(std::abs(stock.diameter.number - 38.1) < 1e-9);
+        choose(w(), "axis", "x");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stock.axis == StockSpec::Axis::x);
+        shot(w(), QStringLiteral("stock-cylinder-lying"));
+        // The part does not fit into that: planning says so.
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), ui::OperationState::planned);
+        QVERIFY(w().message_bar().message().isEmpty() || w().last_failure().isEmpty());
+        for (int n = 0; n < 4; ++n)
+            w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stock.kind == StockSpec::Kind::box);
+        QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: box"));
+    }
+
+    void a_mesh_for_a_stock() {
+        const QString folder = scratch_folder(QStringLiteral("stock"));
+        const QString raw = write_block(folder + QStringLiteral("/raw.stl"), w().document().part()->box);
+        const auto& stock = w().document().project().stock;
+        // Nothing chosen: nothing changes.
+        bool asked = false;
+        answer_dialog({}, asked);
+        choose(w(), "kind", "mesh");
+        QVERIFY(asked);
+        QVERIFY(stock.kind == StockSpec::Kind::box);
+        QCOMPARE(shown(w(), "kind"), QStringLiteral("box"));
+        QVERIFY(!w().document().undo_stack().canUndo());
+
+        asked = false;
+        answer_dialog(raw, asked);
+        choose(w(), "kind", "mesh");
+        QVERIFY(asked);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stock.kind == StockSpec::Kind::mesh);
+        QCOMPARE(QString::fromStdString(w().document().project().stock_path().string()), raw);
+        QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: raw.stl"));
+        QVERIFY(w().document().part_is_current());
+        const Box3 part = w().document().part()->box, all = w().viewport().scene().bounds();
+        QVERIFY((all.size() - part.size() - Vec3::Constant(50.8)).norm() < 1e-3);
+        QVERIFY(w().message_bar().message().isEmpty());
+        QVERIFY(w().properties().findChild<QPushButton*>(QStringLiteral("choose_stock"))->isVisible());
+        shot(w(), QStringLiteral("stock-mesh"));
+
+        // It stays the same file when the project is saved beside it.
+        const QString saved = folder + QStringLiteral("/p.facetmill");
+        QVERIFY(w().save_to(saved));
+        QCOMPARE(stock.file, std::string("raw.stl"));
+        QVERIFY(w().document().part_is_current());
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stock.kind == StockSpec::Kind::box);
+        w().document().undo_stack().redo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(QString::fromStdString(w().document().project().stock_path().string()), raw);
+        enter(w(), "file", QString());
+        QVERIFY(!error_under(w(), "file").isEmpty());
+        QCOMPARE(stock.file, std::string("raw.stl"));
+    }
+
+    /// Without its stock a part is shown, and not planned.
+    void a_bad_mesh_for_a_stock() {
+        const QString folder = scratch_folder(QStringLiteral("open-stock"));
+        const QString path = folder + QStringLiteral("/raw.stl");
+        write_block(path, w().document().part()->box, true);
+        w().set_stock_file(path);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("not closed")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(w().document().part_is_current());
+        QVERIFY(!w().viewport().scene().has(Layer::stock));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().state(0) != ui::OperationState::planned);
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("not closed")),
+                 qPrintable(w().message_bar().message()));
+        shot(w(), QStringLiteral("stock-open-mesh"));
+        // The file mended, it is planned as it is.
+        write_block(path, w().document().part()->box);
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), ui::OperationState::planned);
+        QVERIFY(w().viewport().scene().has(Layer::stock));
+    }
+};
+
+FACETMILL_TEST(TestWindowStock)
+#include "test_window_stock.moc"
