@@ -151,6 +151,12 @@ void OutputFile::write(std::string_view bytes) {
         fail(std::strerror(errno));
 }
 
+void OutputFile::overwrite(std::size_t at, std::string_view bytes) {
+    if (::fseeko(file_, off_t(at), SEEK_SET) != 0) fail(std::strerror(errno));
+    write(bytes);
+    if (::fseeko(file_, 0, SEEK_END) != 0) fail(std::strerror(errno));
+}
+
 void OutputFile::close_stream() {
     if (!file_) return;
     std::FILE* f = file_;

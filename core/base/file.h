@@ -45,6 +45,8 @@ public:
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view bytes);
+    /// Puts bytes in place of some that were written, and goes on behind all of them.
+    void overwrite(std::size_t at, std::string_view bytes);
     void commit();
     const std::filesystem::path& target() const { return target_; }
     /// Where the bytes go until `commit`, for libraries that only write to a named file; call `close_stream`

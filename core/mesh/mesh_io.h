@@ -11,7 +11,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace facetmill {
 
@@ -38,6 +40,25 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit
 /// mm_per(unit). Throws Error(unwritable, no_facets, non_finite, coordinate_range, too_large); the file
 /// appears complete or not at all.
 void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
+/// A binary STL as save_stl writes it, facet by facet, for surfaces that are never in memory as a whole. The
+/// caller commits the output after `finish`. Throws as save_stl.
+class StlStream {
+public:
+    StlStream(OutputFile& file, LengthUnit unit);
+    /// Counter-clockwise seen from outside; mm. A facet without area has the normal 0.
+    void add(const Vec3& a, const Vec3& b, const Vec3& c);
+    /// Puts the number of facets in its place.
+    void finish();
+
+private:
+    void flush();
+    OutputFile* file_;
+    std::string name_;
+    double mm_;
+    std::uint64_t count_ = 0;
+    std::vector<char> buffer_;
+};
+
 /// The same into an output that the caller commits.
 void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress);
 

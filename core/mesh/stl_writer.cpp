@@ -12,6 +12,8 @@ namespace facetmill {
 
 namespace {
 
+constexpr std::size_t block = 16384, record = 50, header_size = 84;
+
 void put_word(char* to, std::uint32_t word) {
     for (int i = 0; i < 4; ++i)
         to[i] = char(word >> (8 * i) & 0xFF);
@@ -24,42 +26,57 @@ void put_vector(char* to, const Vec3& v) {
 
 } // namespace
 
-void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress) {
-    const std::string name = printable(file.target().string(), 400);
-    if (mesh.facets.empty())
-        throw Error(ErrorCode::no_facets, name, "the mesh to write has no facet", "nothing was written");
-    if (mesh.facets.size() >= std::numeric_limits<std::uint32_t>::max())
-        throw Error(ErrorCode::too_large, name, "an STL file holds at most 4 294 967 294 facets",
-                    "write the part in pieces");
-    const double mm = mm_per(unit);
-    std::array<char, 84> header{};
+StlStream::StlStream(OutputFile& file, LengthUnit unit)
+    : file_(&file), name_(printable(file.target().string(), 400)), mm_(mm_per(unit)) {
+    std::array<char, header_size> header{};
     // Not "solid": that would look like a text.
     const std::string title = "facetmill binary STL, " + std::string(unit_name(unit));
     std::memcpy(header.data(), title.data(), title.size());
-    put_word(&header[80], std::uint32_t(mesh.facets.size()));
-    file.write({header.data(), header.size()});
+    file_->write({header.data(), header.size()});
+    buffer_.reserve(block * record);
+}
 
-    constexpr std::size_t block = 16384, record = 50;
-    std::vector<char> buffer(block * record);
-    for (std::size_t begin = 0; begin < mesh.facets.size(); begin += block) {
-        progress.set(double(begin) / double(mesh.facets.size()));
-        const std::size_t end = std::min(mesh.facets.size(), begin + block);
-        for (std::size_t f = begin; f < end; ++f) {
-            char* to = &buffer[(f - begin) * record];
-            put_vector(to, mesh.facet_normal(f));
-            for (int k = 0; k < 3; ++k) {
-                const Vec3 corner = mesh.corner(f, k) / mm;
-                if (!corner.allFinite()
-                    || corner.cwiseAbs().maxCoeff() > double(std::numeric_limits<float>::max()))
-                    throw Error(corner.allFinite() ? ErrorCode::coordinate_range : ErrorCode::non_finite,
-                                name + ", facet " + std::to_string(f + 1),
-                                "a corner cannot be written as a float", "nothing was written");
-                put_vector(to + 12 + 12 * k, corner);
-            }
-            to[48] = to[49] = 0;
-        }
-        file.write({buffer.data(), (end - begin) * record});
+void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (++count_ >= std::numeric_limits<std::uint32_t>::max())
+        throw Error(ErrorCode::too_large, name_, "an STL file holds at most 4 294 967 294 facets",
+                    "write the part in pieces");
+    std::array<char, record> bytes{};
+    const Vec3 cross = (b - a).cross(c - a);
+    const double length = cross.norm();
+    put_vector(bytes.data(), length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero()));
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 corner = (k == 0 ? a : k == 1 ? b : c) / mm_;
+        if (!corner.allFinite() || corner.cwiseAbs().maxCoeff() > double(std::numeric_limits<float>::max()))
+            throw Error(corner.allFinite() ? ErrorCode::coordinate_range : ErrorCode::non_finite,
+                        name_ + ", facet " + std::to_string(count_), "a corner cannot be written as a float",
+                        "nothing was written");
+        put_vector(bytes.data() + 12 + 12 * k, corner);
     }
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    if (buffer_.size() >= block * record) flush();
+}
+
+void StlStream::flush() {
+    file_->write({buffer_.data(), buffer_.size()});
+    buffer_.clear();
+}
+
+void StlStream::finish() {
+    if (count_ == 0)
+        throw Error(ErrorCode::no_facets, name_, "the mesh to write has no facet", "nothing was written");
+    flush();
+    std::array<char, 4> count;
+    put_word(count.data(), std::uint32_t(count_));
+    file_->overwrite(header_size - count.size(), {count.data(), count.size()});
+}
+
+void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress) {
+    StlStream stl(file, unit);
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+        if (f % block == 0) progress.set(double(f) / double(mesh.facets.size()));
+        stl.add(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
+    }
+    stl.finish();
     progress.check();
 }
 

@@ -28,8 +28,7 @@ struct StockPlayback::State {
 
     State(const StockSolid& solid, std::vector<VerifyProgram> all, double resolution,
           const Progress& progress)
-        : programs(std::move(all)),
-          stock(solid, StockLattice::over(solid.box, resolution, std::size_t(-1)), progress),
+        : programs(std::move(all)), stock(solid, StockLattice::over(solid.box, resolution), progress),
           removal(programs, default_bound_share * resolution, 0), surface(stock.lattice()) {
         for (const VerifyProgram& p : programs) {
             first.push_back(total);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/verify/stock_tiles.h"
 #include "core/verify/sweep.h"
 
@@ -88,8 +89,9 @@ struct MaterialRemoval::Touch {
     }
 };
 
-MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch)
-    : programs_(programs), motion_bound_(motion_bound), touch_(touch) {
+MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
+                                 std::size_t most_bytes)
+    : programs_(programs), motion_bound_(motion_bound), touch_(touch), most_bytes_(most_bytes) {
     for (const VerifyProgram& program : programs) {
         TurnedBody cutter(program.tool.cutter);
         const double reach = cutter.reach();
@@ -108,6 +110,80 @@ MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double
 }
 
 MaterialRemoval::~MaterialRemoval() = default;
+
+namespace {
+
+/// The tiles of a family that a box reaches: from, to; in both directions.
+struct TileRange {
+    std::array<int, 2> from, to;
+};
+
+TileRange tiles_in(const Box3& box, const StockLattice& lattice, int axis) {
+    TileRange r{};
+    for (const std::size_t n : {0u, 1u}) {
+        const int k = n == 0 ? first_across(axis) : second_across(axis);
+        const auto at = [&](double x) { return (x - lattice.origin[k]) / lattice.spacing[k]; };
+        const double most = lattice.nodes[std::size_t(k)] - 1;
+        r.from[n] = int(std::clamp(std::ceil(at(box.lo[k])), 0.0, most)) / RayTile::side;
+        r.to[n] = int(std::clamp(std::floor(at(box.hi[k])), 0.0, most)) / RayTile::side;
+    }
+    return r;
+}
+
+bool apart(const Box3& a, const Box3& b) {
+    return (a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any();
+}
+
+} // namespace
+
+std::size_t MaterialRemoval::bytes_needed(const StockModel& stock, const Progress& progress) const {
+    const StockLattice& lattice = stock.lattice();
+    const Vec3 size = lattice.spacing * RayTile::side;
+    std::array<std::vector<bool>, 3> reached;
+    std::array<int, 3> across{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = std::size_t(axis);
+        across[k] = tiles_of(lattice.nodes[std::size_t(first_across(axis))]);
+        reached[k].assign(stock.tiles_[k].size(), false);
+        for (std::size_t n = 0; n < reached[k].size(); ++n)
+            reached[k][n] = stock.tiles_[k][n] != nullptr;
+    }
+    std::vector<StraightMove> moves;
+    for (std::size_t n = 0; n < programs_.size(); ++n) {
+        const auto& motions = programs_[n].motions->motions;
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            if (i % 1024 == 0) progress.check();
+            if (motions[i].kind == MotionKind::rapid) continue;
+            moves.clear();
+            straight_moves(motions[i > 0 ? i - 1 : 0].to, motions[i].to, programs_[n].turning, 0, 1,
+                           bodies_[n].reach, motion_bound_, moves);
+            for (const StraightMove& whole : moves) {
+                // The box of a long move across the lattice holds much that the tool does not reach.
+                const Vec3 way = whole.to - whole.from;
+                const auto parts = std::size_t(
+                    std::clamp(std::ceil(way.cwiseAbs().cwiseQuotient(size).maxCoeff()), 1.0, 4096.0));
+                for (std::size_t p = 0; p < parts; ++p) {
+                    const StraightMove part{whole.from + double(p) / double(parts) * way,
+                                            whole.from + double(p + 1) / double(parts) * way, whole.axis};
+                    const Box3 box = part.box(bodies_[n].cutter);
+                    if (apart(box, stock.solid().box)) continue;
+                    for (int axis = 0; axis < 3; ++axis) {
+                        const TileRange r = tiles_in(box, lattice, axis);
+                        auto& tiles = reached[std::size_t(axis)];
+                        for (int b = r.from[1]; b <= r.to[1]; ++b)
+                            for (int a = r.from[0]; a <= r.to[0]; ++a)
+                                tiles[std::size_t(a)
+                                      + std::size_t(across[std::size_t(axis)]) * std::size_t(b)] = true;
+                    }
+                }
+            }
+        }
+    }
+    std::size_t count = 0;
+    for (const auto& family : reached)
+        count += std::size_t(std::count(family.begin(), family.end(), true));
+    return count * sizeof(RayTile);
+}
 
 void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last,
                           double until, bool watch, const Progress& progress) {
@@ -129,9 +205,7 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
         for (const StraightMove& move : moves) {
             const auto add = [&](const TurnedBody& body, bool cuts, Collision::Kind kind) {
                 const Box3 box = move.box(body);
-                if ((box.lo.array() <= stock_box.hi.array()).all()
-                    && (stock_box.lo.array() <= box.hi.array()).all())
-                    items.push_back({&body, move, box, program, i, cuts, kind});
+                if (!apart(box, stock_box)) items.push_back({&body, move, box, program, i, cuts, kind});
             };
             if (!rapid) add(bodies.cutter, true, Collision::Kind::rapid);
             if (!watch) continue;
@@ -163,18 +237,11 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
         const int u = first_across(axis), v = second_across(axis);
         const int tu = tiles_of(lattice.nodes[std::size_t(u)]), tv = tiles_of(lattice.nodes[std::size_t(v)]);
         std::vector<std::int32_t> of_tile(std::size_t(tu) * std::size_t(tv), -1);
-        const auto range = [&](const Box3& box, int k) {
-            const auto at = [&](double x) { return (x - lattice.origin[k]) / lattice.spacing[k]; };
-            const double most = lattice.nodes[std::size_t(k)] - 1;
-            return std::pair(int(std::clamp(std::ceil(at(box.lo[k])), 0.0, most)) / RayTile::side,
-                             int(std::clamp(std::floor(at(box.hi[k])), 0.0, most)) / RayTile::side);
-        };
         for (std::size_t n = 0; n < items.size(); ++n) {
             const Box3& box = items[n].box;
-            const auto [ib, ie] = range(box, u);
-            const auto [jb, je] = range(box, v);
-            for (int j = jb; j <= je; ++j)
-                for (int i = ib; i <= ie; ++i) {
+            const TileRange reached = tiles_in(box, lattice, axis);
+            for (int j = reached.from[1]; j <= reached.to[1]; ++j)
+                for (int i = reached.from[0]; i <= reached.to[0]; ++i) {
                     const std::size_t index = std::size_t(i) + std::size_t(tu) * std::size_t(j);
                     const auto& tile = stock.tiles_[std::size_t(axis)][index];
                     if (tile
@@ -200,6 +267,7 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
     });
 
     std::vector<std::vector<Touch>> touches(work.size());
+    std::vector<std::ptrdiff_t> grown(work.size(), 0);
     parallel_for(work.size(), 1, quiet, [&](std::size_t w) {
         const Work& job = work[w];
         const int axis = job.axis, u = first_across(axis), v = second_across(axis);
@@ -207,6 +275,10 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
         auto& place = stock.tiles_[std::size_t(axis)]
                                   [std::size_t(job.tile_i) + std::size_t(tu) * std::size_t(job.tile_j)];
         std::shared_ptr<RayTile> tile;
+        const auto bytes_of = [](const RayTile& t) {
+            return std::ptrdiff_t(sizeof t + t.more.capacity() * sizeof(RayTile::Piece));
+        };
+        const std::ptrdiff_t before = place ? bytes_of(*place) : 0;
         if (!place)
             tile = solid_tile(stock.solid(), lattice, axis, job.tile_i, job.tile_j);
         else if (place.use_count() > 1) // shared with a copy of the model, which stays as it is
@@ -276,12 +348,20 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
             }
             if (touch.overlap[std::size_t(axis)] > 0) touches[w].push_back(touch);
         }
-        if (changed) {
-            tile->find_bounds();
-            tile->stamp = RayTile::next_stamp();
-        }
-        if (changed || !place) place = std::move(tile);
+        if (!changed) return; // what nothing was cut from stays as the solid is, and costs nothing
+        tile->find_bounds();
+        tile->stamp = RayTile::next_stamp();
+        grown[w] = bytes_of(*tile) - before;
+        place = std::move(tile);
     });
+    for (const std::ptrdiff_t bytes : grown)
+        grown_ += bytes;
+    if (grown_ > 0 && std::size_t(grown_) > most_bytes_)
+        throw Error(ErrorCode::limit_exceeded, "resolution",
+                    "the stock has more than " + format_number(double(most_bytes_) / 1e9, 3)
+                        + " GB of rays in "
+                        + goto_name(programs_[items.front().program], items.front().motion),
+                    "use a coarser resolution");
 
     if (std::any_of(touches.begin(), touches.end(), [](const auto& t) { return !t.empty(); })) {
         std::map<std::tuple<std::size_t, std::size_t, Collision::Kind>, Touch> joined;

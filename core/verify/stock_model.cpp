@@ -111,23 +111,28 @@ std::size_t StockLattice::rays() const {
     return n(0) * n(1) + n(1) * n(2) + n(2) * n(0);
 }
 
-StockLattice StockLattice::over(const Box3& box, double resolution, std::size_t most_rays) {
+namespace {
+/// Even where hardly any of them are cut, so many tiles are enough to look after.
+constexpr double most_rays = 1e9;
+} // namespace
+
+double StockLattice::rays_over(const Box3& box, double resolution) {
+    const Vec3 n = (box.size() / resolution).array().ceil() + 1;
+    return n.x() * n.y() + n.y() * n.z() + n.z() * n.x();
+}
+
+StockLattice StockLattice::over(const Box3& box, double resolution) {
     const Vec3 size = box.size();
     if (box.empty() || !(size.minCoeff() > 0))
         throw Error(ErrorCode::empty_result, "stock", "has no volume", "give the stock a margin");
     if (!(resolution > 0) || !std::isfinite(resolution))
         throw Error(ErrorCode::out_of_range, "resolution", "is not above 0", "enter a positive length");
-    const auto rays_at = [&](double r) {
-        const Vec3 n = (size / r).array().ceil() + 1;
-        return n.x() * n.y() + n.y() * n.z() + n.z() * n.x();
-    };
-    if (const double rays = rays_at(resolution); !(rays <= double(most_rays)))
-        throw Error(
-            ErrorCode::limit_exceeded, "resolution",
-            length_text(resolution, LengthUnit::mm) + " makes " + format_number(std::round(rays), 6)
-                + " rays through the stock, more than " + std::to_string(most_rays),
-            "use at least "
-                + length_text(resolution * std::sqrt(rays / double(most_rays)) * 1.01, LengthUnit::mm, 3));
+    if (const double rays = rays_over(box, resolution); !(rays <= most_rays))
+        throw Error(ErrorCode::limit_exceeded, "resolution",
+                    length_text(resolution, LengthUnit::mm) + " makes " + format_number(std::round(rays), 6)
+                        + " rays through the stock, more than " + format_number(most_rays),
+                    "use at least "
+                        + length_text(resolution * std::sqrt(rays / most_rays) * 1.01, LengthUnit::mm, 3));
     StockLattice lattice;
     for (int k = 0; k < 3; ++k) {
         const int cells = std::max(1, int(std::ceil(size[k] / resolution)));

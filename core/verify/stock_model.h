@@ -26,9 +26,12 @@ struct StockLattice {
     std::array<int, 3> nodes{2, 2, 2};
 
     Vec3 node(int i, int j, int k) const { return origin + Vec3(i, j, k).cwiseProduct(spacing); }
-    /// About `resolution` apart in all directions, never farther. Throws Error(limit_exceeded) where the rays
-    /// would be more than `most_rays`, naming a resolution that serves.
-    static StockLattice over(const Box3& box, double resolution, std::size_t most_rays);
+    /// About `resolution` apart in all directions, never farther. Throws Error(empty_result) for a box
+    /// without volume, Error(limit_exceeded) where the rays would be more than 10^9, naming a resolution that
+    /// serves.
+    static StockLattice over(const Box3& box, double resolution);
+    /// How many rays that makes, without a limit.
+    static double rays_over(const Box3& box, double resolution);
     std::size_t rays() const;
 };
 

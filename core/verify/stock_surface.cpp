@@ -4,19 +4,18 @@
 // so that the surface is closed.
 #include "core/verify/stock_surface.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/verify/stock_tiles.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace facetmill {
 
 namespace {
 
 constexpr int cells_per_block = 24;
+constexpr std::size_t blocks_at_a_time = 512;
 
 /// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2). Edge e runs along axis e / 4 from corner
 /// `edge_start(e)`.
@@ -182,6 +181,26 @@ std::shared_ptr<const StockPatch> StockSurface::patch(const StockModel& stock, s
         return lattice_.origin[axis] + i * lattice_.spacing[axis] - middle[axis];
     };
 
+    // Most blocks of a large stock are within it or beyond it.
+    const int low_z = std::max(from[2], 0), high_z = std::min(to[2], lattice_.nodes[2] - 1);
+    bool within = true, beyond = true;
+    for (std::size_t k = 0; k < 3; ++k)
+        within = within && from[k] >= 0 && to[k] < lattice_.nodes[k];
+    const double bottom = node_at(2, low_z), top = node_at(2, high_z);
+    for_rays(2, [&](int, int, const RayTile& tile, int ray) {
+        if (!within && !beyond) return;
+        const RayTile::Piece* p = &tile.first[std::size_t(ray)];
+        if (p->empty()) {
+            within = false;
+            return;
+        }
+        while (p->hi < bottom && p->next != RayTile::none)
+            p = &tile.more[p->next];
+        within = within && p->lo <= bottom && p->hi >= top;
+        beyond = beyond && (p->lo > top || p->hi < bottom);
+    });
+    if (within || beyond) return nullptr;
+
     std::vector<std::uint8_t> inside(count, 0);
     for_rays(2, [&](int i, int j, const RayTile& tile, int ray) {
         const RayTile::Piece* p = &tile.first[std::size_t(ray)];
@@ -309,40 +328,84 @@ std::shared_ptr<const StockPatch> StockSurface::patch(const StockModel& stock, s
     return patch_out;
 }
 
-Mesh stock_mesh(const StockModel& stock, const Progress& progress) {
-    const StockSurface surface(stock.lattice());
-    std::vector<std::shared_ptr<const StockPatch>> patches(surface.patch_count());
-    parallel_for(patches.size(), 1, progress.part(0, 0.8),
-                 [&](std::size_t k) { patches[k] = surface.patch(stock, k); });
-    struct Hash {
-        std::size_t operator()(const std::array<float, 3>& p) const {
-            std::size_t h = 0;
-            for (float x : p)
-                h = h * 0x9E3779B97F4A7C15u ^ std::hash<float>()(x);
-            return h;
+std::vector<std::array<std::uint32_t, 3>> sparse_triangles(const StockPatch& patch) {
+    const auto& points = patch.points;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+        if (std::any_of(points.begin(), points.end(),
+                        [&](const auto& p) { return p[k] != points.front()[k]; }))
+            continue;
+        // A sheet over a grid of cells, none of them missing.
+        const auto places = [&](std::size_t axis) {
+            std::vector<float> all;
+            for (const auto& p : points)
+                all.push_back(p[axis]);
+            std::sort(all.begin(), all.end());
+            all.erase(std::unique(all.begin(), all.end()), all.end());
+            return all;
+        };
+        const std::vector<float> across = places(u), up = places(v);
+        const std::size_t n = across.size(), m = up.size();
+        if (n < 3 || m < 3 || points.size() != n * m || patch.triangles.size() != 2 * (n - 1) * (m - 1))
+            break;
+        std::vector<std::uint32_t> grid(n * m, 0);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto a =
+                std::size_t(std::lower_bound(across.begin(), across.end(), points[i][u]) - across.begin());
+            const auto b = std::size_t(std::lower_bound(up.begin(), up.end(), points[i][v]) - up.begin());
+            grid[a + n * b] = std::uint32_t(i);
         }
-    };
-    // Corners that several blocks have lie on the blocks' faces; the same rays give them the same
-    // coordinates.
-    std::unordered_map<std::array<float, 3>, Index, Hash> seen;
-    Mesh mesh;
-    std::size_t done = 0;
-    for (const auto& patch : patches) {
-        progress.part(0.8, 1).set(double(++done) / double(patches.size()));
-        if (!patch) continue;
-        std::vector<Index> place;
-        for (const auto& p : patch->points) {
-            if (mesh.vertices.size() >= std::size_t(no_index) / 2)
-                throw Error(ErrorCode::limit_exceeded, "stock", "its surface has too many triangles",
-                            "use a coarser resolution");
-            const auto [at, fresh] = seen.try_emplace(p, Index(mesh.vertices.size()));
-            if (fresh) mesh.vertices.push_back(Vec3(p[0], p[1], p[2]));
-            place.push_back(at->second);
-        }
-        for (const auto& t : patch->triangles)
-            mesh.facets.push_back({place[t[0]], place[t[1]], place[t[2]]});
+        std::vector<std::uint32_t> rim;
+        for (std::size_t a = 0; a + 1 < n; ++a)
+            rim.push_back(grid[a]);
+        for (std::size_t b = 0; b + 1 < m; ++b)
+            rim.push_back(grid[n - 1 + n * b]);
+        for (std::size_t a = n - 1; a > 0; --a)
+            rim.push_back(grid[a + n * (m - 1)]);
+        for (std::size_t b = m - 1; b > 0; --b)
+            rim.push_back(grid[n * b]);
+        const auto& t = patch.triangles.front();
+        const auto side = [&](std::size_t axis, std::uint32_t to) {
+            return double(points[to][axis]) - double(points[t[0]][axis]);
+        };
+        const bool turned = side(u, t[1]) * side(v, t[2]) < side(v, t[1]) * side(u, t[2]);
+        if (turned) std::reverse(rim.begin(), rim.end());
+        const std::uint32_t middle = grid[n / 2 + n * (m / 2)];
+        std::vector<std::array<std::uint32_t, 3>> fan;
+        for (std::size_t i = 0; i < rim.size(); ++i)
+            fan.push_back({middle, rim[i], rim[(i + 1) % rim.size()]});
+        return fan;
     }
-    return mesh;
+    return patch.triangles;
+}
+
+void stock_triangles(const StockModel& stock,
+                     const std::function<void(const Vec3& a, const Vec3& b, const Vec3& c)>& take,
+                     const Progress& progress) {
+    const StockSurface surface(stock.lattice());
+    const Progress quiet = progress.part(0, 0); // cancels, and leaves the fraction alone
+    struct Piece {
+        std::shared_ptr<const StockPatch> patch;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+    };
+    std::vector<Piece> pieces(blocks_at_a_time);
+    for (std::size_t begin = 0; begin < surface.patch_count(); begin += blocks_at_a_time) {
+        const std::size_t n = std::min(blocks_at_a_time, surface.patch_count() - begin);
+        parallel_for(n, 1, quiet, [&](std::size_t i) {
+            pieces[i].patch = surface.patch(stock, begin + i);
+            if (pieces[i].patch) pieces[i].triangles = sparse_triangles(*pieces[i].patch);
+        });
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!pieces[i].patch) continue;
+            const auto at = [&](std::uint32_t corner) {
+                const auto& p = pieces[i].patch->points[corner];
+                return Vec3(p[0], p[1], p[2]);
+            };
+            for (const auto& t : pieces[i].triangles)
+                take(at(t[0]), at(t[1]), at(t[2]));
+        }
+        progress.set(double(begin + n) / double(surface.patch_count()));
+    }
 }
 
 } // namespace facetmill

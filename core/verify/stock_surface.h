@@ -4,9 +4,10 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/mesh.h"
 #include "core/verify/stock_model.h"
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,7 +20,7 @@ public:
     std::size_t patch_count() const;
     /// Changes whenever what a patch is made from does.
     std::uint64_t stamp(const StockModel& stock, std::size_t patch) const;
-    /// Null where the block has no surface. Thread safe; about 5 ms.
+    /// Null where the block has no surface, which is soon known. Thread safe; about 5 ms.
     std::shared_ptr<const StockPatch> patch(const StockModel& stock, std::size_t patch) const;
 
 private:
@@ -31,8 +32,16 @@ private:
     std::array<int, 3> blocks_{1, 1, 1};
 };
 
-/// The whole surface, corners welded where blocks meet. Throws Error(limit_exceeded) beyond 2^31 corners;
-/// Cancelled.
-Mesh stock_mesh(const StockModel& stock, const Progress& progress);
+/// A flat sheet, which is most of an uncut stock, in few triangles: the corners on its rim stay, so that it
+/// fits its neighbours, and all but one within go. Any other patch as it is.
+std::vector<std::array<std::uint32_t, 3>> sparse_triangles(const StockPatch& patch);
+
+/// The whole surface, block by block: take(a, b, c) for each triangle, counter-clockwise seen from outside,
+/// in a fixed order on the calling thread. Corners that blocks have in common are the same numbers in both.
+/// Flat sheets come in few triangles; no more than some hundred blocks are in memory at a time. Cancellation
+/// per block.
+void stock_triangles(const StockModel& stock,
+                     const std::function<void(const Vec3& a, const Vec3& b, const Vec3& c)>& take,
+                     const Progress& progress);
 
 } // namespace facetmill

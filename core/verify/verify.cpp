@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/verify/deviation.h"
 #include "core/verify/removal.h"
+#include "core/verify/stock_tiles.h"
 
 #include <chrono>
 #include <cmath>
@@ -34,14 +35,24 @@ VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii&
     if (!(s.resolution > 0)) {
         s.resolution = resolution_share * radii.least;
         for (int round = 0; round < 100; ++round) {
-            const double rays = double(StockLattice::over(stock.box, s.resolution, std::size_t(-1)).rays());
-            if (rays <= double(s.most_rays)) break;
-            s.resolution *= std::max(1.01, std::sqrt(rays / double(s.most_rays)));
+            const double rays = StockLattice::rays_over(stock.box, s.resolution);
+            if (rays <= double(s.usual_rays)) break;
+            s.resolution *= std::max(1.01, std::sqrt(rays / double(s.usual_rays)));
         }
     }
     if (!(s.sample_spacing > 0)) s.sample_spacing = s.resolution;
     if (!(s.motion_bound > 0)) s.motion_bound = default_bound_share * s.resolution;
     return s;
+}
+
+void check_memory(double needed, const VerifySettings& used) {
+    const double most = double(used.most_stock_bytes);
+    if (needed <= most) return;
+    throw Error(
+        ErrorCode::limit_exceeded, "resolution",
+        length_text(used.resolution, LengthUnit::mm) + " needs about " + format_number(needed / 1e9, 3)
+            + " GB for the stock, more than " + format_number(most / 1e9, 3) + " GB",
+        "use at least " + length_text(used.resolution * std::sqrt(needed / most) * 1.05, LengthUnit::mm, 3));
 }
 
 /// Where the cutter of a program may be, all motions at feed.
@@ -159,9 +170,14 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
 
     auto start = std::chrono::steady_clock::now();
     const Progress cutting = progress.part(0.0, 0.6, "Removing material");
-    auto model = std::make_shared<StockModel>(
-        stock, StockLattice::over(stock.box, v.used.resolution, v.used.most_rays), cutting.part(0.0, 0.1));
-    MaterialRemoval removal(programs, v.used.motion_bound, touch_share * v.used.resolution);
+    const StockLattice lattice = StockLattice::over(stock.box, v.used.resolution);
+    const double all_rays = double(lattice.rays() * sizeof(RayTile::Piece));
+    if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, v.used); // all are kept from the start
+    auto model = std::make_shared<StockModel>(stock, lattice, cutting.part(0.0, 0.1));
+    MaterialRemoval removal(programs, v.used.motion_bound, touch_share * v.used.resolution,
+                            v.used.most_stock_bytes);
+    if (all_rays > 0.9 * double(v.used.most_stock_bytes))
+        check_memory(double(removal.bytes_needed(*model, cutting.part(0.1, 0.1))), v.used);
     for (std::size_t i = 0; i < programs.size(); ++i)
         removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, true,
                     cutting.part(0.1 + 0.9 * double(i) / double(programs.size()),

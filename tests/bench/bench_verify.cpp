@@ -94,7 +94,7 @@ void run(const char* name, const MeshPtr& part, const Tool& tool,
     const StockSolid solid = stock_round(part->box());
     const std::vector<VerifyProgram> programs{{name, VerifyTool(tool), motions, std::nullopt}};
     for (bool watch : {false, true}) {
-        StockModel stock(solid, StockLattice::over(solid.box, resolution, std::size_t(-1)), Progress());
+        StockModel stock(solid, StockLattice::over(solid.box, resolution), Progress());
         MaterialRemoval removal(programs, 0.5 * resolution, 0.02 * resolution);
         const double cpu = cpu_now();
         const auto start = std::chrono::steady_clock::now();
@@ -123,7 +123,7 @@ void convergence() {
         for (const CutterLocation& l : at)
             motions->motions.push_back({motions->motions.empty() ? MotionKind::rapid : MotionKind::cut, l});
         const std::vector<VerifyProgram> programs{{"Test", VerifyTool(cutter), motions, std::nullopt}};
-        StockModel stock(solid, StockLattice::over(solid.box, resolution, std::size_t(-1)), Progress());
+        StockModel stock(solid, StockLattice::over(solid.box, resolution), Progress());
         MaterialRemoval(programs, 0.5 * resolution, 0).cut(stock, 0, 0, at.size(), 1, false, Progress());
         return stock;
     };

@@ -56,7 +56,7 @@ std::vector<Collision> cut_all(StockModel& stock, const std::vector<VerifyProgra
 }
 
 StockModel model(const StockSolid& solid, double resolution) {
-    return StockModel(solid, StockLattice::over(solid.box, resolution, 10'000'000), Progress());
+    return StockModel(solid, StockLattice::over(solid.box, resolution), Progress());
 }
 
 double mesh_volume(const Mesh& m) {
@@ -64,6 +64,26 @@ double mesh_volume(const Mesh& m) {
     for (std::size_t f = 0; f < m.facet_count(); ++f)
         v += m.corner(f, 0).dot(m.corner(f, 1).cross(m.corner(f, 2))) / 6;
     return v;
+}
+
+/// The surface as one mesh, corners welded.
+Mesh stock_mesh(const StockModel& stock) {
+    std::map<std::array<double, 3>, Index> seen;
+    Mesh m;
+    stock_triangles(
+        stock,
+        [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+            Facet f;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& p = k == 0 ? a : k == 1 ? b : c;
+                const auto [at, fresh] = seen.try_emplace({p.x(), p.y(), p.z()}, Index(m.vertices.size()));
+                if (fresh) m.vertices.push_back(p);
+                f[k] = at->second;
+            }
+            m.facets.push_back(f);
+        },
+        Progress());
+    return m;
 }
 
 /// Every edge of every facet has one partner that runs the other way.
@@ -141,7 +161,7 @@ private slots:
     void whole_stock_has_its_volume() {
         const StockModel box = model(box_stock(Vec3(-3, 2, 0), Vec3(17, 12, 5)), 0.7);
         QVERIFY(std::abs(box.volume() / 1000 - 1) < 0.005);
-        const Mesh m = stock_mesh(box, Progress());
+        const Mesh m = stock_mesh(box);
         QVERIFY(closed(m));
         QVERIFY(std::abs(mesh_volume(m) - 1000) < 0.01);
 
@@ -156,7 +176,7 @@ private slots:
             QVERIFY(off < 0.03 * resolution);
             QVERIFY(off < before);
             before = off;
-            const Mesh surface = stock_mesh(cylinder, Progress());
+            const Mesh surface = stock_mesh(cylinder);
             QVERIFY(closed(surface));
             QVERIFY(std::abs(mesh_volume(surface) / (pi * 100 * 50) - 1) < 0.03 * resolution);
         }
@@ -177,7 +197,7 @@ private slots:
         const auto s = stock.stretches(2, middle, middle);
         QCOMPARE(s.size(), std::size_t(1));
         QVERIFY(std::abs(s[0][0] + 10) < 1e-5 && std::abs(s[0][1] - 10) < 1e-5);
-        QVERIFY(closed(stock_mesh(stock, Progress())));
+        QVERIFY(closed(stock_mesh(stock)));
 
         auto open = std::make_shared<Mesh>(*mesh);
         open->facets.pop_back();
@@ -241,8 +261,8 @@ private slots:
                     }
             }
             QVERIFY(removed > 100);
-            QVERIFY(closed(stock_mesh(stock, Progress())));
-            QVERIFY(std::abs(mesh_volume(stock_mesh(stock, Progress())) / stock.volume() - 1) < 0.03);
+            QVERIFY(closed(stock_mesh(stock)));
+            QVERIFY(std::abs(mesh_volume(stock_mesh(stock)) / stock.volume() - 1) < 0.03);
         }
     }
 
@@ -342,8 +362,66 @@ private slots:
         bad = program_of(AptCutter::ball(8, 30), {});
         QCOMPARE(code_of([&] { check_programs(std::vector<VerifyProgram>{bad}); }),
                  std::string("empty_result"));
-        QCOMPARE(code_of([&] { StockLattice::over(box_stock(Vec3::Zero(), Vec3::Ones()).box, 1e-4, 1000); }),
+        QCOMPARE(code_of([&] { StockLattice::over(box_stock(Vec3::Zero(), Vec3::Ones()).box, 1e-5); }),
                  std::string("limit_exceeded"));
+    }
+
+    /// Rays cost memory only where something is cut, and about what they will cost is known before.
+    void only_what_is_cut_costs_memory() {
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(100, 100, 40));
+        const AptCutter ball = AptCutter::ball(4, 20);
+        // A slot straight across, 1 deep, and rapids all over it that touch nothing.
+        const std::vector<VerifyProgram> slot{
+            program_of(ball, {upright(-5, 50, 39), upright(105, 50, 39)}),
+            {"Air", VerifyTool(ball),
+             motions_of({upright(0, 0, 40.5), upright(100, 100, 40.5), upright(0, 100, 40.5)},
+                        MotionKind::rapid),
+             std::nullopt}};
+        StockModel stock = model(solid, 0.2);
+        const std::size_t empty = stock.bytes();
+        const std::size_t all = stock.lattice().rays() * sizeof(RayTile::Piece);
+        const MaterialRemoval removal(slot, 0.01, 1e-3);
+        const std::size_t needed = removal.bytes_needed(stock, Progress());
+        QVERIFY(cut_all(stock, slot).empty());
+        const std::size_t made = stock.bytes() - empty;
+        QVERIFY2(made > 0 && made <= 2 * needed, qPrintable(QString("%1 %2").arg(made).arg(needed)));
+        QVERIFY2(needed < all / 8, qPrintable(QString("%1 %2").arg(needed).arg(all)));
+        // A diagonal slot is no more, though its box is the whole stock.
+        const std::vector<VerifyProgram> diagonal{
+            program_of(ball, {upright(0, 0, 39), upright(100, 100, 39)})};
+        StockModel other = model(solid, 0.2);
+        const std::size_t diagonally = MaterialRemoval(diagonal, 0.01, 1e-3).bytes_needed(other, Progress());
+        cut_all(other, diagonal);
+        QVERIFY(other.bytes() - empty <= 2 * diagonally && diagonally < all / 5);
+        // Cutting stops where a limit is passed, rather than the machine running out of memory.
+        StockModel third = model(solid, 0.2);
+        MaterialRemoval limited(slot, 0.01, 1e-3, made / 2);
+        QCOMPARE(code_of([&] { limited.cut(third, 0, 0, 2, 1, true, Progress()); }),
+                 std::string("limit_exceeded"));
+        StockModel fourth = model(solid, 0.2);
+        MaterialRemoval just(slot, 0.01, 1e-3, made);
+        QCOMPARE(code_of([&] { just.cut(fourth, 0, 0, 2, 1, true, Progress()); }), std::string("none"));
+    }
+
+    /// Flat sheets come in few triangles that fit those beside them.
+    void a_flat_surface_takes_few_triangles() {
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(60, 50, 20));
+        StockModel stock = model(solid, 0.25);
+        cut_all(stock, {program_of(AptCutter::ball(8, 20), {upright(20, -5, 17), upright(30, 20, 15)})});
+        std::size_t plain = 0;
+        const StockSurface surface(stock.lattice());
+        for (std::size_t k = 0; k < surface.patch_count(); ++k)
+            if (const auto patch = surface.patch(stock, k)) plain += patch->triangles.size();
+        const Mesh m = stock_mesh(stock);
+        QVERIFY(closed(m));
+        QVERIFY2(m.facet_count() < plain / 2,
+                 qPrintable(QString("%1 of %2").arg(m.facet_count()).arg(plain)));
+        QVERIFY(std::abs(mesh_volume(m) / stock.volume() - 1) < 1e-3);
+        // The same area, face by face: nothing is laid over anything.
+        double area = 0;
+        for (std::size_t f = 0; f < m.facet_count(); ++f)
+            if (m.facet_normal(f).z() < -0.999999) area += 0.5 * m.facet_cross(f).norm();
+        QVERIFY2(std::abs(area / 3000 - 1) < 1e-3, qPrintable(QString::number(area)));
     }
 
     void playback_goes_both_ways() {
@@ -400,7 +478,7 @@ private slots:
         }
         StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(12, 12, 12)), 0.75);
         cut_all(stock, programs);
-        const Mesh m = stock_mesh(stock, Progress());
+        const Mesh m = stock_mesh(stock);
         QVERIFY(m.facet_count() > 2000);
         QVERIFY(closed(m));
         const double volume = mesh_volume(m);
