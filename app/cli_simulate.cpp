@@ -17,6 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where someone asks for a spacing, memory is the limit.
+constexpr std::size_t most_samples_asked_for = 10'000'000;
+
 double positive_length(const Arguments& arguments, const char* option, double per) {
     if (!arguments.has(option)) return 0;
     const double v = arguments.number(option, 0) * per;
@@ -50,7 +53,7 @@ void run(const Arguments& arguments, Session& session) {
     std::shared_ptr<const PreparedPart> part;
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
-    std::vector<std::string> ignored;
+    std::vector<std::string> ignored, remarks;
     if (cl_files.empty()) {
         const auto plan =
             plan_project(planner, project, file, arguments.value("--op"), progress.part(0.0, 0.3));
@@ -61,22 +64,25 @@ void run(const Arguments& arguments, Session& session) {
         check_project(project);
         const double n = double(cl_files.size());
         for (std::size_t i = 0; i < cl_files.size(); ++i) {
-            std::vector<std::string> lines;
-            programs.push_back(read_verify_program(
-                project, cl_files[i], lines,
-                progress.part(0.2 * double(i) / n, 0.2 * double(i + 1) / n, "Reading CL")));
-            for (const std::string& line : lines)
+            ClFileProgram cl = read_verify_program(
+                project, cl_files[i],
+                progress.part(0.2 * double(i) / n, 0.2 * double(i + 1) / n, "Reading CL"));
+            programs.push_back(std::move(cl.program));
+            for (const std::string& line : cl.ignored)
                 ignored.push_back(printable(cl_files[i], 400) + ": " + line);
+            if (!cl.remark.empty()) remarks.push_back(std::move(cl.remark));
         }
         part = planner.prepare(project, progress.part(0.2, 0.3));
         settings = verify_settings(project, nullptr);
     }
     settings.resolution = resolution;
     settings.sample_spacing = spacing;
+    if (spacing > 0) settings.most_samples = most_samples_asked_for;
     const StockSolid stock = stock_solid(project.stock, *part);
     Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
-    const auto warnings = stock_warnings(project.stock, *part, project.unit);
-    result.remarks.insert(result.remarks.begin(), warnings.begin(), warnings.end());
+    for (std::string& warning : stock_warnings(project.stock, *part, project.unit))
+        remarks.push_back(std::move(warning));
+    result.remarks.insert(result.remarks.begin(), remarks.begin(), remarks.end());
     write_verification(project, programs, result, folder, progress.part(0.95, 1.0));
     const std::string findings = findings_line(project, programs, result);
     session.print(verify_json(project, programs, result));
@@ -100,7 +106,9 @@ Command simulate_command() {
             "appear or none.\n"
             "Exit status 1 also when a gouge or collision is found: the files are written then, and the "
             "figures are on\n"
-            "stderr. Shank and holder are those of the project's tool with the CL file's tool number.",
+            "stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
+            "file without\n"
+            "LOADTL those of tool 1 where it has the same cutter.",
         .options = {{.name = "--cl",
                      .value = "FILE.apt",
                      .help = "simulates this file instead of a plan; more than one run in order",

@@ -85,6 +85,14 @@ std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> pro
     return "'" + printable(programs[at.program].name) + "', GOTO " + std::to_string(at.motion + 1);
 }
 
+/// But for the length of the flutes, to what a CL file's digits say.
+bool same_shape(const AptCutter& a, const AptCutter& b) {
+    const double least = tolerance::same_shape * std::max(a.d, b.d);
+    const auto near = [](double x, double y, double by) { return std::abs(x - y) <= by; };
+    return near(a.d, b.d, least) && near(a.r, b.r, least) && near(a.e, b.e, least) && near(a.f, b.f, least)
+           && near(a.alpha, b.alpha, tolerance::same_shape) && near(a.beta, b.beta, tolerance::same_shape);
+}
+
 } // namespace
 
 std::vector<VerifyProgram> verify_programs(const Project& project,
@@ -99,14 +107,9 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
     return programs;
 }
 
-VerifyProgram read_verify_program(const Project& project, const fs::path& path,
-                                  std::vector<std::string>& ignored, const Progress& progress) {
+ClFileProgram read_verify_program(const Project& project, const fs::path& path, const Progress& progress) {
     const std::string file = printable(path.string(), 400);
     AptReadResult read = read_apt(path, project.unit, progress);
-    ignored.insert(ignored.end(), read.ignored.begin(), read.ignored.end());
-    const long number = read.program.tool_number;
-    const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
-                                   [&](const Tool& t) { return t.number == number; });
     // A cutter that is assumed would make the verdict worth nothing.
     if (!read.had_cutter)
         throw Error(ErrorCode::missing_key, file, "there is no CUTTER statement",
@@ -118,6 +121,22 @@ VerifyProgram read_verify_program(const Project& project, const fs::path& path,
             throw Error(e.code(), file + ": CUTTER", e.message(), e.remedy());
         }
     };
+    const std::string name = printable(path.filename().string());
+    const std::string number = std::to_string(read.program.tool_number);
+    auto tool = std::find_if(project.tools.begin(), project.tools.end(),
+                             [&](const Tool& t) { return t.number == read.program.tool_number; });
+    std::string remark;
+    if (tool == project.tools.end()) {
+        remark = "'" + name + "': the project has no tool " + number
+                 + ", so shank and holder are not known and were not judged.";
+    } else if (!read.had_tool && same_shape(tool->cutter(), read.program.cutter)) {
+        remark = "'" + name + "' names no tool (LOADTL): its cutter is that of tool " + number
+                 + ", so shank and holder of that were judged.";
+    } else if (!read.had_tool) {
+        tool = project.tools.end();
+        remark = "'" + name + "' names no tool (LOADTL), and its cutter is not that of tool " + number
+                 + ": shank and holder are not known and were not judged.";
+    }
     VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : cutter();
     if (tool != project.tools.end()) {
         // Shank and holder stand on the cutter that the file has.
@@ -129,8 +148,10 @@ VerifyProgram read_verify_program(const Project& project, const fs::path& path,
         }
         used.cutter = std::move(own.cutter);
     }
-    return {path.filename().string(), std::move(used),
-            std::make_shared<const ToolMotions>(std::move(read.program.motions)), std::nullopt};
+    return {{path.filename().string(), std::move(used),
+             std::make_shared<const ToolMotions>(std::move(read.program.motions)), std::nullopt},
+            std::move(read.ignored),
+            std::move(remark)};
 }
 
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {

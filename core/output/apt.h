@@ -22,7 +22,7 @@ struct AptReadResult {
     ClProgram program;
     std::vector<std::string>
         ignored; ///< statements that were read over, once each, with their first line number
-    bool had_cutter = false;
+    bool had_cutter = false, had_tool = false; ///< CUTTER; LOADTL or TOOLNO with a number
 };
 /// Reads straight motion: GOTO, FROM (a rapid), GODLTA, RAPID, with TLAXIS or i, j, k; UNITS, CUTTER,
 /// LOADTL/TOOLNO, FEDRAT, SPINDL, names. Words that would change the path (arcs, cycles, cutter compensation,

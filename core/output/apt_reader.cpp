@@ -120,7 +120,7 @@ private:
     Vec3 axis_ = Vec3::UnitZ();
     bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false, cut_ = false;
     std::optional<double> feed_per_turn_;
-    bool feed_seen_ = false, spindle_seen_ = false, tool_seen_ = false;
+    bool feed_seen_ = false, spindle_seen_ = false;
 };
 
 void Reader::check_encoding() {
@@ -331,11 +331,12 @@ void Reader::load_tool(const std::string& word) {
     }
     if (n != std::floor(n) || n < 0 || n > 1e9)
         syntax("'" + printable(fields_[0], 20) + "' is not a tool number", "write a whole number");
-    if (tool_seen_ && long(n) != result_.program.tool_number && !result_.program.motions.motions.empty())
+    if (result_.had_tool && long(n) != result_.program.tool_number
+        && !result_.program.motions.motions.empty())
         fail(ErrorCode::unsupported_format, "the tool changes within the program",
              "split the file: one tool each");
     result_.program.tool_number = long(n);
-    tool_seen_ = true;
+    result_.had_tool = true;
 }
 
 void Reader::feed() {
