@@ -6,13 +6,17 @@
 
 #ifdef FACETMILL_HAS_PICTURES
 #include "app/cli_project.h"
+#include "core/base/parallel.h"
 #include "core/base/strict_json.h"
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/verify/playback.h"
+#include "core/verify/stock_surface.h"
 #include "viz/render_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 #endif
@@ -39,6 +43,25 @@ bool is_project(const std::string& path) {
     for (char& c : extension)
         c = char(std::tolower(static_cast<unsigned char>(c)));
     return extension == ".facetmill" || extension == ".json";
+}
+
+/// The surface of what is left, no finer than a picture shows.
+StockPatches cut_stock(const StockSolid& solid, const std::vector<VerifyProgram>& programs,
+                       const Verification& verification, const Progress& progress) {
+    constexpr double most_triangles = 1.5e6, triangles_per_square = 2.4; // of the lattice
+    const Vec3 s = solid.box.size();
+    const double area = 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+    const double coarsest = std::sqrt(triangles_per_square * area / most_triangles);
+    if (verification.used.resolution < coarsest) {
+        StockPlayback again(solid, programs, coarsest, progress);
+        again.go_to(double(again.motion_count()), progress.part(0.0, 0.8));
+        return again.patches(progress.part(0.8, 1.0));
+    }
+    const StockSurface surface(verification.stock->lattice());
+    StockPatches patches(surface.patch_count());
+    parallel_for(patches.size(), 1, progress,
+                 [&](std::size_t k) { patches[k] = surface.patch(*verification.stock, k); });
+    return patches;
 }
 
 void run(const Arguments& arguments, Session& session) {
@@ -76,10 +99,16 @@ void run(const Arguments& arguments, Session& session) {
             const auto plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, planned));
             result = *plan;
             if (verifies) {
-                const Progress verifying = progress.part(planned, 0.6);
+                const Progress verifying = progress.part(planned, 0.55);
+                const auto programs = verify_programs(project, plan);
+                VerifySettings settings = verify_settings(project, plan.get());
+                settings.most_samples = 400'000; // a picture shows no more
                 request.verification = std::make_shared<const Verification>(
-                    verify(*plan->part->mesh, plan->stock, verify_programs(project, plan),
-                           verify_settings(project, plan.get()), verifying));
+                    verify(*plan->part->mesh, plan->stock, programs, settings, verifying));
+                // It would hide the colours.
+                if (wants({Layer::stock}) && !wants({Layer::deviation}))
+                    request.cut_stock = cut_stock(plan->stock, programs, *request.verification,
+                                                  progress.part(0.55, 0.6, "Making the stock's surface"));
             }
         } else {
             result.part = planner.prepare(project, progress.part(0.0, 0.6));
@@ -122,7 +151,8 @@ Command render_command() {
             .help =
                 "Layers of --show: part, stock, cc, cl, tool, edges, deviation, findings. Paths are planned "
                 "first, and\n"
-                "verified for the last two. Views: iso, front, top, right, rear, bottom, left.",
+                "verified for the last two; with findings, and without deviation, stock is what is left of "
+                "it. Views: iso, front, top, right, rear, bottom, left.",
             .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
                         {.name = "--show",
                          .value = "LAYERS",

@@ -32,7 +32,8 @@ CutterLocation PlaybackTrack::location(double position) const {
     const CutterLocation& to = motion(at).to;
     if (at.motion == 0) return to; // where the tool was before is not known
     const double share = std::clamp(position - (position_of(at) - 1), 0.0, 1.0);
-    return location_between(motion({at.program, at.motion - 1}).to, to, std::nullopt, share);
+    return location_between(motion({at.program, at.motion - 1}).to, to, operations_[at.program].turning,
+                            share);
 }
 
 double PlaybackTrack::time_at(double position) const {

@@ -22,7 +22,8 @@ namespace {
 /// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
 /// processor in its place does.
 constexpr double card_triangles = 1.5e6, processor_triangles = 6e4, resting_triangles = 1.5e6;
-constexpr double cutter_share = 1.0 / 20; ///< of the smallest cutter's radius: finer shows nothing more
+constexpr std::size_t most_samples = 400'000; ///< of the deviation: what a processor can still draw
+constexpr double cutter_share = 1.0 / 20;     ///< of the smallest cutter's radius: finer shows nothing more
 
 /// The lattice whose surface has about so many triangles, about 2.4 to a square of it.
 double resolution_for(const Box3& box, double triangles, double finest) {
@@ -117,9 +118,10 @@ void VerificationDesk::verify() {
         [outcome, project](const Progress& progress) {
             const PlanResult& plan = *outcome->plan;
             const auto programs = verify_programs(*project, outcome->plan);
-            auto result = std::make_shared<Verification>(
-                facetmill::verify(*plan.part->mesh, plan.stock, programs, verify_settings(*project, &plan),
-                                  progress.part(0, 0.97, "Verifying")));
+            VerifySettings settings = verify_settings(*project, &plan);
+            settings.most_samples = most_samples;
+            auto result = std::make_shared<Verification>(facetmill::verify(
+                *plan.part->mesh, plan.stock, programs, settings, progress.part(0, 0.97, "Verifying")));
             outcome->display =
                 prepare_deviation_display(result->surface, default_scale(*result, project->unit),
                                           progress.part(0.97, 1, "Preparing the view"));
@@ -185,9 +187,11 @@ void VerificationDesk::follow_plan() {
     input->project = document_.project();
     input->plan = plan_as_it_stands();
     std::vector<PlaybackTrack::Operation> operations;
+    const std::vector<VerifyProgram> programs = verify_programs(input->project, input->plan);
     double radius = infinity;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        PlaybackTrack::Operation o{document_.operation_id(i), results[i]->name, {}, results[i]};
+        PlaybackTrack::Operation o{
+            document_.operation_id(i), results[i]->name, {}, results[i], programs[i].turning};
         try {
             o.tool = document_.project().tool_of(document_.operation(i));
             radius = std::min(radius, o.tool->diameter / 2);

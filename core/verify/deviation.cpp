@@ -69,7 +69,8 @@ struct ProgramProbes {
                 s.part == ToolSection::Part::shank ? Collision::Kind::shank : Collision::Kind::holder;
             for (const auto& tree : {slow, fast})
                 p.watched.push_back(
-                    {kind, MotionProbes(TurnedBody(s.radius, s.from, s.to), BodySupport(s), tree, bound)});
+                    {tree == fast ? Collision::Kind::rapid : kind,
+                     MotionProbes(TurnedBody(s.radius, s.from, s.to), BodySupport(s), tree, bound)});
         }
         std::erase_if(p.watched, [](const Watch& w) { return w.probes.motions().empty(); });
         return p;
@@ -107,7 +108,7 @@ Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t i = order[k];
             const Vec3& normal = samples.normals[i];
-            const Vec3 surface = samples.points[i], p = surface + allowance * normal;
+            const Vec3 surface = samples.places[i], p = surface + allowance * normal;
             double value = exit_of(p, normal);
             if (value < 0) {
                 samples.flags[i] |= DeviationSurface::bare;

@@ -101,9 +101,16 @@ double spacing_of(Division::Kind kind, double spacing) {
     return kind == Division::own_fine ? 0.5 * spacing : spacing;
 }
 
+bool is_creased(const Mesh& part, std::size_t facet, const std::vector<Vec3>& vertex_normals,
+                const Vec3& normal) {
+    const double crease = std::cos(radians(crease_degrees));
+    const Facet& f = part.facets[facet];
+    return std::any_of(f.begin(), f.end(), [&](Index v) { return vertex_normals[v].dot(normal) < crease; });
+}
+
 Division divide(const Mesh& part, const std::vector<Vec3>& normals, double spacing,
                 const Progress& progress) {
-    const double crease = std::cos(radians(crease_degrees)), curved = std::cos(radians(curved_degrees));
+    const double curved = std::cos(radians(curved_degrees));
     const std::size_t n = part.facet_count();
     Division d;
     d.kinds.assign(n, Division::none);
@@ -113,11 +120,10 @@ Division divide(const Mesh& part, const std::vector<Vec3>& normals, double spaci
         const Vec3 normal = part.facet_normal(f);
         if (normal.isZero(0)) return;
         double turn = 1, edge = 0;
-        bool creased = false;
+        const bool creased = is_creased(part, f, normals, normal);
         for (int k = 0; k < 3; ++k) {
             const Vec3 &a = normals[part.facets[f][std::size_t(k)]],
                        &b = normals[part.facets[f][std::size_t((k + 1) % 3)]];
-            creased = creased || a.dot(normal) < crease;
             turn = std::min(turn, a.dot(b));
             edge = std::max(edge, (part.corner(f, k) - part.corner(f, (k + 1) % 3)).norm());
         }
@@ -164,7 +170,59 @@ void join_rows(std::size_t below, std::size_t m, std::size_t above, std::size_t 
 
 } // namespace
 
-SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress) {
+namespace {
+
+/// Moves points of a facet off its edges.
+class EdgeInset {
+public:
+    EdgeInset(const Mesh& mesh, std::size_t facet, const Vec3& normal, double inset) : inset_(inset) {
+        const double area2 = mesh.facet_cross(facet).norm();
+        double around = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 &a = mesh.corner(facet, k), along = mesh.corner(facet, (k + 1) % 3) - a;
+            const double length = along.norm();
+            edges_[std::size_t(k)] = {a, normal.cross(along / length),
+                                      std::min(inset, 0.25 * area2 / length)};
+            middle_ += length * mesh.corner(facet, (k + 2) % 3);
+            around += length;
+        }
+        middle_ /= around;
+        radius_ = area2 / around;
+    }
+    Vec3 operator()(const Vec3& point) const {
+        // Across the edges, where that leads off them all.
+        Vec3 p = point;
+        for (const Edge& e : edges_)
+            p += std::max(0.0, e.least - e.above(point)) * e.inward;
+        if (std::all_of(edges_.begin(), edges_.end(),
+                        [&](const Edge& e) { return e.above(p) >= 0.5 * e.least; }))
+            return p;
+        // In acute corners towards the middle of the circle within, but not far.
+        double share = 0;
+        for (const Edge& e : edges_) {
+            const double have = e.above(point), least = std::min(e.least, 0.25 * radius_);
+            if (have < least) share = std::max(share, (least - have) / (radius_ - have));
+        }
+        const Vec3 way = share * (middle_ - point);
+        const double most = 16 * inset_;
+        return way.norm() > most ? Vec3(point + most / way.norm() * way) : Vec3(point + way);
+    }
+
+private:
+    struct Edge {
+        Vec3 start, inward;
+        double least = 0;
+        double above(const Vec3& p) const { return (p - start).dot(inward); }
+    };
+    std::array<Edge, 3> edges_;
+    Vec3 middle_ = Vec3::Zero(); ///< of the circle within, and its radius
+    double radius_ = 0, inset_;
+};
+
+} // namespace
+
+SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
+                              double edge_inset) {
     const std::vector<Vec3> normals = vertex_normals(part, NormalWeight::angle, progress.part(0.0, 0.2));
     Division division = divide(part, normals, spacing, progress.part(0.2, 0.3));
     std::size_t own = 0;
@@ -201,12 +259,15 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
     const std::size_t first_point = s.points.size(), first_triangle = s.triangles.size();
     s.points.resize(first_point + division.first_point.back());
     s.normals.resize(s.points.size());
+    s.places = s.points;
     s.triangles.resize(first_triangle + division.first_triangle.back());
     parallel_for(n, facets_per_block / 8, progress.part(0.4, 0.9), [&](std::size_t f) {
         const Division::Kind kind = division.kinds[f];
         if (kind == Division::none || kind == Division::shared) return;
         const Rows rows(part, f, spacing_of(kind, spacing));
         const Vec3 normal = part.facet_normal(f);
+        const bool inset = edge_inset > 0 && is_creased(part, f, normals, normal);
+        const EdgeInset off_edges(part, f, normal, edge_inset);
         std::size_t at = first_point + division.first_point[f],
                     triangle = first_triangle + division.first_triangle[f];
         for (std::size_t row = 0; row < rows.rows(); ++row) {
@@ -215,6 +276,7 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
             for (std::size_t i = 0; i <= m; ++i) {
                 s.points[at + i] = m == 0 ? from : Vec3(from + (double(i) / double(m)) * (to - from));
                 s.normals[at + i] = normal;
+                s.places[at + i] = inset ? off_edges(s.points[at + i]) : s.points[at + i];
             }
             if (row + 1 < rows.rows())
                 join_rows(

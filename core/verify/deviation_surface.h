@@ -10,6 +10,7 @@ namespace facetmill {
 /// Points and unit normals on the part's facets, each standing for some area, joined by triangles.
 struct SurfaceSamples {
     std::vector<Vec3> points, normals;
+    std::vector<Vec3> places; ///< where the probes start: the points, moved off sharp edges by `edge_inset`
     std::vector<double> weights; ///< mm^2: a third of the triangles round the point; they add up to the area
     std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
     std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
@@ -23,7 +24,11 @@ struct SurfaceSamples {
 /// neither side of a crease is judged across it. Where the points would be more than `most`, `spacing` grows;
 /// the mesh's own vertices are never thinned out. Facets without area have no points. Cancellation within 20
 /// ms.
-SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress);
+/// A probe on a sharp edge would run in the plane of the facet beyond it, where a tool that is flush with
+/// that facet, or too deep by a rounding, is met over its whole width. So probes start `edge_inset` from the
+/// edges of facets at creases, or a quarter of the facet's height where that is less.
+SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
+                              double edge_inset = 0);
 
 /// The axes of all motions that cut, merged within about 2 degrees, and more where they are many. Unit, in
 /// the order in which they come.

@@ -13,6 +13,7 @@
 namespace facetmill {
 
 struct Collision {
+    /// Of a motion at feed the body that touches; `rapid`: a rapid, whatever part of the tool touches.
     enum class Kind : std::uint8_t { shank, holder, rapid };
     Kind kind = Kind::rapid;
     bool with_part = false; ///< reaches into the part itself, not only into stock

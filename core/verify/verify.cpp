@@ -17,7 +17,10 @@ namespace {
 
 /// Shares of the smallest cutter's radius, of the resolution, of the tolerance.
 constexpr double resolution_share = 0.05, touch_share = 0.02, probe_share = 0.01;
-constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
+constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
+/// Probes keep off sharp edges: farther than a depth beside them that is no gouge yet.
+constexpr double inset_limits = 2, least_inset = 1e-3; // of the gouge limit; mm
+constexpr double finest_probe = 1e-4;                  // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -31,7 +34,8 @@ struct Radii {
     double least = infinity, largest = 0;
 };
 
-VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii) {
+VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii, bool turns) {
+    if (s.most_samples == 0) s.most_samples = turns ? samples_turning : samples_fixed;
     if (!(s.resolution > 0)) {
         s.resolution = resolution_share * radii.least;
         for (int round = 0; round < 100; ++round) {
@@ -59,7 +63,8 @@ void check_memory(double needed, const VerifySettings& used) {
 struct Reach {
     std::size_t cuts = 0,
                 outside =
-                    0; ///< CL points cut, and of those the ones from which nothing of the stock is reached
+                    0;  ///< CL points cut, and of those the ones from which nothing of the stock is reached
+    bool turns = false; ///< some axis, on the way
 };
 
 Reach reach_of(const VerifyProgram& program, const Box3& stock, const Progress& progress) {
@@ -70,6 +75,7 @@ Reach reach_of(const VerifyProgram& program, const Box3& stock, const Progress& 
         if (i % 4096 == 0) progress.check();
         if (motions[i].kind == MotionKind::rapid) continue;
         ++reach.cuts;
+        reach.turns = reach.turns || (i > 0 && motions[i].to.axis != motions[i - 1].to.axis);
         Box3 box;
         for (const Motion& m : {motions[i > 0 ? i - 1 : 0], motions[i]}) {
             box.add(m.to.tip);
@@ -117,7 +123,9 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
 }
 
 /// What was not judged, and why.
-std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool border) {
+/// `asked`: the spacing wanted was asked for, not the resolution.
+std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool asked,
+                                    std::size_t most_samples, bool border) {
     double area = 0, away = 0, bare = 0;
     for (std::size_t i = 0; i < samples.weights.size(); ++i) {
         area += samples.weights[i];
@@ -138,8 +146,11 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
         remarks.push_back("The stock does not reach " + percent(bare / area)
                           + " of the part's area: there only gouges count.");
     if (samples.spacing > 1.001 * wanted_spacing)
-        remarks.push_back("The probes are " + format_number(samples.spacing / wanted_spacing, 3)
-                          + " times farther apart than asked: there would have been too many.");
+        remarks.push_back("The probes are up to " + length_text(samples.spacing, LengthUnit::mm, 3)
+                          + " apart, " + format_number(samples.spacing / wanted_spacing, 3)
+                          + " times farther than " + (asked ? "asked" : "the stock's rays")
+                          + ": else there would be more than " + std::to_string(most_samples)
+                          + ". What is narrower may be missed.");
     return remarks;
 }
 
@@ -152,10 +163,12 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     Radii radii;
     std::vector<std::string> outside;
     std::size_t cuts = 0, misses = 0;
+    bool turns = false;
     for (const VerifyProgram& p : programs) {
         radii.least = std::min(radii.least, p.tool.cutter.max_radius());
         radii.largest = std::max(radii.largest, p.tool.cutter.max_radius());
         const Reach reach = reach_of(p, stock.box, progress);
+        turns = turns || reach.turns;
         cuts += reach.cuts;
         misses += reach.outside;
         if (reach.outside > 0)
@@ -166,7 +179,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
         throw Error(ErrorCode::out_of_range, "'" + printable(programs.front().name) + "'",
                     "no motion at feed comes near the stock",
                     "check the units and the origin of the program");
-    v.used = completed(settings, stock, radii);
+    v.used = completed(settings, stock, radii, turns);
 
     auto start = std::chrono::steady_clock::now();
     const Progress cutting = progress.part(0.0, 0.6, "Removing material");
@@ -189,7 +202,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     start = std::chrono::steady_clock::now();
     const Progress probing = progress.part(0.6, 1.0, "Comparing with the part");
     SurfaceSamples samples =
-        sample_surface(part, v.used.sample_spacing, v.used.most_samples, probing.part(0.0, 0.05));
+        sample_surface(part, v.used.sample_spacing, v.used.most_samples, probing.part(0.0, 0.05),
+                       std::max(inset_limits * v.used.gouge_limit, least_inset));
     flag_samples(samples, part, radii.largest, cutting_axes(programs, probing), probing.part(0.05, 0.1));
     double bound = finest_probe;
     if (v.used.tolerance > 0)
@@ -199,7 +213,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     merge(v.collisions, probed.collisions);
     v.program_gouges.assign(programs.size(), 0);
     fill_figures(v, samples, probed, radii.least, probing);
-    v.remarks = remarks_on(samples, v.used.sample_spacing, v.border.samples > 0);
+    v.remarks = remarks_on(samples, v.used.sample_spacing, settings.sample_spacing > 0, v.used.most_samples,
+                           v.border.samples > 0);
     v.remarks.insert(v.remarks.end(), outside.begin(), outside.end());
     v.used.sample_spacing = samples.spacing;
     v.surface = published(std::move(samples), probed.deviation);

@@ -249,6 +249,106 @@ private slots:
         QVERIFY(found);
     }
 
+    /// The whole tool is one thing in a rapid: one entry, with the stock and with the part.
+    void a_rapid_with_the_holder_is_one_collision() {
+        Sandbox s;
+        QByteArray text = project; // shank from 6, holder from 16 above the tip
+        QByteArray apt = cl();
+        // Past the cutter's and the shank's own way the holder comes down on the plate's side.
+        apt.replace("FINI\n", "RAPID\nGOTO/-10,15,30\nRAPID\nGOTO/-10,15,-20\nRAPID\nGOTO/-10,15,30\nFINI\n");
+        const CliRun run = run_cli(simulate, prepared(s, apt, text).path());
+        QCOMPARE(run.status, 1);
+        const int down = 1 + 41 * 29 + 1 + 2;
+        int found = 0;
+        for (const auto& c : json(run.out)["collisions"].toArray()) {
+            const QJsonObject o = c.toObject();
+            if (o["goto"].toInt() != down) continue;
+            ++found;
+            QCOMPARE(o["kind"].toString(), QString("rapid"));
+            QCOMPARE(o["with"].toString(), QString("part"));
+            QVERIFY2(std::abs(o["depth"].toDouble() - 5) < 0.05, run.out.constData()); // x from 0 to 5
+        }
+        QCOMPARE(found, 1);
+        QVERIFY2(run.err.contains("by a rapid in the part"), run.err.constData());
+    }
+
+    void a_file_without_a_tool_takes_no_holder_of_another_data() {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<bool>("collides");
+        QTest::addColumn<QByteArray>("said");
+        // The holder of tool 1 would stand in 8 mm of stock.
+        QTest::newRow("named") << QByteArray("UNITS/MM\nCUTTER/8,4,0,4,0,0,6\nLOADTL/1\n") << true
+                               << QByteArray();
+        QTest::newRow("the same cutter") << QByteArray("UNITS/MM\nCUTTER/8,4,0,4,0,0,6\n") << true
+                                         << QByteArray("its cutter is that of tool 1");
+        QTest::newRow("another cutter") << QByteArray("UNITS/MM\nCUTTER/6,3,0,3,0,0,6\n") << false
+                                        << QByteArray("its cutter is not that of tool 1");
+        QTest::newRow("another tool") << QByteArray("UNITS/MM\nCUTTER/8,4,0,4,0,0,6\nLOADTL/7\n") << false
+                                      << QByteArray("the project has no tool 7");
+    }
+    void a_file_without_a_tool_takes_no_holder_of_another() {
+        QFETCH(QByteArray, head);
+        QFETCH(bool, collides);
+        QFETCH(QByteArray, said);
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"shank_length\": 10", "\"shank_length\": 0")
+            .replace("\"margin\": [1, 1, 2]", "\"margin\": [1, 1, 8]");
+        const CliRun run = run_cli(simulate, prepared(s, cl(0, 0, head), text).path());
+        const QJsonObject o = json(run.out);
+        QVERIFY2(o["collisions"].toArray().isEmpty() != collides, run.err.constData());
+        const QByteArray remarks = QJsonDocument(o["remarks"].toArray()).toJson();
+        QVERIFY2(said.isEmpty() ? !remarks.contains("tool") || !remarks.contains("LOADTL")
+                                : remarks.contains(said),
+                 remarks.constData());
+    }
+
+    /// A five-axis file: a flat end that leads, every GOTO with its own axis; then one swing too wide.
+    void a_five_axis_file() {
+        const double r = 5;
+        const auto go = [](double x, double y, double z, double lean) {
+            return QString("GOTO/%1,%2,%3,%4,0,%5\n")
+                .arg(x, 0, 'f', 6)
+                .arg(y, 0, 'f', 6)
+                .arg(z, 0, 'f', 6)
+                .arg(std::sin(lean), 0, 'f', 9)
+                .arg(std::cos(lean), 0, 'f', 9)
+                .toUtf8();
+        };
+        const double most = 10 * 3.14159265358979 / 180;
+        QByteArray apt = "PARTNO PLATE\nUNITS/MM\nCUTTER/10,0,5,0,0,0,40\nMULTAX/ON\nRAPID\n"
+                         + go(-12, -5, 40, 0.5 * most);
+        for (int row = 0; row <= 40; ++row)
+            for (int i = 0; i <= 120; ++i) {
+                const int at = row % 2 ? 120 - i : i;
+                const double lean = most * (0.5 + 0.5 * at / 120);
+                apt += go(-12 + 0.5 * at, -5 + row, r * std::sin(lean), lean);
+            }
+        apt += "RAPID\n" + go(-12, 35, 60, 0.5 * most);
+        Sandbox s;
+        const CliRun good = run_cli(simulate, prepared(s, apt + "FINI\n").path());
+        QVERIFY2(good.status == 0, good.err.constData());
+        const QJsonObject o = json(good.out);
+        const double cusp = std::sin(most) * (r - std::sqrt(r * r - 0.25));
+        // The walls face the leaning axis, too, and keep their stock: the top alone.
+        const double left = o["slope_bands"].toArray()[0].toObject()["excess_max"].toDouble();
+        QVERIFY(left <= cusp + 2e-4 && left > 0.4 * cusp);
+        QVERIFY(o["gouge_max"].toDouble() < 2e-4);
+        QVERIFY(o["settings"].toObject()["motion_bound"].toDouble() > 0);
+
+        // Both ends of the swing touch the plate; between them the rim is 0.0684 r below it.
+        const double wide = 3.14159265358979 / 3;
+        apt += "RAPID\n" + go(10, 15, 60, 0) + go(10, 15, 0, 0) + go(14, 15, r * std::sin(wide), wide)
+               + "RAPID\n" + go(14, 15, 60, wide) + "FINI\n";
+        const CliRun bad = run_cli(simulate, prepared(s, apt).path());
+        QCOMPARE(bad.status, 1);
+        const QJsonObject b = json(bad.out);
+        const double depth = b["gouge_max"].toDouble();
+        QVERIFY2(depth > 0.342 - 0.1 && depth < 0.3425, bad.out.constData()); // places 0.5 apart
+        QCOMPARE(b["gouges"].toArray()[0].toObject()["goto"].toInt(), 1 + 41 * 121 + 4);
+        QVERIFY2(bad.err.contains("gouge of 0.") && bad.err.contains("GOTO"), bad.err.constData());
+    }
+
     void words_that_are_read_over_are_listed() {
         Sandbox s;
         QByteArray apt = cl();
@@ -292,6 +392,28 @@ private slots:
         QVERIFY2(run.err.contains("no motion at feed comes near the stock"), run.err.constData());
         QVERIFY(!s.files().contains("out"));
     }
+
+#ifdef FACETMILL_HAS_PICTURES
+    /// Beside findings the stock is drawn as it is left.
+    void pictures_show_what_is_left_of_the_stock() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 20");
+        prepared(s, {}, text);
+        const auto picture = [&](const char* layers) {
+            const CliRun run = run_cli(
+                {"render", "job.facetmill", "--show", layers, "--size", "200x150", "-o", "p.png"}, s.path());
+            if (run.status != 0) return QByteArray(run.err);
+            QFile file(s.path() + "/p.png");
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray block = picture("stock"), left = picture("stock,findings");
+        QVERIFY2(block.startsWith("\x89PNG"), block.constData());
+        QVERIFY2(left.startsWith("\x89PNG"), left.constData());
+        QVERIFY(left != block); // the plan has no findings: all that differs is the stock
+        QVERIFY(picture("deviation,stock").startsWith("\x89PNG"));
+    }
+#endif
 
     void moves_of_no_length_do_no_harm() {
         QByteArray apt = cl();

@@ -1,6 +1,7 @@
 // What is left against the part, where the answer is known: cusps, planted gouges, spheres and cylinders, an
 // axis that swings about the tip, shanks and holders in walls.
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/mesh/sample.h"
 #include "core/verify/deviation.h"
 #include "core/verify/probes.h"
@@ -9,6 +10,8 @@
 #include "tests/support/trials.h"
 
 #include <QTest>
+
+#include <map>
 
 #include <random>
 
@@ -98,12 +101,31 @@ std::vector<StraightMove> all_moves(const VerifyProgram& program, double reach, 
     return moves;
 }
 
-double lowest_of_all(const std::vector<StraightMove>& moves, const TurnedBody& body, const Vec3& p,
-                     const Vec3& n, double value) {
+/// Whether the line p + t n may meet a box.
+bool meets(const Box3& box, const Vec3& p, const Vec3& n) {
+    constexpr double slack = 1e-6;
+    double from = -infinity, to = infinity;
+    for (int k = 0; k < 3; ++k) {
+        const double a = box.lo[k] - slack - p[k], b = box.hi[k] + slack - p[k];
+        if (n[k] == 0) {
+            if (a > 0 || b < 0) return false;
+        } else {
+            from = std::max(from, std::min(a / n[k], b / n[k]));
+            to = std::min(to, std::max(a / n[k], b / n[k]));
+        }
+    }
+    return from <= to;
+}
+
+/// `boxes`: of the moves; a line that misses one is asked no further.
+double lowest_of_all(const std::vector<StraightMove>& moves, const std::vector<Box3>& boxes,
+                     const TurnedBody& body, const Vec3& p, const Vec3& n, double value) {
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        if (meets(boxes[i], p, n)) stretches.push_back(SweepRays(body, moves[i], n)(p));
     for (bool again = true; again;) {
         again = false;
-        for (const StraightMove& m : moves) {
-            const Stretch s = SweepRays(body, m, n)(p);
+        for (const Stretch& s : stretches) {
             if (s.empty() || s.lo >= value || s.hi < std::min(value, 0.0)) continue;
             value = s.lo;
             again = value < 0;
@@ -192,6 +214,9 @@ private slots:
             if (kind == 3) program.turning = TurningAxis{};
             const TurnedBody body(program.tool.cutter);
             const auto moves = all_moves(program, body.reach(), kind >= 2 ? 1e-3 : 1e-9);
+            std::vector<Box3> boxes;
+            for (const StraightMove& m : moves)
+                boxes.push_back(m.box(body));
             const MotionProbes probes(
                 body, BodySupport(program.tool.cutter),
                 std::make_shared<const MotionTree>(
@@ -201,7 +226,7 @@ private slots:
                 const Vec3 p = 18 * Vec3(share(random), share(random), 0.4 * share(random));
                 const Vec3 n = i % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_unit(random);
                 const double start = 5 + 4 * share(random);
-                const double expected = lowest_of_all(moves, body, p, n, start);
+                const double expected = lowest_of_all(moves, boxes, body, p, n, start);
                 for (Index hint : {no_index, Index(5), Index(20)}) {
                     double value = start;
                     for (bool again = true; again;) {
@@ -277,6 +302,159 @@ private slots:
         }
         QVERIFY(o.verification.figures.excess_max > 0.02);
         QVERIFY(std::abs(o.verification.bands[0].figures.area - o.verification.figures.area) < 1e-6);
+    }
+
+    /// Every CL with an axis of its own, as five-axis paths have: a flat end leads by lambda, which grows
+    /// along each pass, over a plane that is tilted itself.
+    void a_flat_end_that_leads_leaves_the_known_cusp() {
+        const double r = 6, w = 3, reach = 28;
+        const Mesh part = height_field([](double x, double y) { return 0.4 * x + 0.2 * y; }, Vec2(-15, -15),
+                                       Vec2(15, 15), 1, 1);
+        const Vec3 n = Vec3(-0.4, -0.2, 1).normalized();
+        const Vec3 t = (Vec3(0.6, 0.8, 0) - Vec3(0.6, 0.8, 0).dot(n) * n).normalized(), c = n.cross(t);
+        const auto lambda_at = [&](double s) { return radians(10 + 4 * s / reach); };
+        // The lowest point of the rim, ahead of the tip, is on the plane at s t + across c.
+        const auto location = [&](double s, double across) {
+            const double lambda = lambda_at(s);
+            const Vec3 axis = std::cos(lambda) * n + std::sin(lambda) * t;
+            const Vec3 ahead = std::cos(lambda) * t - std::sin(lambda) * n;
+            return CutterLocation{Vec3(s * t + across * c - r * ahead), axis};
+        };
+        Path path;
+        const CutterLocation first = location(-reach, -reach);
+        path.to(first.tip + 60 * n, first.axis);
+        std::size_t axes = 0;
+        for (double across = -27; across <= 27; across += w) {
+            const CutterLocation start = location(-reach, across), end = location(reach, across);
+            path.to(start.tip + 60 * n, start.axis, MotionKind::rapid);
+            for (double s = -reach; s <= reach + 1e-9; s += 0.5, ++axes) {
+                const CutterLocation l = location(s, across);
+                path.to(l.tip, l.axis);
+            }
+            path.to(end.tip + 60 * n, end.axis, MotionKind::rapid);
+        }
+        QVERIFY(axes > 2000);
+        const Outcome o = probe(part, block_over(part, 2), {path.with(AptCutter::flat(2 * r, 80))}, 0.35);
+        double largest = 0;
+        for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
+            const double s = o.samples.points[i].dot(t), across = o.samples.points[i].dot(c);
+            const double d = std::abs(across - w * std::round(across / w));
+            // The rim beside the middle of the pass comes later by what it is behind its lowest point.
+            const double sag = r - std::sqrt(r * r - d * d);
+            const double expected = std::sin(lambda_at(s + std::cos(lambda_at(s)) * sag)) * sag;
+            QVERIFY2(std::abs(o.probed.deviation[i] - expected) < 1.5e-4,
+                     qPrintable(QString("%1 %2: %3, expected %4")
+                                    .arg(s)
+                                    .arg(d)
+                                    .arg(o.probed.deviation[i])
+                                    .arg(expected)));
+            largest = std::max(largest, expected);
+        }
+        QVERIFY(largest > 0.03);
+        QVERIFY(o.samples.points.size() > 3000);
+        const auto& f = o.verification.figures;
+        QVERIFY(std::max(f.gouge_max, o.verification.border.gouge_max) < 1.5e-4);
+        QVERIFY(f.area + o.verification.border.area > 0.999 * 900 / n.z()); // none of it is away
+    }
+
+    /// Both CL points of a motion touch the plane, and between them the rim dips below it, because the tip
+    /// goes straight while the axis swings.
+    void a_gouge_between_two_cl_points_of_a_swing() {
+        const double r = 5, angle = pi / 3;
+        const Mesh part = plane(Vec2(-12, -12), Vec2(12, 12));
+        const auto leaning = [](double by) { return Vec3(std::sin(by), 0, std::cos(by)); };
+        const auto swing = [&](int pieces) {
+            Path path;
+            path.to(Vec3(-8, 0, 30)).to(Vec3(-8, 0, 0)).to(Vec3(-4, 0, 0));
+            for (int i = 1; i <= pieces; ++i) {
+                const double by = angle * i / pieces;
+                path.to(Vec3(-4 + 4.0 * i / pieces, 0, r * std::sin(by)), leaning(by));
+            }
+            path.to(Vec3(0, 0, 40), leaning(angle), MotionKind::rapid);
+            return probe(part, block_over(part, 2), {path.with(AptCutter::flat(2 * r, 80))}, 0.1);
+        };
+        // At a share s of the swing the rim is at s r sin(angle) - r sin(s angle).
+        const double s = std::acos(std::sin(angle) / angle) / angle;
+        const double depth = r * (std::sin(s * angle) - s * std::sin(angle));
+        QVERIFY(depth > 0.3);
+        const Outcome o = swing(1);
+        QVERIFY(!o.verification.gouges.empty());
+        const double found = -o.verification.gouges[0].deviation;
+        QVERIFY2(found < depth + 2e-4 && found > depth - 0.01,
+                 qPrintable(QString("%1 of %2").arg(found).arg(depth)));
+        QCOMPARE(o.verification.gouges[0].by, (MotionPlace{0, 3}));
+        // In small steps the same swing stays where it should: the dip goes down with their square.
+        const Outcome fine = swing(60);
+        QVERIFY(std::max(fine.verification.figures.gouge_max, fine.verification.border.gouge_max) < 4e-4);
+    }
+
+    /// A flat end that is flush with a level facet, or too deep by less than what counts, has not gouged the
+    /// walls below its edges.
+    void a_flush_flat_end_spares_the_walls() {
+        Mesh part = plane(Vec2(-20, -15), Vec2(20, 15));
+        // Walls all round, and a chamfer in place of one edge.
+        const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+            const Index at = Index(part.vertices.size());
+            part.vertices.insert(part.vertices.end(), {a, b, c, d});
+            part.facets.push_back({at, at + 1, at + 2});
+            part.facets.push_back({at, at + 2, at + 3});
+        };
+        quad({-20, -15, -8}, {20, -15, -8}, {20, -15, 0}, {-20, -15, 0});
+        quad({20, -15, -8}, {20, 15, -8}, {20, 15, 0}, {20, -15, 0});
+        quad({20, 15, 0}, {20, 19, -4}, {-20, 19, -4}, {-20, 15, 0});
+        std::map<std::array<double, 3>, Index> seen;
+        Mesh welded;
+        for (const Facet& f : part.facets) {
+            Facet g;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& v = part.vertices[f[k]];
+                const auto [at, fresh] = seen.try_emplace({v.x(), v.y(), v.z()}, Index(seen.size()));
+                if (fresh) welded.vertices.push_back(v);
+                g[k] = at->second;
+            }
+            welded.facets.push_back(g);
+        }
+        StockSolid stock = block_over(welded, 2);
+        VerifySettings settings;
+        settings.resolution = 0.5;
+        settings.tolerance = 0.05;
+        settings.gouge_limit = 0.0025;
+        for (const double deep : {0.0, 1e-9, 1e-6, 1e-4, 2e-3, 0.0024, 0.0035}) {
+            Path path = passes(30, 25, 3, -deep, 4);
+            const std::vector<VerifyProgram> programs = {path.with(AptCutter::flat(10, 40))};
+            const Verification v = verify(welded, stock, programs, settings, Progress());
+            QVERIFY2(v.gouged() == (deep > settings.gouge_limit), qPrintable(QString::number(deep)));
+            const double found = std::max(v.figures.gouge_max, v.border.gouge_max);
+            QVERIFY2(std::abs(found - deep) < 1e-6, qPrintable(QString("%1: %2").arg(deep).arg(found)));
+        }
+    }
+
+    void how_far_probes_are_apart_is_said() {
+        const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20));
+        const std::vector<VerifyProgram> programs = {passes(24, 24, 1, 0, 1).with(AptCutter::ball(8, 20))};
+        VerifySettings settings;
+        settings.resolution = 0.5;
+        const auto run = [&] { return verify(part, block_over(part, 1), programs, settings, Progress()); };
+        const Verification plain = run();
+        QCOMPARE(plain.used.sample_spacing, 0.5);
+        QVERIFY(plain.used.most_samples >= plain.surface->points.size());
+        const auto said = [](const Verification& v) {
+            return std::any_of(v.remarks.begin(), v.remarks.end(), [&](const std::string& r) {
+                return r.find(length_text(v.used.sample_spacing, LengthUnit::mm, 3) + " apart")
+                       != std::string::npos;
+            });
+        };
+        QVERIFY(!said(plain));
+        settings.most_samples = 1000;
+        const Verification limited = run();
+        QVERIFY(limited.surface->points.size() <= 1000);
+        QVERIFY(limited.used.sample_spacing > 1.0);
+        QVERIFY(said(limited));
+        settings.most_samples = 0;
+        settings.sample_spacing = 0.25;
+        const Verification dense = run();
+        QCOMPARE(dense.used.sample_spacing, 0.25);
+        QVERIFY(dense.surface->points.size() > 3 * plain.surface->points.size());
     }
 
     void planted_gouges_are_found_with_their_motion() {
