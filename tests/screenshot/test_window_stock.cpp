@@ -1,6 +1,7 @@
 // The stock in the window: its kinds in the form, the mesh that is chosen for it, and what it looks like.
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/layer_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
@@ -37,20 +38,18 @@ QString stock_in_tree(ui::MainWindow& window) {
     return tree->topLevelItem(1)->text(0);
 }
 
-/// Answers the next file dialog; an empty path turns it down.
-void answer_dialog(const QString& path, bool& asked) {
-    QTimer::singleShot(100, qApp, [path, &asked] {
+/// Turns the next file dialog down, as soon as it is there.
+void turn_down_dialog(bool& asked) {
+    auto* timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, timer, [&asked, timer] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         if (!dialog) return;
+        timer->stop();
+        timer->deleteLater();
         asked = true;
-        if (path.isEmpty()) {
-            dialog->reject();
-            return;
-        }
-        dialog->setDirectory(QFileInfo(path).absolutePath());
-        dialog->selectFile(path);
-        static_cast<QDialog*>(dialog)->accept();
+        dialog->reject();
     });
+    timer->start(50);
 }
 
 /// A block 1 inch larger all round than the box.
@@ -77,6 +76,7 @@ private slots:
     void init() {
         QVERIFY(show_window());
         QVERIFY(open_part());
+        w().layers().set_shown(ui::ViewLayer::stock, true);
         w().tree().select({TreeNode::Kind::stock, 0});
     }
     void cleanup() { close_window(); }
@@ -127,17 +127,14 @@ private slots:
         const auto& stock = w().document().project().stock;
         // Nothing chosen: nothing changes.
         bool asked = false;
-        answer_dialog({}, asked);
+        turn_down_dialog(asked);
         choose(w(), "kind", "mesh");
         QVERIFY(asked);
         QVERIFY(stock.kind == StockSpec::Kind::box);
         QCOMPARE(shown(w(), "kind"), QStringLiteral("box"));
         QVERIFY(!w().document().undo_stack().canUndo());
 
-        asked = false;
-        answer_dialog(raw, asked);
-        choose(w(), "kind", "mesh");
-        QVERIFY(asked);
+        w().set_stock_file(raw);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(stock.kind == StockSpec::Kind::mesh);
         QCOMPARE(QString::fromStdString(w().document().project().stock_path().string()), raw);

@@ -272,7 +272,7 @@ private slots:
         const auto run = [&](int threads) {
             set_thread_count(threads);
             StockModel stock = model(box_stock(Vec3(0, 0, 0), Vec3(40, 30, 15)), 0.8);
-            auto hits = cut_all(stock, programs);
+            auto hits = cut_all(stock, programs, 0.05);
             set_thread_count(0);
             return std::pair(std::move(stock), std::move(hits));
         };
