@@ -29,10 +29,11 @@ constexpr std::size_t points_per_block = 4;
 /// Of the time that the tip takes from the CM2 posture at feed: a flat end that hardly leans is anywhere
 /// about its contact point in no joint-motion time to speak of, but the part is cut at feed.
 constexpr double near_start_share = 0.5;
-constexpr int most_steps = 400;
+constexpr int most_steps = 60;
 /// Of the first step: the search ends when its steps are this small.
-constexpr double last_step_share = 1.0 / 1024;
+constexpr double last_step_share = 1.0 / 64;
 constexpr int border_halvings = 8;
+constexpr double first_delta_step = 0.01; // mm
 
 /// Where a grid value lies: node and share to the next.
 std::pair<std::size_t, double> place_in(const std::vector<double>& values, double v) {
@@ -56,29 +57,16 @@ public:
     }
 
     ChosenPosture run() const {
-        PostureValue best = start();
+        // From CM2, as Lu does, and from the best node: the objective has valleys with flat floors, one for
+        // each axis of the machine that may be the slowest.
+        PostureValue best = search(start());
         double least = objective(best);
-        const double lambda_step = grid_.lambda.size() > 1 ? grid_.lambda[1] - grid_.lambda[0] : 0;
-        const double omega_step = grid_.omega.size() > 1 ? grid_.omega[1] - grid_.omega[0] : 0;
-        double delta_step = 0.01;
-        double scale = 1;
-        // Pattern search: along each of the three, and along their last common success.
-        for (int step = 0; step < most_steps && scale > last_step_share; ++step) {
-            bool better = false;
-            const std::array<PostureValue, 3> along{
-                {{lambda_step, 0, 0}, {0, omega_step, 0}, {0, 0, delta_step}}};
-            for (const PostureValue& d : along)
-                for (const double sign : {1.0, -1.0}) {
-                    const PostureValue tried =
-                        held({best.lambda + sign * scale * d.lambda, best.omega + sign * scale * d.omega,
-                              best.delta + sign * scale * d.delta});
-                    if (const double f = objective(tried); f < least) {
-                        least = f;
-                        best = tried;
-                        better = true;
-                    }
-                }
-            if (!better) scale *= 0.5;
+        if (const auto node = best_node()) {
+            const PostureValue other = search(*node);
+            if (const double f = objective(other); f < least) {
+                least = f;
+                best = other;
+            }
         }
         if (const auto exact = judged(best)) return *exact;
         // The optimum lies on the border of the space most often, and the grid knows it only so well: back
@@ -99,6 +87,50 @@ public:
     }
 
 private:
+    /// Pattern search by halved steps.
+    PostureValue search(PostureValue best) const {
+        double least = objective(best);
+        const double lambda_step = grid_.lambda.size() > 1 ? grid_.lambda[1] - grid_.lambda[0] : 0;
+        const double omega_step = grid_.omega.size() > 1 ? grid_.omega[1] - grid_.omega[0] : 0;
+        double scale = 1;
+        for (int step = 0; step < most_steps && scale > last_step_share; ++step) {
+            PostureValue next = best;
+            const auto look = [&](const PostureValue& tried) {
+                if (const double f = objective(tried); f < least) {
+                    least = f;
+                    next = tried;
+                }
+            };
+            for (const int l : {0, 1, -1})
+                for (const int o : {0, 1, -1})
+                    if (l != 0 || o != 0)
+                        look(held({best.lambda + l * scale * lambda_step, best.omega + o * scale * omega_step,
+                                   best.delta}));
+            for (const int d : {1, -1})
+                look({best.lambda, best.omega, best.delta + d * scale * first_delta_step});
+            if (next.lambda == best.lambda && next.omega == best.omega && next.delta == best.delta)
+                scale *= 0.5;
+            best = next;
+        }
+        return best;
+    }
+
+    std::optional<PostureValue> best_node() const {
+        std::optional<PostureValue> best;
+        double least = infinity;
+        for (std::size_t l = 0; l < grid_.lambda.size(); ++l)
+            for (std::size_t o = 0; o < grid_.omega.size(); ++o) {
+                const std::size_t n = grid_.node(l, o);
+                if (point_.space->block[n] != PostureBlock::free) continue;
+                const PostureValue p{grid_.lambda[l], grid_.omega[o], point_.space->bottom[n]};
+                if (const double f = objective(p); f < least) {
+                    least = f;
+                    best = p;
+                }
+            }
+        return best;
+    }
+
     PostureValue held(PostureValue p) const {
         p.lambda = std::clamp(p.lambda, grid_.lambda.front(), grid_.lambda.back());
         p.omega = std::clamp(p.omega, grid_.omega.front(), grid_.omega.back());

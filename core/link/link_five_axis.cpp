@@ -25,7 +25,8 @@ public:
     /// Appends what stands between a and b; false where there is no such way.
     bool between(const CutterLocation& a, const CutterLocation& b, int divisions,
                  std::vector<CutterLocation>& way) {
-        if (deepest_between(lift_, a, b, hint_) <= chord_) return true;
+        if (deepest_between(lift_, a, b, looking_step(lift_.cutter().max_radius(), chord_), hint_) <= chord_)
+            return true;
         if (divisions == most_divisions) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);
         const double lift = lift_.lift({middle.tip, middle.axis}, hint_);

@@ -39,9 +39,10 @@ public:
         if (angle > field_.settings().turn_limit * (1 + tolerance::level_angle)) {
             if (divisions == 0) return false; // neighbours that are so far apart are not joined
         }
-        const ContactPlace middle = place_between(a.place, b.place);
-        if (deepest_between(field_.lift(), a.cl, b.cl, hint_) <= chord_share * field_.chord()
-            && clears(a, b, middle))
+        const ContactPlace middle = place_between(a.place, b.place, 0.5);
+        if (deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()), hint_)
+                <= chord_share * field_.chord()
+            && clears(a, b))
             return true;
         if (divisions == most_divisions) return false;
         Stop at;
@@ -64,18 +65,21 @@ public:
     }
 
 private:
-    ContactPlace place_between(const ContactPlace& a, const ContactPlace& b) const {
-        ContactPlace p = field_.place(*line_.line, 0.5 * (a.s + b.s), a.v, line_.travel);
-        p.v_lo = 0.5 * (a.v_lo + b.v_lo);
-        p.v_hi = 0.5 * (a.v_hi + b.v_hi);
+    ContactPlace place_between(const ContactPlace& a, const ContactPlace& b, double t) const {
+        ContactPlace p = field_.place(*line_.line, a.s + t * (b.s - a.s), a.v, line_.travel);
+        p.v_lo = a.v_lo + t * (b.v_lo - a.v_lo);
+        p.v_hi = a.v_hi + t * (b.v_hi - a.v_hi);
         return p;
     }
 
-    /// Half-way the tool still holds a point of every line that it has to clear there.
-    bool clears(const Stop& a, const Stop& b, const ContactPlace& middle) const {
-        const CutterLocation half = location_on_way(a.cl, b.cl, 0.5);
-        const auto curves = field_.strip_curves(middle);
-        return field_.builder().top(ToolPose{half.tip, half.axis}, curves) >= -field_.chord();
+    /// On the way the tool still holds a point of every line that it has to clear there.
+    bool clears(const Stop& a, const Stop& b) const {
+        for (const double t : {0.5, 0.25, 0.75}) {
+            const CutterLocation on = location_on_way(a.cl, b.cl, t);
+            const auto curves = field_.strip_curves(place_between(a.place, b.place, t));
+            if (field_.builder().top(ToolPose{on.tip, on.axis}, curves) < -0.5 * field_.chord()) return false;
+        }
+        return true;
     }
 
     /// A free posture half-way: that between the two, or where it is not free the nearest on a small grid.
@@ -98,7 +102,9 @@ private:
                 const double top = field_.builder().top(middle.frame, p.lambda, p.omega, curves);
                 if (!(bottom <= top)) continue;
                 p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
-                if (!field_.kinematics().reaches(posture_pose(field_.cutter(), middle.frame, p))) continue;
+                const ToolPose pose = posture_pose(field_.cutter(), middle.frame, p);
+                if (!(pose.axis.z() >= tolerance::lowest_axis_z) || !field_.kinematics().reaches(pose))
+                    continue;
                 at = stop(middle, p);
                 return true;
             }
@@ -126,11 +132,19 @@ CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b,
     return at;
 }
 
-double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b,
+double looking_step(double radius, double chord) {
+    return std::sqrt(chord * radius);
+}
+
+double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
                        ToolLift::Hint& hint) {
+    const double turned = (b.axis - a.axis).norm() * lift.cutter().max_radius();
+    const double way = (b.tip - a.tip).norm() + turned;
+    constexpr int least = 4, most = 256;
+    const int pieces = way < most * step ? std::max(least, int(std::ceil(way / step))) : most;
     double deepest = -infinity;
-    for (const double t : {0.5, 0.25, 0.75}) {
-        const CutterLocation at = location_on_way(a, b, t);
+    for (int k = 1; k < pieces; ++k) {
+        const CutterLocation at = location_on_way(a, b, double(k) / pieces);
         deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
     }
     return deepest;

@@ -31,9 +31,13 @@ struct JoinedPasses {
 /// Tip and axis between two locations, as they move.
 CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t);
 
-/// Deepest that the tool cuts, along its axis, at three places of the motion; below 0: clear.
-double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b,
+/// Deepest that the tool cuts between two locations, along its axis; below 0: clear. Looked at every `step`
+/// (mm) that the tip or the cutter's rim moves, and at three places at least.
+double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
                        ToolLift::Hint& hint);
+/// The step for a chord tolerance: over that way a cutter of this radius and a part as round as it part by no
+/// more than a quarter of it.
+double looking_step(double radius, double chord);
 
 /// Throws Cancelled per pair of neighbours.
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress);
