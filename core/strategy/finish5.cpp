@@ -173,9 +173,18 @@ private:
             order[i] = pass.travel > 0 ? i : order.size() - 1 - i;
         for (const std::size_t l : order) {
             PlacedLine placed = place_line(pass, l, [&](double u) {
-                const std::size_t bin = stepover_.bin(u);
-                return std::array<double, 2>{border_lo.empty() ? part_lo : border_lo[bin],
-                                             border_hi.empty() ? part_hi : border_hi[bin]};
+                // The border goes in steps, and what a pose clears lies beside and behind it: each pass takes
+                // the farther of the borders nearby, which its widths allow (TiltedStepOver).
+                std::array<double, 2> strip{part_lo, part_hi};
+                const double near = stepover_.spread();
+                const std::size_t first = stepover_.bin(u - near), last = stepover_.bin(u + near);
+                if (!border_lo.empty())
+                    strip[0] = *std::min_element(border_lo.begin() + long(first),
+                                                 border_lo.begin() + long(last) + 1);
+                if (!border_hi.empty())
+                    strip[1] = *std::max_element(border_hi.begin() + long(first),
+                                                 border_hi.begin() + long(last) + 1);
+                return strip;
             });
             choose(placed, drive, progress);
             const auto start = Clock::now();
@@ -326,8 +335,9 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
         t.add_choice(&S::posture,
                      {.key = "posture",
                       .label = "Posture",
-                      .help = "How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis "
-                              "point by point, global takes the path that needs least machining time.",
+                      .help =
+                          "How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis "
+                          "point by point, global takes the path that needs least machining time.",
                       .words = {"cm2", "local", "global"}});
         t.add(&S::grid_degrees, {.key = "grid_degrees",
                                  .label = "Posture grid",

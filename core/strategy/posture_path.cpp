@@ -36,12 +36,12 @@ public:
     /// Appends what stands between a and b; false where the way is not free.
     bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& way) {
         const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
-        if (angle > field_.settings().turn_limit * (1 + tolerance::level_angle)) {
-            if (divisions == 0) return false; // neighbours that are so far apart are not joined
-        }
+        const bool turns_little = angle <= field_.settings().turn_limit * (1 + tolerance::level_angle);
         const ContactPlace middle = place_between(a.place, b.place, 0.5);
-        if (deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()), hint_)
-                <= chord_share * field_.chord()
+        if (turns_little
+            && deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()),
+                               hint_)
+                   <= chord_share * field_.chord()
             && clears(a, b))
             return true;
         if (divisions == most_divisions) return false;
@@ -108,7 +108,27 @@ private:
                 at = stop(middle, p);
                 return true;
             }
-        return false;
+        return on_grid(a, b, middle, curves, at);
+    }
+
+    /// The free node whose axis is nearest to both.
+    bool on_grid(const Stop& a, const Stop& b, const ContactPlace& middle,
+                 const std::vector<RaisedCurve>& curves, Stop& at) {
+        const CSpace space = field_.builder().build(middle.frame, curves);
+        const PostureGrid& grid = field_.grid();
+        double nearest = -1;
+        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
+            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+                const std::size_t n = grid.node(l, o);
+                if (space.block[n] != PostureBlock::free) continue;
+                const Vec3 axis = posture_axis(middle.frame, grid.lambda[l], grid.omega[o]);
+                if (!(axis.z() >= tolerance::lowest_axis_z)) continue;
+                const double cosine = std::min(axis.dot(a.cl.axis), axis.dot(b.cl.axis));
+                if (cosine <= nearest) continue;
+                nearest = cosine;
+                at = stop(middle, {grid.lambda[l], grid.omega[o], space.bottom[n]});
+            }
+        return nearest > a.cl.axis.dot(b.cl.axis);
     }
 
     const FiveAxisField& field_;

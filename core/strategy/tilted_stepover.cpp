@@ -41,6 +41,10 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field) : field_(field) {
     look_ = std::max(1L, std::lround(look_share * r / field.lines().spacing()));
 }
 
+double TiltedStepOver::spread() const {
+    return spread_share * field_.radius();
+}
+
 std::size_t TiltedStepOver::bin(double u) const {
     return std::size_t(std::clamp((u - u_lo_) / bin_, 0.0, double(bins_ - 1)));
 }

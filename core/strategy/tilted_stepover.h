@@ -51,6 +51,8 @@ public:
     std::vector<double> borders(const EstimatedPass& a, const EstimatedPass& b) const;
     std::size_t bin(double u) const;
 
+    /// A contact point's widths count for all bins within this of its u, mm.
+    double spread() const;
     double smallest_step() const { return smallest_; }
     double largest_step() const { return largest_; }
 
