@@ -18,7 +18,7 @@ namespace {
 constexpr int refinements = 3;
 /// Where moves take the same time, the one that turns less and lifts less is taken: shares of its joint time
 /// and, for a lift as high as the space, seconds.
-constexpr double joint_share = 0.2, lift_seconds = 1e-4;
+constexpr double joint_share = 0.04, lift_seconds = 1e-4;
 /// What being separated costs, s: about a retract, a rapid and an approach. So much that no smooth path is
 /// given up for it.
 constexpr double separation_seconds = 1000;
