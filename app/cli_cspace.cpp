@@ -5,20 +5,9 @@
 #include "core/base/file.h"
 #include "core/job/cspace_json.h"
 
-#include <charconv>
-
 namespace facetmill::cli {
 
 namespace {
-
-std::size_t point_number(const std::string& text) {
-    std::size_t number = 0;
-    const auto r = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (text.empty() || r.ec != std::errc() || r.ptr != text.data() + text.size())
-        throw Error(ErrorCode::usage, "--point", "'" + printable(text, 40) + "' is not a number of a point",
-                    "give a whole number from 0");
-    return number;
-}
 
 void run(const Arguments& arguments, Session& session) {
     use_threads(arguments);

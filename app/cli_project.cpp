@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 
+#include <charconv>
 #include <system_error>
 
 namespace facetmill::cli {
@@ -33,6 +34,15 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
         const bool named = names(project.part_path()) || names(project.stock_path());
         throw named ? e : e.within(printable(file, 400));
     }
+}
+
+std::size_t point_number(const std::string& text) {
+    std::size_t number = 0;
+    const auto r = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || r.ec != std::errc() || r.ptr != text.data() + text.size())
+        throw Error(ErrorCode::usage, "--point", "'" + printable(text, 40) + "' is not a number of a point",
+                    "give a whole number from 0");
+    return number;
 }
 
 } // namespace facetmill::cli

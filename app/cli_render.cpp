@@ -1,16 +1,17 @@
 // facetmill-cli render: a picture of a part or a planned project, without a display.
 #include "app/cli_commands.h"
+#include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 
 #ifdef FACETMILL_HAS_PICTURES
-#include "app/cli_project.h"
 #include "core/base/parallel.h"
 #include "core/base/strict_json.h"
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/strategy/five_axis_study.h"
 #include "core/verify/playback.h"
 #include "core/verify/stock_surface.h"
 #include "viz/render_picture.h"
@@ -64,7 +65,62 @@ StockPatches cut_stock(const StockSolid& solid, const std::vector<VerifyProgram>
     return patches;
 }
 
+void print_picture(const Picture& picture, const Arguments& arguments, Session& session) {
+    write_png(picture, arguments.value("-o"));
+    Json out;
+    out["file"] = printable(arguments.value("-o"), 400);
+    out["width"] = picture.width;
+    out["height"] = picture.height;
+    session.print(pretty_json(out));
+}
+
+/// The first operation with configuration spaces, or the one that is named.
+std::string cspace_operation(const Project& project, const std::string& name) {
+    if (!name.empty()) return name;
+    for (const auto& operation : project.operations)
+        if (operation->kind() == "finish5") return operation->common().name;
+    throw Error(ErrorCode::empty_result, "--show cspace", "the project has no operation of kind finish5",
+                "add one, or show something else");
+}
+
+void run_cspace(const Arguments& arguments, Session& session) {
+    const std::string input = arguments.operand(0);
+    CSpaceRequest request;
+    const PictureSize size =
+        as_usage([&] { return parse_picture_size(arguments.value("--size", "1200x900"), "--size"); });
+    request.width = size.width;
+    request.height = size.height;
+    if (!is_project(input))
+        throw Error(ErrorCode::usage, "--show cspace", "a mesh has no operations", "give a project");
+    use_threads(arguments);
+    const Project project = load_project(input);
+    keep_inputs(project, input, arguments.value("-o"));
+    const std::string name = cspace_operation(project, arguments.value("--op"));
+    const Progress progress = session.progress();
+    Planner planner;
+    const auto plan = planner.plan(project, name, progress.part(0.0, 0.7));
+    const auto& record = plan->operations.front()->path.five_axis;
+    if (!record)
+        throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
+                    "has no configuration spaces: its tool axes do not turn",
+                    "name an operation of kind finish5");
+    const std::size_t number =
+        arguments.has("--point") ? point_number(arguments.value("--point")) : record->points.size() / 2;
+    const FiveAxisStudy study(record, progress.part(0.7, 0.75, "Configuration space"));
+    const FiveAxisStudy::Point point = study.point(number, progress.part(0.75, 0.95));
+    request.content = CSpaceContent::of(study, point);
+    request.unit = project.unit;
+    request.title = name + " \u00b7 point " + std::to_string(number);
+    request.subtitle = "Configuration space, pass " + std::to_string(record->line_of(number).drive + 1) + ", "
+                       + std::to_string(request.content.free_nodes) + " of "
+                       + std::to_string(request.content.block.size()) + " postures free";
+    print_picture(render_cspace(request), arguments, session);
+}
+
 void run(const Arguments& arguments, Session& session) {
+    if (arguments.value("--show") == "cspace") return run_cspace(arguments, session);
+    if (arguments.has("--point"))
+        throw Error(ErrorCode::usage, "--point", "is for --show cspace", "leave it out");
     const std::string input = arguments.operand(0);
     RenderRequest request;
     request.view = as_usage([&] { return parse_view(arguments.value("--view", "iso"), "--view"); });
@@ -124,13 +180,7 @@ void run(const Arguments& arguments, Session& session) {
     }
     const Picture picture = render_picture(request, progress.part(0.6, 0.95, "Drawing"));
     progress.check();
-    write_png(picture, arguments.value("-o"));
-
-    Json out;
-    out["file"] = printable(arguments.value("-o"), 400);
-    out["width"] = picture.width;
-    out["height"] = picture.height;
-    session.print(pretty_json(out));
+    print_picture(picture, arguments, session);
 }
 
 #else
@@ -145,26 +195,33 @@ void run(const Arguments&, Session&) {
 } // namespace
 
 Command render_command() {
-    return {.name = "render",
-            .operands = {"PROJECT|PART"},
-            .summary = "Draws a picture (PNG) without a display.",
-            .help =
-                "Layers of --show: part, stock, cc, cl, tool, edges, deviation, findings. Paths are planned "
-                "first, and\n"
-                "verified for the last two; with findings, and without deviation, stock is what is left of "
-                "it. Views: iso, front, top, right, rear, bottom, left.",
-            .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
-                        {.name = "--show",
-                         .value = "LAYERS",
-                         .help = "what to draw (default: part, of a project part,stock,cl)"},
-                        {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
-                        {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
-                        {.name = "--units",
-                         .value = "mm|in",
-                         .help = "unit of a mesh file's numbers (default: mm)"},
-                        threads_option(),
-                        {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
-            .run = run};
+    return {
+        .name = "render",
+        .operands = {"PROJECT|PART"},
+        .summary = "Draws a picture (PNG) without a display.",
+        .help =
+            "Layers of --show: part, stock, cc, cl, tool, edges, deviation, findings. Paths are planned "
+            "first, and\n"
+            "verified for the last two; with findings, and without deviation, stock is what is left of "
+            "it. cspace,\n"
+            "alone: the configuration space of a contact point (--op and --point; else of the first finish5, "
+            "the one\n"
+            "in the middle). Views: iso, front, top, right, rear, bottom, left.",
+        .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
+                    {.name = "--show",
+                     .value = "LAYERS",
+                     .help = "what to draw (default: part, of a project part,stock,cl)"},
+                    {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
+                    {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
+                    {.name = "--point",
+                     .value = "I",
+                     .help = "with --show cspace: number of the contact point, from 0"},
+                    {.name = "--units",
+                     .value = "mm|in",
+                     .help = "unit of a mesh file's numbers (default: mm)"},
+                    threads_option(),
+                    {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
+        .run = run};
 }
 
 } // namespace facetmill::cli

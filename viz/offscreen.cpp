@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 namespace facetmill {
 
@@ -28,7 +29,7 @@ struct OffscreenWindow::Impl {
     // OSMesa insists on a buffer to draw on. VTK draws on framebuffers of its own, so a small one will do.
     std::array<std::uint8_t, 4 * 16 * 16> canvas{};
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
-    Scene* scene = nullptr;
+    std::function<void()> detach;         // the scene that is attached
     vtkWeakPointer<vtkRenderer> renderer; // the scene's; gone when the scene is
     vtkNew<vtkCallbackCommand> make_current_callback;
     int width = 0, height = 0, samples = 1;
@@ -76,7 +77,7 @@ OffscreenWindow::OffscreenWindow() : impl_(std::make_unique<Impl>()) {
 }
 
 OffscreenWindow::~OffscreenWindow() {
-    if (impl_->renderer) impl_->scene->detach();
+    if (impl_->renderer) impl_->detach();
     impl_->make_current();
     impl_->window->Finalize();
     impl_->window = nullptr;
@@ -84,11 +85,20 @@ OffscreenWindow::~OffscreenWindow() {
 }
 
 void OffscreenWindow::show(Scene& scene, int width, int height) {
+    show_any(scene, width, height);
+}
+
+void OffscreenWindow::show(CSpaceScene& scene, int width, int height) {
+    show_any(scene, width, height);
+}
+
+template <class AnyScene>
+void OffscreenWindow::show_any(AnyScene& scene, int width, int height) {
     check_picture_size(width, height, "picture size");
     if (impl_->renderer != scene.renderer()) {
-        if (impl_->renderer) impl_->scene->detach();
+        if (impl_->renderer) impl_->detach();
         scene.attach(impl_->window);
-        impl_->scene = &scene;
+        impl_->detach = [&scene] { scene.detach(); };
         impl_->renderer = scene.renderer();
     }
     impl_->make_current();
@@ -105,7 +115,7 @@ void OffscreenWindow::show(Scene& scene, int width, int height) {
 }
 
 Picture OffscreenWindow::render() {
-    if (!impl_->scene)
+    if (!impl_->detach)
         throw Error(ErrorCode::internal, "OffscreenWindow", "no scene to draw", "call show first");
     impl_->make_current();
     impl_->window->Render();

@@ -2,6 +2,7 @@
 // machine with the same Mesa) behind VTK's generic window.
 #pragma once
 
+#include "viz/cspace_scene.h"
 #include "viz/picture.h"
 #include "viz/scene.h"
 
@@ -24,10 +25,13 @@ public:
     /// Attaches a scene in place of the one before and sets the size that views are fitted to. Throws
     /// Error(out_of_range) for a size that is not 1 .. largest_picture_side or more than largest_picture.
     void show(Scene& scene, int width, int height);
+    void show(CSpaceScene& scene, int width, int height);
     /// Draws the attached scene with 2 x 2 samples a pixel (one, where the picture would be too large).
     Picture render();
 
 private:
+    template <class AnyScene>
+    void show_any(AnyScene& scene, int width, int height);
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -184,6 +184,7 @@ OverlayLayout Overlay::lay_out(const OverlayContent& content, bool draw) {
     lay_out_scale(content, draw, layout);
     if (draw) {
         draw_marker(content);
+        draw_notes(content);
         draw_empty_text(content);
     }
     return layout;
@@ -199,6 +200,33 @@ void Overlay::draw_marker(const OverlayContent& content) {
     }
     disc(at.x(), at.y(), 6.5, colors.marker_ring);
     disc(at.x(), at.y(), 4.8, colors.marker);
+}
+
+void Overlay::draw_notes(const OverlayContent& content) {
+    const Colors& colors = colors_of(content.palette);
+    for (const OverlaySpot& s : content.spots) {
+        if (!s.at.allFinite()) continue;
+        disc(s.at.x(), s.at.y(), 6.8, colors.text);
+        disc(s.at.x(), s.at.y(), 5.9, colors.marker_ring);
+        disc(s.at.x(), s.at.y(), 4.6, s.color);
+    }
+    for (const OverlayNote& n : content.notes) {
+        if (!n.at.allFinite()) continue;
+        if (n.framed) {
+            const double w = text_width(n.text, text_size, n.bold);
+            const double x = n.end < 0 ? n.at.x() : n.end > 0 ? n.at.x() - w : n.at.x() - w / 2;
+            rectangle(x - 3, n.at.y() - 8, x + w + 3, n.at.y() + 8, colors.panel, 0.85);
+        }
+        place_text({n.at.x(), n.at.y(),
+                    n.end < 0   ? Text::Align::left
+                    : n.end > 0 ? Text::Align::right
+                                : Text::Align::center,
+                    n.text, text_size, n.bold, colors.text});
+    }
+}
+
+double Overlay::note_width(const std::string& text, bool bold) {
+    return text_width(text, text_size, bold);
 }
 
 void Overlay::draw_empty_text(const OverlayContent& content) {

@@ -48,6 +48,21 @@ struct ColorBar {
     std::optional<std::pair<Rgb, std::string>> other;  ///< a colour apart from the scale
 };
 
+/// A text beside a place, layout pixels.
+struct OverlayNote {
+    Vec2 at = Vec2::Zero(); ///< of the middle of the left end (-1), of the text (0), of the right end (1)
+    int end = 0;
+    std::string text;
+    bool bold = false;
+    bool framed = false; ///< on a panel, where it stands over something
+};
+
+/// A ringed dot at a place, layout pixels.
+struct OverlaySpot {
+    Vec2 at = Vec2::Zero();
+    Rgb color;
+};
+
 struct OverlayContent {
     int width = 0, height = 0; ///< device pixels
     double ratio = 1;
@@ -59,6 +74,8 @@ struct OverlayContent {
     LengthUnit unit = LengthUnit::mm;
     double mm_per_pixel = 0; ///< per layout pixel
     bool axes = false;
+    std::vector<OverlaySpot> spots; ///< the later ones over the ones before
+    std::vector<OverlayNote> notes;
     std::optional<Vec2> marker;        ///< layout pixels
     Vec2 marker_normal = Vec2::Zero(); ///< image of the unit normal, y down
     std::array<Vec3, 3>
@@ -79,6 +96,8 @@ public:
     OverlayLayout layout(const OverlayContent& content);
     /// Brings the actors up to date for the frame about to be drawn.
     void update(const OverlayContent& content);
+    /// Layout pixels, at the size of notes; for `layout`'s or `update`'s last pixel ratio.
+    double note_width(const std::string& text, bool bold);
 
 private:
     struct Text {
@@ -98,6 +117,7 @@ private:
     void polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha);
     void place_text(Text text);
     void draw_marker(const OverlayContent& content);
+    void draw_notes(const OverlayContent& content);
     void draw_empty_text(const OverlayContent& content);
     OverlayLayout lay_out(const OverlayContent& content, bool draw);
     void lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout);

@@ -115,6 +115,19 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     return picture;
 }
 
+Picture render_cspace(const CSpaceRequest& request) {
+    check_picture_size(request.width, request.height, "--size");
+    CSpaceScene scene;
+    scene.set_palette(request.palette);
+    scene.set_unit(request.unit);
+    scene.set_title(request.title, request.subtitle);
+    scene.set_content(std::make_shared<const CSpaceContent>(request.content));
+    OffscreenWindow window;
+    window.show(scene, request.width, request.height);
+    scene.reset_view();
+    return window.render();
+}
+
 std::vector<Layer> parse_picture_layers(std::string_view text, const std::string& where) {
     static constexpr Layer known[] = {Layer::part, Layer::stock, Layer::cc,        Layer::cl,
                                       Layer::tool, Layer::edges, Layer::deviation, Layer::findings};
@@ -123,10 +136,13 @@ std::vector<Layer> parse_picture_layers(std::string_view text, const std::string
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = trimmed(text.substr(begin, end - begin));
         begin = end + 1;
-        if (word == "strips" || word == "cspace")
+        if (word == "strips")
             throw Error(ErrorCode::unsupported_format, where,
                         "no operation of this version makes '" + word + "' to show",
                         "show part, stock, cc, cl, tool, edges or deviation");
+        if (word == "cspace")
+            throw Error(ErrorCode::unsupported_format, where, "'cspace' is a picture of its own",
+                        "show it without other layers");
         const auto* layer =
             std::find_if(std::begin(known), std::end(known), [&](Layer l) { return layer_name(l) == word; });
         if (layer == std::end(known))

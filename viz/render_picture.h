@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/job/planner.h"
+#include "viz/cspace_room.h"
 #include "viz/picture.h"
 #include "viz/scene.h"
 
@@ -40,6 +41,17 @@ void take_plan(RenderRequest& request, const Project& project, const PlanResult&
 /// a layer was asked for and there is nothing to show in it, Cancelled before and between the stages of about
 /// 0.1 s.
 Picture render_picture(const RenderRequest& request, const Progress& progress);
+
+/// The room of one contact point's configuration space.
+struct CSpaceRequest {
+    CSpaceContent content;
+    Palette palette = Palette::light;
+    LengthUnit unit = LengthUnit::mm;
+    std::string title, subtitle;
+    int width = 1200, height = 900;
+};
+/// Throws Error(out_of_range) for the size.
+Picture render_cspace(const CSpaceRequest& request);
 
 /// "part,stock,cc,cl,tool,edges,deviation" in any order. Throws Error(out_of_range) that names `where` for
 /// unknown words and Error(unsupported_format) for the layers whose results Facetmill does not make.

@@ -76,4 +76,22 @@ std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& 
     return pretty_json(json);
 }
 
+std::string cspace_csv(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit) {
+    const double per = mm_per(unit);
+    const std::string name(unit_name(unit));
+    const PostureGrid& grid = study.field().grid();
+    const auto number = [](double value) {
+        return std::isfinite(value) ? format_number(value, 9) : std::string();
+    };
+    std::string csv = "lambda_deg,omega_deg,delta_bottom_" + name + ",delta_top_" + name + ",blocked\n";
+    for (std::size_t l = 0; l < grid.lambda.size(); ++l)
+        for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+            const std::size_t n = grid.node(l, o);
+            csv += number(degrees(grid.lambda[l])) + ',' + number(degrees(grid.omega[o])) + ','
+                   + number(point.space.bottom[n] / per) + ',' + number(point.space.top[n] / per) + ','
+                   + posture_block_name(point.space.block[n]) + '\n';
+        }
+    return csv;
+}
+
 } // namespace facetmill

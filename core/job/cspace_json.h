@@ -13,4 +13,8 @@ namespace facetmill {
 /// methods. Throws Cancelled.
 std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit);
 
+/// The same as a table with a line per posture: lambda_deg,omega_deg,delta_bottom_UNIT,delta_top_UNIT,blocked.
+/// Values that are not finite are empty.
+std::string cspace_csv(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit);
+
 } // namespace facetmill

@@ -27,6 +27,9 @@ public:
     /// Plans the point's whole pass by every method: the global one depends on all of it. Throws
     /// Error(out_of_range) for an index that is not a contact point's; Cancelled within 100 ms.
     Point point(std::size_t index, const Progress& progress) const;
+    /// The same of all points of its line, in the order of travel: not dearer than of one. The first is
+    /// number record().line_of(index).begin.
+    std::vector<Point> line(std::size_t index, const Progress& progress) const;
 
     /// Why a posture is as it is, also between nodes of the grid.
     CSpaceBuilder::Reason reason(const Point& point, double lambda, double omega) const {
