@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
@@ -84,8 +85,10 @@ MainWindow::~MainWindow() {
     // The children go while the document they show is still there. An entry that was not finished goes with
     // its field.
     properties_->form()->disconnect();
-    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, log_dock_})
+    for (QDockWidget* dock :
+         {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_, log_dock_})
         delete dock;
+    delete cspace_;
     delete desk_;
     delete takeCentralWidget();
 }
@@ -111,6 +114,7 @@ void MainWindow::build_docks() {
     verification_dock_ =
         dock(tr("Verification"), "verification_dock", desk_->panel(), Qt::RightDockWidgetArea);
     tabifyDockWidget(report_dock_, verification_dock_);
+    build_cspace();
     report_dock_->raise();
     tree_->set_verification(desk_->model());
     tree_->tree()->installEventFilter(desk_);
@@ -281,7 +285,7 @@ void MainWindow::arrange_report() {
     if (width() < narrow) {
         if (properties_dock_->isFloating() || dockWidgetArea(properties_dock_) != Qt::LeftDockWidgetArea)
             return;
-        for (QDockWidget* dock : {report_dock_, verification_dock_}) {
+        for (QDockWidget* dock : {report_dock_, verification_dock_, cspace_dock_}) {
             if (dock->isFloating() || dock->isHidden() || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
                 continue;
             tabifyDockWidget(properties_dock_, dock);
@@ -293,6 +297,8 @@ void MainWindow::arrange_report() {
             if (!dock->isFloating()) addDockWidget(Qt::RightDockWidgetArea, dock);
         if (dockWidgetArea(report_dock_) == dockWidgetArea(verification_dock_)) {
             tabifyDockWidget(report_dock_, verification_dock_);
+            if (dockWidgetArea(report_dock_) == dockWidgetArea(cspace_dock_))
+                tabifyDockWidget(verification_dock_, cspace_dock_);
             report_dock_->raise();
         }
         resizeDocks({report_dock_}, {250}, Qt::Horizontal);
@@ -339,6 +345,7 @@ void MainWindow::set_theme(Theme theme) {
     viewport_->scene().set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
     viewport_->view_cube()->update();
     viewport_->refresh();
+    cspace_->set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
     message_->colour();
     for (std::size_t i = 0; i < theme_actions_.size(); ++i)
         theme_actions_[i]->setChecked(i == std::size_t(theme));
@@ -384,7 +391,8 @@ void MainWindow::ended(const JobEnd& end) {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || display_job_.running() || desk_->busy() || !viewport_->finished();
+    return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy()
+           || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {
@@ -424,6 +432,21 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (!desk_->engaged() && cspace_->active()) {
+        const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+        switch (event->key()) {
+        case Qt::Key_Left:
+            return cspace_->step(-by, 0);
+        case Qt::Key_Right:
+            return cspace_->step(by, 0);
+        case Qt::Key_Up:
+            return cspace_->step(0, -1);
+        case Qt::Key_Down:
+            return cspace_->step(0, 1);
+        default:
+            break;
+        }
+    }
     if (desk_->take_key(*event)) return;
     if (tool_at_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
         const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;

@@ -25,6 +25,7 @@ class QToolButton;
 
 namespace facetmill::ui {
 
+class CSpaceDesk;
 class ElidedLabel;
 class LayerBar;
 class LogView;
@@ -74,6 +75,7 @@ public:
     MessageBar& message_bar() { return *message_; }
     ReportView& report() { return *report_; }
     VerificationDesk& verification() { return *desk_; }
+    CSpaceDesk& cspace() { return *cspace_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -149,6 +151,13 @@ private:
     void step_tool(int by);
     void edit_tool(std::optional<std::size_t> index);
 
+    // main_window_cspace.cpp
+    void build_cspace();
+    void show_cspace_tool(int operation, const std::optional<CutterLocation>& pose, const Marker& contact,
+                          const QString& readout);
+    void follow_cspace(const PathPick& pick);
+    void export_cspace(bool table);
+
     Document document_;
     std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
 
@@ -160,9 +169,10 @@ private:
     LogView* log_ = nullptr;
     LayerBar* layers_ = nullptr;
     VerificationDesk* desk_ = nullptr;
+    CSpaceDesk* cspace_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
-                *log_dock_ = nullptr, *verification_dock_ = nullptr;
+                *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* activity_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -180,6 +190,7 @@ private:
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
     StockShapePtr stock_mesh_; ///< as read with the part
+    bool cspace_offered_ = false; ///< the room came to light once
     bool settling_ = false;
     bool verify_next_ = false;           ///< when the planning under way is through
     std::vector<QDockWidget*> made_way_; ///< put behind the parameters because the window is narrow

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "core/job/stock_solid.h"
+#include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
@@ -288,10 +289,12 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     readout_->set_text(readout);
     viewport_->refresh();
     desk_->tool_put(*index, pick.motion);
+    follow_cspace(pick);
 }
 
 void MainWindow::hide_tool() {
     tool_at_.reset();
+    cspace_->leave();
     readout_text_.clear();
     readout_->set_text({});
     viewport_->scene().set_tool(std::nullopt);

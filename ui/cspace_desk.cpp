@@ -1,0 +1,351 @@
+#include "ui/cspace_desk.h"
+
+#include "core/base/file.h"
+#include "core/job/cspace_json.h"
+#include "ui/cspace_view.h"
+#include "ui/elided_label.h"
+#include "ui/text.h"
+
+#include <QImage>
+#include <QLabel>
+#include <QSaveFile>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr QSize picture_size(1200, 900);
+
+QString angle_text(double radians) {
+    return QString::number(degrees(radians), 'f', 1).replace(QChar('-'), QChar(0x2212)) + QChar(0x00B0);
+}
+
+/// As the readouts have coordinates: what is below their last digit is nothing.
+QString lift_text(double mm, LengthUnit unit) {
+    return QStringLiteral("%1 %2").arg(
+        QString::number(mm / mm_per(unit), 'f', unit == LengthUnit::inch ? 4 : 3), text(unit_name(unit)));
+}
+
+} // namespace
+
+CSpaceDesk::CSpaceDesk(Document& document, QWidget* window)
+    : QObject(window), document_(document), panel_(new CSpacePanel(window)) {
+    connect(panel_, &CSpacePanel::stepped, this, &CSpaceDesk::step);
+    connect(panel_, &CSpacePanel::cancel_requested, this, [this] { job_.cancel(); });
+    connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
+    connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceDesk::show_hover);
+    connect(panel_->view(), &CSpaceView::tried, this, &CSpaceDesk::try_posture);
+    connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceDesk::show_choice);
+    connect(&job_, &BackgroundJob::started, this, [this] { panel_->set_busy(true); });
+    connect(&job_, &BackgroundJob::progressed, this,
+            [this](double fraction, const QString&) { panel_->set_busy(true, fraction); });
+    connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
+        panel_->set_busy(false);
+        if (end.how == JobEnd::How::failed) emit failed(end.message);
+        emit settled();
+    });
+    connect(&document_, &Document::changed, this, [this] { // the unit
+        panel_->view()->scene().set_unit(document_.unit());
+        panel_->view()->refresh();
+    });
+    clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
+}
+
+CSpaceDesk::~CSpaceDesk() = default;
+
+void CSpaceDesk::clear_room(const QString& text) {
+    shown_.reset();
+    tried_.reset();
+    CSpaceScene& scene = panel_->view()->scene();
+    scene.set_content(nullptr);
+    scene.set_title({});
+    scene.set_empty_text(utf8(text));
+    panel_->show_legend();
+    panel_->readout()->setText({});
+    panel_->heading()->set_text(heading());
+    panel_->set_ready(at_.has_value(), false);
+    panel_->view()->refresh();
+}
+
+bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationResult>& result,
+                         const Vec3& place) {
+    const auto& record = result ? result->path.five_axis : nullptr;
+    if (!record || record->points.empty()) return false;
+    if (record != record_) {
+        job_.cancel();
+        known_.clear();
+        study_.reset();
+        record_ = record;
+        cutter_ = std::make_shared<const CutterProfile>(record->context.tool.cutter());
+    }
+    operation_ = operation;
+    result_ = result;
+    double nearest = infinity;
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < record_->points.size(); ++i) {
+        const double away = (record_->points[i].place.surface - place).squaredNorm();
+        if (away < nearest) {
+            nearest = away;
+            index = i;
+        }
+    }
+    if (at_ == index && shown_ && !tried_) return true;
+    at_ = index;
+    tried_.reset();
+    study();
+    return true;
+}
+
+void CSpaceDesk::leave() {
+    if (!record_ && !at_) return;
+    job_.cancel();
+    known_.clear();
+    study_.reset();
+    record_.reset();
+    result_.reset();
+    at_.reset();
+    operation_ = -1;
+    clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
+}
+
+bool CSpaceDesk::active() const {
+    return at_ && panel_->isVisible() && !panel_->visibleRegion().isEmpty();
+}
+
+std::size_t CSpaceDesk::point_count() const {
+    return record_ ? record_->points.size() : 0;
+}
+
+void CSpaceDesk::step(int points, int passes) {
+    if (!at_ || !record_) return;
+    const auto& lines = record_->lines;
+    const FiveAxisRecord::Line& line = record_->line_of(*at_);
+    std::size_t next = *at_;
+    if (points != 0) {
+        const auto last = std::ptrdiff_t(record_->points.size()) - 1;
+        next = std::size_t(std::clamp<std::ptrdiff_t>(std::ptrdiff_t(next) + points, 0, last));
+    }
+    if (passes != 0) {
+        // The point of the other line that lies nearest.
+        const auto number = std::ptrdiff_t(&line - lines.data()) + passes;
+        const auto& to =
+            lines[std::size_t(std::clamp<std::ptrdiff_t>(number, 0, std::ptrdiff_t(lines.size()) - 1))];
+        if (&to != &line) {
+            const Vec3 here = record_->points[next].place.surface;
+            double nearest = infinity;
+            for (std::size_t i = to.begin; i < to.end; ++i) {
+                const double away = (record_->points[i].place.surface - here).squaredNorm();
+                if (away < nearest) {
+                    nearest = away;
+                    next = i;
+                }
+            }
+        }
+    }
+    if (next == *at_ && !tried_) return;
+    stand_at(next);
+}
+
+void CSpaceDesk::stand_at(std::size_t index) {
+    at_ = index;
+    const ChosenPosture& planned = record_->points[index].choice;
+    show_tool(planned.free ? std::optional(planned.posture) : std::nullopt,
+              planned.free ? tr("planned") : tr("left to clean-up"));
+    tried_.reset();
+    study();
+}
+
+CutterLocation CSpaceDesk::pose(const PostureValue& posture) const {
+    const ToolPose p = posture_pose(*cutter_, record_->points[*at_].place.frame, posture);
+    return {p.tip, p.axis};
+}
+
+QString CSpaceDesk::heading() const {
+    if (!at_ || !record_ || !result_) return tr("No point");
+    const FiveAxisRecord::Line& line = record_->line_of(*at_);
+    return tr("Pass %1, point %2 of %3 · %4")
+        .arg(line.drive + 1)
+        .arg(count_text(*at_ - line.begin + 1), count_text(line.end - line.begin), text(result_->name));
+}
+
+void CSpaceDesk::show_tool(const std::optional<PostureValue>& posture, const QString& what) {
+    const ContactPlace& place = record_->points[*at_].place;
+    QString line = heading();
+    if (posture)
+        line += tr("   %1: lead %2, yaw %3, lift %4")
+                    .arg(what, angle_text(posture->lambda), angle_text(posture->omega),
+                         lift_text(posture->delta, document_.unit()));
+    else
+        line += QStringLiteral("   ") + what;
+    emit tool_wanted(operation_, posture ? std::optional(pose(*posture)) : std::nullopt,
+                     Marker{place.surface, place.frame.normal}, line);
+}
+
+void CSpaceDesk::look() {
+    if (at_) study();
+}
+
+void CSpaceDesk::study() {
+    panel_->heading()->set_text(heading());
+    if (const auto known = known_.find(*at_); known != known_.end()) {
+        job_.cancel(); // of a line that was stepped over
+        wanted_.reset();
+        show_point(known->second);
+        return;
+    }
+    clear_room(tr("Looking at the pass…"));
+    if (!panel_->isVisible()) return; // nobody sees it
+    const std::size_t first = record_->line_of(*at_).begin;
+    if (wanted_ == first && job_.running() && !job_.cancelling()) return;
+    wanted_ = first;
+    struct Outcome {
+        std::shared_ptr<const FiveAxisStudy> study;
+        std::vector<FiveAxisStudy::Point> points;
+    };
+    auto outcome = std::make_shared<Outcome>();
+    outcome->study = study_;
+    job_.start(
+        tr("Configuration space"),
+        [outcome, record = record_, first](const Progress& p) {
+            if (!outcome->study)
+                outcome->study = std::make_shared<const FiveAxisStudy>(record, p.part(0, 0.2));
+            outcome->points = outcome->study->line(first, p.part(0.2, 1));
+        },
+        [this, outcome, record = record_, first](const JobEnd& end) {
+            if (record != record_) return;
+            if (wanted_ == first) wanted_.reset();
+            if (!end.done()) {
+                if (at_ && !shown_ && !wanted_) clear_room(tr("Not studied. Step on, or pick a point."));
+                return;
+            }
+            study_ = outcome->study;
+            known_.clear();
+            for (auto& point : outcome->points) {
+                const std::size_t index = point.index;
+                known_[index] = std::make_shared<const FiveAxisStudy::Point>(std::move(point));
+            }
+            if (const auto known = at_ ? known_.find(*at_) : known_.end(); known != known_.end())
+                show_point(known->second);
+        });
+}
+
+void CSpaceDesk::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
+    shown_ = std::move(point);
+    tried_.reset();
+    auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*study_, *shown_));
+    CSpaceScene& scene = panel_->view()->scene();
+    scene.set_unit(document_.unit());
+    panel_->heading()->set_text(heading());
+    scene.set_title({}, utf8(tr("%1 of %2 postures free")
+                                 .arg(count_text(content->free_nodes), count_text(content->block.size()))));
+    scene.set_content(std::move(content));
+    panel_->show_legend();
+    panel_->readout()->setText(shown_->planned.free
+                                   ? tr("Planned: ") + reason_text(shown_->planned.posture, true)
+                                   : tr("No posture is free: the point is left to clean-up"));
+    panel_->set_ready(true, true);
+    panel_->view()->refresh();
+}
+
+QString CSpaceDesk::reason_text(const PostureValue& posture, bool with_lift) const {
+    const auto reason = study_->reason(*shown_, posture.lambda, posture.omega);
+    const LengthUnit unit = document_.unit();
+    QString line = tr("lead %1, yaw %2").arg(angle_text(posture.lambda), angle_text(posture.omega));
+    if (with_lift) line += tr(", lift %1").arg(lift_text(posture.delta, unit));
+    line += QStringLiteral(": ") + text(posture_block_label(reason.block)).toLower();
+    if (reason.block != PostureBlock::free && reason.contact.body != ToolBody::none
+        && reason.contact.facet != no_index)
+        line += tr(", facet %1").arg(count_text(reason.contact.facet));
+    const auto limit = [&](double v) {
+        return std::isfinite(v) ? lift_text(v, unit) : QString(v > 0 ? QChar(0x221E) : QChar(0x2013));
+    };
+    line += tr("; bottom %1, top %2").arg(limit(reason.bottom), limit(reason.top));
+    return line;
+}
+
+void CSpaceDesk::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
+    if (!shown_ || !study_) return;
+    if (hit)
+        panel_->readout()->setText(reason_text(hit->posture, hit->on != CSpaceRoom::Hit::On::map));
+    else if (tried_)
+        panel_->readout()->setText(tr("Tried: ") + reason_text(*tried_, true));
+}
+
+void CSpaceDesk::try_posture(const PostureValue& posture) {
+    if (!shown_ || !study_) return;
+    PostureValue p = posture;
+    const auto reason = study_->reason(*shown_, p.lambda, p.omega);
+    if (!std::isfinite(reason.bottom)) return; // the cutter cannot touch like this
+    // Within the free volume; elsewhere as low as nothing is cut.
+    p.delta = reason.block == PostureBlock::free
+                  ? std::clamp(p.delta, reason.bottom, std::max(reason.bottom, reason.top))
+                  : reason.bottom;
+    tried_ = p;
+    panel_->view()->scene().set_probe(p);
+    panel_->view()->refresh();
+    panel_->readout()->setText(tr("Tried: ") + reason_text(p, true));
+    show_tool(p, tr("tried"));
+}
+
+void CSpaceDesk::show_choice(std::size_t choice) {
+    if (!shown_) return;
+    const ChosenPosture& chosen = choice + 1 < cspace_choices ? shown_->chosen[choice] : shown_->planned;
+    tried_.reset();
+    panel_->view()->scene().set_probe(std::nullopt);
+    panel_->view()->refresh();
+    const QString name = text(cspace_choice_label(choice));
+    if (chosen.free)
+        panel_->readout()->setText(name + QStringLiteral(": ") + reason_text(chosen.posture, true));
+    show_tool(chosen.free ? std::optional(chosen.posture) : std::nullopt,
+              chosen.free ? name : tr("left to clean-up"));
+}
+
+void CSpaceDesk::set_palette(Palette palette) {
+    panel_->view()->scene().set_palette(palette);
+    panel_->show_legend();
+    panel_->view()->refresh();
+}
+
+bool CSpaceDesk::busy() const {
+    return job_.running() || (panel_->isVisible() && !panel_->view()->finished());
+}
+
+bool CSpaceDesk::save_picture(const QString& path) {
+    if (!shown_) return false;
+    CSpaceScene& scene = panel_->view()->scene();
+    scene.set_title(utf8(heading()), utf8(tr("%1 of %2 postures free")
+                                              .arg(count_text(scene.content()->free_nodes),
+                                                   count_text(scene.content()->block.size()))));
+    const QImage picture = panel_->view()->export_picture(picture_size);
+    scene.set_title({}, utf8(tr("%1 of %2 postures free")
+                                 .arg(count_text(scene.content()->free_nodes),
+                                      count_text(scene.content()->block.size()))));
+    QSaveFile file(path);
+    if (picture.isNull() || !file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG")
+        || !file.commit()) {
+        emit failed(tr("%1: the picture cannot be written (%2)").arg(path, file.errorString()));
+        return false;
+    }
+    emit told(tr("Wrote %1.").arg(path));
+    return true;
+}
+
+bool CSpaceDesk::save_table(const QString& path) {
+    if (!shown_ || !study_) return false;
+    try {
+        OutputFile file(path_of(path));
+        file.write(cspace_csv(*study_, *shown_, document_.unit()));
+        file.commit();
+    } catch (const Error& e) {
+        emit failed(text(e.what()));
+        return false;
+    }
+    emit told(tr("Wrote %1.").arg(path));
+    return true;
+}
+
+} // namespace facetmill::ui

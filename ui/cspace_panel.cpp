@@ -1,0 +1,170 @@
+// The panel of the configuration-space room.
+#include "ui/cspace_desk.h"
+#include "ui/cspace_view.h"
+#include "ui/elided_label.h"
+#include "ui/flow_layout.h"
+#include "ui/icons.h"
+#include "ui/text.h"
+#include "viz/overlay.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// As the legend of a picture draws it.
+QPixmap sample_of(const LegendEntry& entry, double ratio) {
+    constexpr int width = 16, height = 12;
+    QPixmap pixmap(int(std::ceil(width * ratio)), int(std::ceil(height * ratio)));
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter p(&pixmap);
+    p.setRenderHint(QPainter::Antialiasing);
+    QColor color = QColor::fromRgbF(float(entry.color.r), float(entry.color.g), float(entry.color.b));
+    switch (entry.sample) {
+    case LegendEntry::Sample::spot:
+        p.setPen(QPen(Qt::white, 1.5));
+        p.setBrush(color);
+        p.drawEllipse(QPointF(width / 2.0, height / 2.0), 5.0, 5.0);
+        break;
+    case LegendEntry::Sample::line:
+        p.fillRect(QRectF(0, height / 2.0 - 1, width, 2), color);
+        break;
+    case LegendEntry::Sample::box: {
+        QColor pale = color;
+        pale.setAlphaF(0.3f);
+        p.setPen(color);
+        p.setBrush(pale);
+        p.drawRect(QRectF(0.5, 0.5, width - 1, height - 1));
+        break;
+    }
+    default:
+        p.fillRect(QRectF(0, 0, width, height), color);
+    }
+    return pixmap;
+}
+
+} // namespace
+
+CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("cspace"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    heading_ = new ElidedLabel(this);
+    heading_->setObjectName(QStringLiteral("cspace_heading"));
+    heading_->setMinimumWidth(40);
+    row->addWidget(heading_, 1);
+    const auto add = [&](Icon which, const QString& tip, const char* name) {
+        auto* b = button(int(which), tip, name);
+        row->addWidget(b);
+        return b;
+    };
+    auto* previous = add(Icon::step_back, tr("Point before on the pass (←; Shift: ten)"), "cspace_previous");
+    auto* next = add(Icon::step_forward, tr("Next point on the pass (→; Shift: ten)"), "cspace_next");
+    auto* up = add(Icon::up, tr("Pass before (↑)"), "cspace_pass_before");
+    auto* down = add(Icon::down, tr("Next pass (↓)"), "cspace_pass_next");
+    steps_ = {previous, next, up, down};
+    connect(previous, &QToolButton::clicked, this, [this] { emit stepped(-1, 0); });
+    connect(next, &QToolButton::clicked, this, [this] { emit stepped(1, 0); });
+    connect(up, &QToolButton::clicked, this, [this] { emit stepped(0, -1); });
+    connect(down, &QToolButton::clicked, this, [this] { emit stepped(0, 1); });
+    back_ = add(Icon::reset, tr("Tool back to the planned posture"), "cspace_back");
+    picture_ = add(Icon::picture, tr("Export the room as a picture (PNG)"), "cspace_picture");
+    table_ = add(Icon::export_program, tr("Export the postures as a table (CSV)"), "cspace_table");
+    connect(back_, &QToolButton::clicked, this, &CSpacePanel::back_requested);
+    connect(picture_, &QToolButton::clicked, this, &CSpacePanel::picture_requested);
+    connect(table_, &QToolButton::clicked, this, &CSpacePanel::table_requested);
+    column->addLayout(row);
+
+    view_ = new CSpaceView(this);
+    view_->setObjectName(QStringLiteral("cspace_view"));
+    view_->scene().set_legend_visible(false); // it stands below
+    auto* busy = new QHBoxLayout;
+    progress_ = new QProgressBar(view_);
+    progress_->setObjectName(QStringLiteral("cspace_progress"));
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(6);
+    cancel_ = button(int(Icon::cancel), tr("Cancel"), "cspace_cancel");
+    cancel_->setIconSize(QSize(12, 12));
+    connect(cancel_, &QToolButton::clicked, this, &CSpacePanel::cancel_requested);
+    busy->addWidget(progress_, 1);
+    busy->addWidget(cancel_);
+    auto* over = new QVBoxLayout(view_); // it takes no room from the picture
+    over->setContentsMargins(8, 4, 4, 4);
+    over->addLayout(busy);
+    over->addStretch(1);
+    column->addWidget(view_, 1);
+    legend_ = new QWidget(this);
+    legend_->setObjectName(QStringLiteral("cspace_legend"));
+    auto* flow = new FlowLayout(legend_, 10);
+    flow->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(legend_);
+    readout_ = new QLabel(this);
+    readout_->setObjectName(QStringLiteral("cspace_readout"));
+    readout_->setWordWrap(true);
+    readout_->setTextFormat(Qt::PlainText);
+    readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    readout_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2); // the room does not jump
+    readout_->setMinimumWidth(40);
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    column->addWidget(readout_);
+    connect(view_, &CSpaceView::stepped, this, &CSpacePanel::stepped);
+    set_busy(false);
+    set_ready(false, false);
+}
+
+QToolButton* CSpacePanel::button(int which, const QString& tip, const char* name) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(QLatin1String(name));
+    b->setIcon(icon(Icon(which)));
+    b->setIconSize(QSize(16, 16));
+    b->setAutoRaise(true);
+    b->setToolTip(tip);
+    b->setFocusPolicy(Qt::TabFocus);
+    return b;
+}
+
+void CSpacePanel::set_busy(bool busy, double fraction) {
+    progress_->setVisible(busy);
+    cancel_->setVisible(busy);
+    progress_->setValue(int(1000 * fraction));
+}
+
+void CSpacePanel::set_ready(bool point, bool study) {
+    for (QToolButton* b : steps_)
+        b->setEnabled(point);
+    for (QToolButton* b : {back_, picture_, table_})
+        b->setEnabled(study);
+}
+
+void CSpacePanel::show_legend() {
+    qDeleteAll(legend_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    for (const LegendEntry& entry : view_->scene().legend()) {
+        if (entry.sample == LegendEntry::Sample::spot) continue; // they have their names in the room
+        auto* item = new QWidget(legend_);
+        auto* row = new QHBoxLayout(item);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(5);
+        auto* sample = new QLabel(item);
+        sample->setPixmap(sample_of(entry, devicePixelRatioF()));
+        row->addWidget(sample);
+        row->addWidget(new QLabel(text(entry.label), item));
+        legend_->layout()->addWidget(item);
+        item->show();
+    }
+    legend_->updateGeometry();
+}
+
+} // namespace facetmill::ui
