@@ -178,7 +178,7 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
                       shown_length(o.result->totals.cut_length, document_.unit(), 5),
                       duration_text(o.result->totals.time_seconds)),
              false);
-        for (const std::string& warning : o.result->path.warnings)
+        for (const std::string& warning : o.result->warnings())
             tell(MessageBar::Kind::warning,
                  name + QStringLiteral(": ") + with_lengths_in(text(warning), document_.unit()), false);
     }

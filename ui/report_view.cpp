@@ -175,7 +175,7 @@ QString ReportView::operation_html(std::size_t i) const {
                   signal.attention.name());
     facts.add(tr("Planned in"), duration_text(result->seconds_planning));
     html += facts.html();
-    for (const std::string& warning : path.warnings)
+    for (const std::string& warning : result->warnings())
         html += note(sentence(with_lengths_in(text(warning), unit)), signal.attention);
     return html;
 }

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t vertices_per_block = 20000;
+/// A warning names this many of a machine's findings.
+constexpr std::size_t most_findings_told = 3;
 
 /// Exact text of values, for cache keys.
 class Key {
@@ -138,11 +140,38 @@ MeshPtr load_stock(const fs::path& path, const StockSpec& stock, const Progress&
     return mesh;
 }
 
+MachineRun machine_run(const MachineMotion& motion, const Machine& machine, LengthUnit unit) {
+    MachineRun run;
+    for (int j = 0; j < machine.joints(); ++j) {
+        run.joints.push_back(machine.axis_name(j));
+        run.reversals.push_back(motion.reversals[std::size_t(j)]);
+    }
+    run.largest_angular_rate = motion.largest_angular_rate;
+    run.motions = motion.motions.size();
+    run.findings = motion.findings.size();
+    if (run.findings == 0) return run;
+    std::string text = "machine '" + printable(machine.name) + "' does not hold "
+                       + std::to_string(run.findings) + " of " + std::to_string(run.motions)
+                       + " motions as planned: ";
+    for (std::size_t i = 0; i < std::min(run.findings, most_findings_told); ++i)
+        text += (i > 0 ? "; " : "") + finding_text(motion.findings[i], machine, unit);
+    if (run.findings > most_findings_told)
+        text += "; and " + std::to_string(run.findings - most_findings_told) + " more";
+    run.warnings.push_back(std::move(text));
+    return run;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace
+
+std::vector<std::string> OperationResult::warnings() const {
+    std::vector<std::string> all = path.warnings;
+    if (machine_run) all.insert(all.end(), machine_run->warnings.begin(), machine_run->warnings.end());
+    return all;
+}
 
 struct Planner::Cache {
     struct Planned {
@@ -293,7 +322,9 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     program.multi_axis = !operation.three_axis();
     program.gauge_length = gauge_length(context.tool);
     program.part_box = context.part_box;
-    result->totals = motion_totals(program, context.machine, {}, progress);
+    MachineMotion followed;
+    result->totals = motion_totals(program, context.machine, {}, progress, &followed);
+    if (program.multi_axis) result->machine_run = machine_run(followed, context.machine, project.unit);
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);

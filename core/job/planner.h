@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,27 @@ struct PreparedPart {
     MeshPtr stock_mesh;            ///< in place; null where the project's stock is none
 };
 
+/// How a program of several axes runs on its machine (motion_time.h).
+struct MachineRun {
+    std::vector<std::string> joints;    ///< names: "X", "Y", "Z", "C", "A"
+    std::vector<std::size_t> reversals; ///< how often each joint turns back
+    double largest_angular_rate = 0;    ///< rad/s
+    std::size_t motions = 0, findings = 0;
+    std::vector<std::string> warnings; ///< what the machine cannot do, in the project's unit
+};
+
 struct OperationResult {
     std::string name, kind;
     StrategyResult path;
     ClProgram program;
     MotionTotals totals;
+    std::optional<MachineRun> machine_run;         ///< of a program of several axes
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;
+
+    /// The path's and the machine's.
+    std::vector<std::string> warnings() const;
 };
 
 /// How often a Planner ran each stage; what was reused is not counted.

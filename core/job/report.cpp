@@ -26,6 +26,28 @@ Json box_json(const Box3& box, double per) {
     return Json{{"low", numbers(box.lo, per)}, {"high", numbers(box.hi, per)}};
 }
 
+/// What only programs of several axes have.
+void add_machine_run(Json& entry, const OperationResult& o) {
+    const auto number = [&](double v) {
+        return json_number(v, "report: operation '" + printable(o.name) + "'");
+    };
+    const MachineRun& run = *o.machine_run;
+    const auto& seconds = o.path.stage_seconds;
+    entry["seconds_by_stage"] = Json{{"cc", number(seconds[0])},
+                                     {"bottom", number(seconds[1])},
+                                     {"top", number(seconds[2])},
+                                     {"choose", number(seconds[3])}};
+    if (o.path.lead_min <= o.path.lead_max)
+        entry["lead_degrees"] =
+            Json::array({number(degrees(o.path.lead_min)), number(degrees(o.path.lead_max))});
+    Json reversals;
+    for (std::size_t j = 0; j < run.joints.size(); ++j)
+        reversals[run.joints[j]] = run.reversals[j];
+    entry["joint_reversals"] = std::move(reversals);
+    entry["largest_angular_rate_degrees_per_second"] = number(degrees(run.largest_angular_rate));
+    entry["machine_findings"] = run.findings;
+}
+
 } // namespace
 
 NewFolder::NewFolder(const fs::path& path) {
@@ -58,7 +80,7 @@ std::string report_json(const Project& project, const PlanResult& result) {
             return json_number(v, "report: operation '" + printable(o->name) + "'");
         };
         Json warnings = Json::array();
-        for (const auto& w : o->path.warnings)
+        for (const auto& w : o->warnings())
             warnings.push_back(w);
         Json entry;
         entry["name"] = o->name;
@@ -77,6 +99,7 @@ std::string report_json(const Project& project, const PlanResult& result) {
         entry["warnings"] = std::move(warnings);
         entry["seconds_planning"] = number(o->seconds_planning);
         entry["direction_degrees"] = number(degrees(o->path.direction));
+        if (o->machine_run) add_machine_run(entry, *o);
         operations.push_back(std::move(entry));
     }
     const MeshReport& mesh = result.part->report;

@@ -194,7 +194,7 @@ std::vector<double> motion_seconds(const ClProgram& program, const Machine& mach
 }
 
 MotionTotals motion_totals(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options,
-                           const Progress& progress) {
+                           const Progress& progress, MachineMotion* followed) {
     MotionTotals totals;
     double rapid_seconds = 0;
     const auto& motions = program.motions.motions;
@@ -208,9 +208,13 @@ MotionTotals motion_totals(const ClProgram& program, const Machine& machine, con
             totals.cut_length += step.norm();
         }
     }
-    totals.time_seconds = program.multi_axis || options.accelerations
-                              ? machine_motion(program, machine, options, progress).time_seconds
-                              : rapid_seconds + totals.cut_length / program.feed_mm_per_min * 60.0;
+    if (program.multi_axis || options.accelerations) {
+        MachineMotion all = machine_motion(program, machine, options, progress);
+        totals.time_seconds = all.time_seconds;
+        if (followed) *followed = std::move(all);
+    } else {
+        totals.time_seconds = rapid_seconds + totals.cut_length / program.feed_mm_per_min * 60.0;
+    }
     return totals;
 }
 

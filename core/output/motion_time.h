@@ -39,8 +39,13 @@ struct MotionTotals {
     double time_seconds = 0; ///< as above
 };
 
+struct MachineMotion;
+
+/// `followed`, if given, becomes what machine_motion finds where the totals come from it: in programs of
+/// several axes, and with accelerations. Otherwise it is left alone.
 MotionTotals motion_totals(const ClProgram& program, const Machine& machine,
-                           const MotionTimeOptions& options = {}, const Progress& progress = {});
+                           const MotionTimeOptions& options = {}, const Progress& progress = {},
+                           MachineMotion* followed = nullptr);
 
 /// Of every motion; the first comes from nobody knows where and takes no time. Their sum is the total's time.
 std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,
