@@ -166,6 +166,7 @@ private:
 
     void finish_pass(const EstimatedPass& pass, const std::vector<double>& border_lo,
                      const std::vector<double>& border_hi, const Progress& progress) {
+        if (pass.lines.empty()) return; // between two pieces of the surface
         const int drive = result_.drive_planes++;
         const double part_lo = field_.lines().lo(), part_hi = field_.lines().hi();
         std::vector<std::size_t> order(pass.lines.size());
@@ -243,13 +244,20 @@ private:
         result_.stage_seconds[2] += spent * study.stages.top / cpu;
         const auto choosing = Clock::now();
         line.choices = choose_postures(field_, study, settings_.posture, last_pose(), progress);
+        // Between the nodes of the grid too no tool lies down.
+        for (std::size_t i = 0; i < line.places.size(); ++i) {
+            ChosenPosture& c = line.choices[i];
+            c.free = c.free
+                     && posture_axis(line.places[i].frame, c.posture.lambda, c.posture.omega).z()
+                            >= tolerance::lowest_axis_z;
+        }
         result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - choosing).count();
         FiveAxisRecord::Line recorded{record_->points.size(), 0, drive};
         for (std::size_t i = 0; i < line.places.size(); ++i) {
             record_->points.push_back({line.places[i], study.points[i].cm2_lambda, line.choices[i]});
             if (line.choices[i].free) continue;
-            for (const PostureBlock b : study.spaces[i].block)
-                ++blocked_[std::size_t(b)];
+            ++unfree_;
+            ++blocked_[std::size_t(decisive_block(study.spaces[i]))];
         }
         recorded.end = record_->points.size();
         record_->lines.push_back(recorded);
@@ -261,12 +269,36 @@ private:
         return ToolPose{end.tip, end.axis};
     }
 
-    /// What blocks most postures of the points that have none.
+    /// What keeps the postures of a point that come nearest to being free: free but for the machine, then
+    /// low enough but for what the tool hits. Nearly every point has postures that leave too much.
+    static PostureBlock decisive_block(const CSpace& space) {
+        std::array<std::size_t, 8> count{};
+        for (const PostureBlock b : space.block)
+            ++count[std::size_t(b)];
+        const auto any = [&](PostureBlock b) { return count[std::size_t(b)] > 0; };
+        if (any(PostureBlock::free)) return PostureBlock::free;
+        if (any(PostureBlock::machine)) return PostureBlock::machine;
+        PostureBlock most = PostureBlock::lift;
+        std::size_t best = 0;
+        for (const PostureBlock b :
+             {PostureBlock::local, PostureBlock::global, PostureBlock::shank, PostureBlock::holder})
+            if (count[std::size_t(b)] > best) {
+                best = count[std::size_t(b)];
+                most = b;
+            }
+        return most;
+    }
+
+    /// What is decisive at most of the points that have no posture.
     std::string main_cause() const {
-        std::size_t worst = 1;
-        for (std::size_t k = 1; k < blocked_.size(); ++k)
-            if (blocked_[k] > blocked_[worst]) worst = k;
+        const auto worst = std::max_element(blocked_.begin(), blocked_.end()) - blocked_.begin();
         switch (PostureBlock(worst)) {
+        case PostureBlock::free:
+            return settings_.posture == Finish5Settings::PostureChoice::global
+                       ? "the free postures are too far from those of the neighbours: allow a larger turn "
+                         "limit"
+                       : "other postures would be free than this way of choosing tries: choose them by "
+                         "global";
         case PostureBlock::local:
             return "the part close to the contact point stands in the cutter's way: use a smaller tool there";
         case PostureBlock::global:
@@ -298,13 +330,15 @@ private:
             result_.warnings.push_back(std::to_string(unsatisfied_) + " of "
                                        + std::to_string(result_.drive_planes)
                                        + " drive planes cross places where no step-over meets the tolerance");
-        if (result_.cleanup_points > 0)
+        if (unfree_ > 0)
             result_.warnings.push_back(
-                std::to_string(result_.cleanup_points) + " contact points of "
-                + std::to_string(record_->points.size())
-                + " have no free posture or cannot be joined to their neighbours and are left to clean-up; "
-                  "mostly "
-                + main_cause());
+                std::to_string(unfree_) + " of " + std::to_string(record_->points.size())
+                + " contact points have no free posture and are left to clean-up; mostly " + main_cause());
+        if (result_.cleanup_points > unfree_)
+            result_.warnings.push_back(
+                std::to_string(result_.cleanup_points - unfree_)
+                + " places are left to clean-up because the tool cannot come there from "
+                  "its neighbours without gouging or turning too far");
         if (settings_.stepover.is_number() && result_.cusp_max > field_.cusp())
             result_.warnings.push_back("the step-over of " + text(settings_.stepover.number)
                                        + " leaves cusps of " + text(result_.cusp_max)
@@ -320,6 +354,7 @@ private:
     std::shared_ptr<FiveAxisRecord> record_;
     StrategyResult result_;
     std::array<std::size_t, 8> blocked_{};
+    std::size_t unfree_ = 0; ///< contact points
     int unsatisfied_ = 0;
 };
 

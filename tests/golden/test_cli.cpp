@@ -57,7 +57,8 @@ private slots:
         const CliRun help = run_cli({"--help"}, s.path());
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
-        for (const char* command : {"info", "sample", "plan", "drop", "render", "reference"}) {
+        for (const char* command :
+             {"info", "sample", "plan", "simulate", "cspace", "drop", "render", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);

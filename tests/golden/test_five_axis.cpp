@@ -1,0 +1,291 @@
+// Five axes from the command line: reports, programs and configuration spaces, and what cannot be planned.
+#include "tests/golden/run_cli.h"
+#include "tests/support/test_runner.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+
+using namespace facetmill;
+using test::CliRun;
+using test::run_cli;
+using test::Sandbox;
+
+namespace {
+
+QByteArray facet(const QString& a, const QString& b, const QString& c) {
+    return ("facet normal 0 0 0 outer loop vertex " + a + " vertex " + b + " vertex " + c
+            + " endloop endfacet\n")
+        .toUtf8();
+}
+
+/// A saddle over 24 x 16 mm as a sheet.
+QByteArray saddle() {
+    QByteArray text = "solid saddle\n";
+    const auto at = [](int i, int k) {
+        const double x = -12 + 2 * i, y = -8 + 2 * k;
+        return QString("%1 %2 %3").arg(x).arg(y).arg(0.01 * (x * x - y * y), 0, 'f', 6);
+    };
+    for (int i = 0; i < 12; ++i)
+        for (int k = 0; k < 8; ++k)
+            text += facet(at(i, k), at(i + 1, k), at(i + 1, k + 1))
+                    + facet(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    return text + "endsolid saddle\n";
+}
+
+/// A sheet that stands upright.
+QByteArray wall() {
+    return "solid wall\n" + facet("0 0 0", "20 0 0", "20 0 10") + facet("0 0 0", "20 0 10", "0 0 10")
+           + "endsolid wall\n";
+}
+
+const char* const good_project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
+  "machine": "tarus-tpi-2000",
+  "tools": [ { "number": 1, "name": "Flat", "diameter": 6, "corner_radius": 0, "flute_length": 20, "shank_diameter": 6,
+               "shank_length": 20, "holder": [ { "diameter": 20, "length": 30 } ] },
+             { "number": 2, "name": "Ball", "diameter": 6, "corner_radius": 3, "flute_length": 20, "shank_diameter": 6,
+               "shank_length": 20 } ],
+  "operations": [ { "kind": "finish5", "name": "Five", "tool": 1, "tolerance": 0.1, "direction": "x" },
+                  { "kind": "finish3", "name": "Three", "tool": 2, "tolerance": 0.2, "stepover": 2 } ] })";
+
+QByteArray changed(const QByteArray& from, const QByteArray& to) {
+    QByteArray text = good_project;
+    if (!text.contains(from)) qFatal("the test's text is not in the project");
+    return text.replace(from, to);
+}
+
+QJsonObject json(const QByteArray& text) {
+    return QJsonDocument::fromJson(text).object();
+}
+
+Sandbox& prepared(Sandbox& s, const QByteArray& project = good_project) {
+    s.write("part.stl", saddle());
+    s.write("wall.stl", wall());
+    s.write("job.facetmill", project);
+    return s;
+}
+
+QByteArray bytes_of(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A machine with a head of two axes, whose Z ends at `top` mm above the part's bottom.
+QByteArray own_machine(double top) {
+    return QString(R"({ "facetmill_machine": 1, "label": "Own", "units": "mm", "axes": [
+        { "name": "X", "kind": "linear", "speed": 170 },
+        { "name": "Y", "kind": "linear", "speed": 180 },
+        { "name": "Z", "kind": "linear", "speed": 240, "travel": [-1000, %1] },
+        { "name": "C", "kind": "rotary", "carries": "tool", "direction": [0, 0, 1], "point": [0, 0, 0], "sign": 1, "travel": [-360, 360], "speed": 17 },
+        { "name": "A", "kind": "rotary", "carries": "tool", "direction": [1, 0, 0], "point": [0, 0, 0], "sign": 1, "travel": [-110, 110], "speed": 28 } ] })")
+        .arg(top)
+        .toUtf8();
+}
+
+} // namespace
+
+class TestFiveAxis : public QObject {
+    Q_OBJECT
+private slots:
+
+    void the_report_has_the_keys_of_five_axes() {
+        Sandbox s;
+        prepared(s);
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        QCOMPARE(s.files("out"), (QStringList{"01-Five.apt", "02-Three.apt", "report.json"}));
+        const QJsonArray operations = json(run.out)["operations"].toArray();
+        const QJsonObject five = operations[0].toObject(), three = operations[1].toObject();
+        const QStringList own = {"seconds_by_stage", "lead_degrees", "joint_reversals",
+                                 "largest_angular_rate_degrees_per_second", "machine_findings"};
+        for (const QString& key : own)
+            QVERIFY2(five.contains(key) && !three.contains(key), qPrintable(key));
+        for (const QString& key : three.keys())
+            QVERIFY2(five.contains(key), qPrintable(key));
+        double seconds = 0;
+        for (const char* stage : {"cc", "bottom", "top", "choose"}) {
+            const double one = five["seconds_by_stage"][stage].toDouble(-1);
+            QVERIFY2(one >= 0, stage);
+            seconds += one;
+        }
+        QCOMPARE(five["seconds_by_stage"].toObject().size(), 4);
+        QVERIFY(seconds > 0 && seconds <= five["seconds_planning"].toDouble());
+        const QJsonArray leads = five["lead_degrees"].toArray();
+        QCOMPARE(leads.size(), 2);
+        QVERIFY(leads[0].toDouble() >= 0 && leads[0].toDouble() <= leads[1].toDouble()
+                && leads[1].toDouble() <= 45);
+        const QJsonObject reversals = five["joint_reversals"].toObject();
+        for (const char* joint : {"X", "Y", "Z", "C", "A"})
+            QVERIFY2(reversals[joint].toInt(-1) >= 0, joint);
+        // Neighbouring passes run to and fro.
+        QVERIFY(reversals["X"].toInt() >= five["passes"].toInt() - 1);
+        // What its axes can do at most: 0.5 rad/s.
+        QVERIFY(five["largest_angular_rate_degrees_per_second"].toDouble() > 0);
+        QVERIFY(five["largest_angular_rate_degrees_per_second"].toDouble() < 28.65);
+        QCOMPARE(five["machine_findings"].toInt(-1), 0);
+        QVERIFY(five["cusp_max"].toDouble() > 0 && five["cusp_max"].toDouble() <= 0.1 + 1e-12);
+        QCOMPARE(five["cleanup_points"].toInt(-1), 0);
+        QVERIFY(five["time_seconds"].toDouble() > five["cut_length"].toDouble() / 1000 * 60 - 1e-6);
+    }
+
+    void the_program_turns_its_axis() {
+        Sandbox s;
+        prepared(s);
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        QCOMPARE(s.files("out"), (QStringList{"01-Five.apt", "report.json"}));
+        const QList<QByteArray> lines = bytes_of(s.path() + "/out/01-Five.apt").split('\n');
+        int places = 0, tilted = 0, on = -1, rapids = 0;
+        for (int i = 0; i < lines.size(); ++i) {
+            QByteArray line = lines[i].trimmed();
+            QVERIFY(line.size() <= 72);
+            if (line == "MULTAX/ON") on = i;
+            rapids += line == "RAPID";
+            if (!line.startsWith("GOTO/")) continue;
+            while (line.endsWith('$'))
+                line = line.chopped(1).trimmed() + lines[++i].trimmed();
+            QVERIFY2(on >= 0, "a GOTO before MULTAX/ON");
+            ++places;
+            const QList<QByteArray> numbers = line.mid(5).split(',');
+            QCOMPARE(numbers.size(), 6);
+            double square = 0;
+            for (int k = 3; k < 6; ++k)
+                square += std::pow(numbers[k].toDouble(), 2);
+            QVERIFY(std::abs(square - 1) < 1e-6);
+            QVERIFY(numbers[5].toDouble() > 0.7);
+            tilted += numbers[5].toDouble() < 0.9999;
+        }
+        QVERIFY(rapids >= 1);
+        const int cl = json(run.out)["operations"][0]["cl_points"].toInt();
+        QVERIFY(cl > 50 && places > cl); // and the way there and back
+        QVERIFY(tilted > cl / 2);
+    }
+
+    void a_point_has_its_configuration_space() {
+        Sandbox s;
+        prepared(s);
+        const CliRun run =
+            run_cli({"cspace", "job.facetmill", "--op", "Five", "--point", "7", "-o", "c.json"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        QCOMPARE(bytes_of(s.path() + "/c.json"), run.out);
+        const QJsonObject o = json(run.out);
+        QCOMPARE(o["point"].toInt(), 7);
+        const QJsonArray lambda = o["lambda_deg"].toArray(), omega = o["omega_deg"].toArray();
+        QVERIFY(std::abs(lambda.first().toDouble()) < 1e-9 && std::abs(lambda.last().toDouble() - 45) < 1e-9);
+        QVERIFY(std::abs(omega.first().toDouble() + 45) < 1e-9
+                && std::abs(omega.last().toDouble() - 45) < 1e-9);
+        int free = 0;
+        for (int l = 0; l < lambda.size(); ++l)
+            for (int w = 0; w < omega.size(); ++w) {
+                const QJsonValue bottom = o["delta_bottom"][l][w], top = o["delta_top"][l][w];
+                const QString why = o["blocked"][l][w].toString();
+                QVERIFY(QStringList({"free", "local", "global", "shank", "holder", "lift", "machine"})
+                            .contains(why));
+                if (why != "free") continue;
+                ++free;
+                QVERIFY(bottom.isDouble() && bottom.toDouble() >= 0);
+                QVERIFY(top.isNull() || top.toDouble() >= bottom.toDouble());
+            }
+        QVERIFY(free > 0);
+        for (const char* grid : {"delta_bottom", "delta_top", "blocked"}) {
+            QCOMPARE(o[grid].toArray().size(), lambda.size());
+            QCOMPARE(o[grid][0].toArray().size(), omega.size());
+        }
+        for (const char* method : {"cm2", "local", "global", "planned"})
+            QVERIFY2(o["chosen"][method]["free"].isBool(), method);
+        QCOMPARE(o["chosen"]["planned"]["free"].toBool(), true);
+    }
+
+    void no_configuration_space_is_an_error_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QByteArray>("said");
+        const auto row = [](const char* line, int status, const char* said) {
+            QTest::newRow(line) << QString(line) << status << QByteArray(said);
+        };
+        row("--op Five --point 99999", 1, "99999");
+        row("--op Three --point 0", 1, "finish5");
+        row("--op Four --point 0", 1, "Four");
+        row("--point 0", 2, "--op");
+        row("--op Five", 2, "--point");
+        row("--op Five --point -1", 2, "--point");
+        row("--op Five --point 1.5", 2, "--point");
+        row("--op Five --point 99999999999999999999999", 2, "--point");
+        row("--op Five --point x", 2, "--point");
+    }
+    void no_configuration_space_is_an_error() {
+        QFETCH(QString, line);
+        QFETCH(int, status);
+        QFETCH(QByteArray, said);
+        Sandbox s;
+        prepared(s);
+        const QStringList before = s.files();
+        const CliRun run =
+            run_cli(QStringList{"cspace", "job.facetmill", "-o", "c.json"} + line.split(' '), s.path());
+        QVERIFY2(run.status == status, run.err);
+        QVERIFY2(run.err.contains(said), run.err);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(s.files(), before);
+    }
+
+    void what_cannot_be_planned_is_told_data() {
+        QTest::addColumn<QByteArray>("project");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("said");
+        const auto row = [](const char* name, const char* code, const char* said, const QByteArray& project) {
+            QTest::newRow(name) << project << QByteArray(code) << QByteArray(said);
+        };
+        const QByteArray key = "\"direction\": \"x\"";
+        const auto with = [&](const QByteArray& more) { return changed(key, key + ", " + more); };
+        const char* none = "empty_result";
+        row("lead limits reversed", "out_of_range", "lead_limits", with("\"lead_limits\": [45, 0]"));
+        row("lead limits equal", "out_of_range", "lead_limits", with("\"lead_limits\": [20, 20]"));
+        row("lead limits too large", "out_of_range", "lead_limits", with("\"lead_limits\": [0, 90]"));
+        row("yaw limits reversed", "out_of_range", "yaw_limits", with("\"yaw_limits\": [45, -45]"));
+        row("grid of 0", "out_of_range", "grid_degrees", with("\"grid_degrees\": 0"));
+        row("unknown posture", "out_of_range", "posture", with("\"posture\": \"best\""));
+        row("nothing from above", none, "from above", changed("part.stl", "wall.stl"));
+        row("holder everywhere", none, "would hit the part",
+            changed("\"tool\": 1", "\"tool\": 1, \"holder_clearance\": 500"));
+        row("machine without rotary axes", none, "machine", changed("tarus-tpi-2000", "generic-3-axis"));
+        row("machine that cannot reach", none, "machine", changed("tarus-tpi-2000", "own.json"));
+        row("no such machine", "missing_reference", "machine", changed("tarus-tpi-2000", "tarus"));
+        row("no such machine file", "not_found", "none.json", changed("tarus-tpi-2000", "none.json"));
+    }
+    void what_cannot_be_planned_is_told() {
+        QFETCH(QByteArray, project);
+        QFETCH(QByteArray, code);
+        QFETCH(QByteArray, said);
+        Sandbox s;
+        prepared(s, project);
+        s.write("own.json", own_machine(20)); // hardly longer than the flutes
+        const QStringList before = s.files();
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
+        QVERIFY2(run.status == 1, run.err);
+        QVERIFY2(run.code() == code, run.err);
+        QVERIFY2(run.err_lines() == 1 && run.err.endsWith(")\n"), run.err);
+        QVERIFY2(run.err.contains(said), run.err);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(s.files(), before);
+    }
+
+    /// The surface lies within the machine's travel, the clearance above it does not.
+    void a_machine_that_does_not_hold_the_program_is_a_warning() {
+        Sandbox s;
+        prepared(s, changed("tarus-tpi-2000", "own.json"));
+        s.write("own.json", own_machine(76));
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        const QJsonObject o = json(run.out)["operations"][0].toObject();
+        QVERIFY(o["machine_findings"].toInt() > 0);
+        const QByteArray warnings = QJsonDocument(o["warnings"].toArray()).toJson();
+        QVERIFY2(warnings.contains("own.json") && warnings.contains("Z ends"), warnings);
+    }
+};
+
+FACETMILL_TEST(TestFiveAxis)
+#include "test_five_axis.moc"
