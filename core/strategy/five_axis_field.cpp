@@ -21,6 +21,8 @@ constexpr double longest_share = 0.2;
 /// Of the tolerance: a line may be simplified by this.
 constexpr double simplified_share = 0.01;
 constexpr double raised_piece_share = 1.0 / 8;
+/// Of the turn limit: neighbouring contact points' normals are no farther apart.
+constexpr double turn_share = 0.75;
 
 Finish5Settings checked(Finish5Settings s) {
     const auto refuse = [](const char* key, const std::string& what, const std::string& remedy) {
@@ -100,8 +102,19 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
     const long own = lines_->beyond(place.v, place.v);
     const long lo = lines_->beyond(place.v_lo, place.v), hi = lines_->beyond(place.v_hi, place.v);
     std::vector<long> planes{own};
-    for (const long end : {lo, hi}) {
+    RaisedCurve unused;
+    for (long end : {lo, hi}) {
         if (end == own) continue;
+        if (!raised_line(place, end, unused)) {
+            // The surface ends within the strip: what is to be cleared goes as far as it does.
+            long inside = own, outside = end;
+            while (std::abs(outside - inside) > 1) {
+                const long middle = inside + (outside - inside) / 2;
+                (raised_line(place, middle, unused) ? inside : outside) = middle;
+            }
+            end = inside;
+            if (end == own) continue;
+        }
         planes.push_back(end);
         if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
     }
@@ -125,7 +138,8 @@ double FiveAxisField::cm2_lead(const ContactPlace& place) const {
 
 std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {
     const double longest = longest_share * 2 * radius_, most_away = 0.5 * chord_;
-    const double cos_limit = std::cos(settings_.normal_limit);
+    // With the normals the axes turn, and those of neighbours have to stay together.
+    const double cos_limit = std::cos(std::min(settings_.normal_limit, turn_share * settings_.turn_limit));
     // Stations: the line's own points, and more on long pieces.
     std::vector<double> stations{0};
     for (std::size_t i = 1; i < line.arc.size(); ++i) {

@@ -88,7 +88,7 @@ void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lambda, T
     contact.usable = best_delta <= field_.cusp();
 }
 
-double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side) const {
+double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side, double& end) const {
     const auto& lines = field_.lines();
     const double r = field_.radius();
     const long own = lines.beyond(contact.place.v, contact.place.v);
@@ -98,10 +98,22 @@ double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side) co
         plane += side;
     double last_v = contact.place.v, last_margin = infinity;
     RaisedCurve curve;
-    for (;; plane += side * look_) {
-        const double v = lines.v(plane), away = std::abs(v - contact.place.v);
+    long inside = own;
+    for (;; inside = plane, plane += side * look_) {
+        double v = lines.v(plane);
+        const double away = std::abs(v - contact.place.v);
         if (away > most_width_share * r + look_share * r) return most_width_share * r;
-        if (!field_.raised_line(contact.place, plane, curve)) return infinity;
+        const bool ends = !field_.raised_line(contact.place, plane, curve);
+        if (ends) {
+            // Up to the very last plane that the surface has.
+            for (long outside = plane; std::abs(outside - inside) > 1;) {
+                const long middle = inside + (outside - inside) / 2;
+                (field_.raised_line(contact.place, middle, curve) ? inside : outside) = middle;
+            }
+            v = lines.v(inside);
+            end = std::abs(v - contact.place.v);
+            if (!field_.raised_line(contact.place, inside, curve)) return infinity;
+        }
         const double margin =
             field_.builder().top(contact.place.frame, contact.lambda, 0, {&curve, 1}) - contact.delta;
         if (!(margin >= 0)) {
@@ -111,6 +123,7 @@ double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side) co
                 share = last_margin / (last_margin - margin);
             return safety * std::abs(last_v + share * (v - last_v) - contact.place.v);
         }
+        if (ends) return infinity;
         last_v = v;
         last_margin = margin;
     }
@@ -136,13 +149,20 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& p
                                 auto& c = contacts[i];
                                 estimate(c, lambda, hint);
                                 if (!c.usable) continue;
-                                c.width_lo = width(c, -1);
-                                c.width_hi = width(c, +1);
+                                // Strips end in planes of the lattice.
+                                const double spacing = field_.lines().spacing();
+                                const auto whole = [&](double w) {
+                                    return std::floor(w / spacing + tolerance::level_angle) * spacing;
+                                };
+                                c.width_lo = whole(width(c, -1, c.end_lo));
+                                c.width_hi = whole(width(c, +1, c.end_hi));
                             }
                         });
     }
     pass.width_lo.assign(bins_, 0);
     pass.width_hi.assign(bins_, 0);
+    pass.end_lo.assign(bins_, 0);
+    pass.end_hi.assign(bins_, 0);
     pass.comes.assign(bins_, false);
     const double least = least_width_share * field_.radius();
     for (const auto& contacts : pass.contacts)
@@ -154,7 +174,11 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& p
             for (std::size_t b = bin(c.place.u - back * field_.radius()); b <= last; ++b) {
                 if (!pass.comes[b]) pass.width_lo[b] = pass.width_hi[b] = infinity;
                 pass.comes[b] = true;
-                // What no posture serves is no fault of the step: it is left to clean-up.
+                // What no posture serves is no fault of the step: it is left to clean-up, as far as a pass
+                // can answer for.
+                const double most = most_width_share * field_.radius();
+                pass.end_lo[b] = std::max(pass.end_lo[b], c.usable ? c.end_lo : most);
+                pass.end_hi[b] = std::max(pass.end_hi[b], c.usable ? c.end_hi : most);
                 if (!c.usable) continue;
                 pass.width_lo[b] = std::min(pass.width_lo[b], std::max(c.width_lo, least));
                 pass.width_hi[b] = std::min(pass.width_hi[b], std::max(c.width_hi, least));
@@ -174,8 +198,14 @@ bool TiltedStepOver::surface_between(double v0, double v1, std::size_t bin) cons
 bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b) const {
     const double v0 = a ? a->v : field_.lines().lo(), v1 = b ? b->v : field_.lines().hi();
     for (std::size_t i = 0; i < bins_; ++i) {
-        if ((a ? a->width_hi[i] : 0) + (b ? b->width_lo[i] : 0) >= v1 - v0) continue;
-        if ((a && a->comes[i]) || (b && b->comes[i]) || surface_between(v0, v1, i)) return false;
+        const double wa = a ? a->width_hi[i] : 0, wb = b ? b->width_lo[i] : 0;
+        // Where the surface ends it may begin again before the other pass, or beyond the last one.
+        const double from = v0 + (std::isfinite(wa) ? wa : a->end_hi[i]),
+                     to = v1 - (std::isfinite(wb) ? wb : b->end_lo[i]);
+        if (from >= to) continue;
+        if (std::isfinite(wa) && std::isfinite(wb) && ((a && a->comes[i]) || (b && b->comes[i])))
+            return false;
+        if (surface_between(from, to, i)) return false;
     }
     return true;
 }
@@ -230,7 +260,8 @@ std::vector<double> TiltedStepOver::borders(const EstimatedPass& a, const Estima
             at = std::min(at, wa);
         else if (std::isfinite(wb))
             at = std::max(at, gap - wb);
-        borders[i] = a.v + at;
+        const double spacing = field_.lines().spacing();
+        borders[i] = a.v + std::floor(at / spacing + tolerance::level_angle) * spacing;
     }
     return borders;
 }

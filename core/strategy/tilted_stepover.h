@@ -20,6 +20,7 @@ struct EstimatedPass {
         double lambda = 0, delta = 0;
         bool usable = false;               ///< some posture at yaw 0 stays within the tolerance
         double width_lo = 0, width_hi = 0; ///< towards smaller and larger v; +inf: the surface ends before
+        double end_lo = 0, end_hi = 0;     ///< where it ends, if it does
     };
     long plane = 0;
     double v = 0;
@@ -28,6 +29,7 @@ struct EstimatedPass {
     std::vector<std::vector<Contact>> contacts; ///< per line, in the order of growing s
     /// Per bin of u: the smallest widths; +inf where nothing is asked, 0 where the pass does not come.
     std::vector<double> width_lo, width_hi;
+    std::vector<double> end_lo, end_hi; ///< per bin, where the width is +inf: as far as is answered for
     std::vector<bool> comes;
 };
 
@@ -58,7 +60,8 @@ public:
 
 private:
     void estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const;
-    double width(const EstimatedPass::Contact& contact, int side) const;
+    /// `end`: how far off the surface ends, where the width is +inf.
+    double width(const EstimatedPass::Contact& contact, int side, double& end) const;
     /// `a` or `b` may be nullptr: the part's border.
     bool fits(const EstimatedPass* a, const EstimatedPass* b) const;
     bool surface_between(double v0, double v1, std::size_t bin) const;

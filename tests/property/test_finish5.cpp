@@ -1,0 +1,426 @@
+// Finishing with five axes over parts with known answers: judged by brute force over all facets and by the
+// verifier, which share no code with the planner.
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/link/motion.h"
+#include "core/strategy/finish5.h"
+#include "core/strategy/five_axis_record.h"
+#include "core/verify/verify.h"
+#include "tests/property/shapes.h"
+#include "tests/support/brute_lift.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <thread>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+using Choice = Finish5Settings::PostureChoice;
+
+const Vec2 low(-12, -8), high(12, 8);
+
+Mesh sheet(const std::string& name) {
+    const auto field = [](const auto& f, int nx, int ny) { return height_field(f, low, high, nx, ny); };
+    if (name == "plane") return field([](double x, double) { return 0.1 * x; }, 2, 2);
+    if (name == "cap")
+        return field([](double x, double y) { return std::sqrt(900 - x * x - y * y); }, 16, 12);
+    if (name == "valley") return field([](double x, double) { return -std::sqrt(900 - x * x); }, 24, 2);
+    return field([](double x, double y) { return 0.01 * (x * x - y * y); }, 16, 12);
+}
+
+Tool with_holder(Tool tool) {
+    tool.flute_length = 15;
+    tool.shank_length = 15;
+    tool.holder = {{20, 20}};
+    return tool;
+}
+
+Tool cutter(const std::string& name) {
+    if (name == "flat") return with_holder(flat_tool(6));
+    if (name == "bull") return with_holder(bull_tool(6, 1));
+    if (name == "ball") return with_holder(ball_tool(6));
+    Tool tapered = bull_tool(6, 1);
+    tapered.taper_angle = radians(10);
+    tapered = with_holder(tapered);
+    tapered.flute_length = 6;
+    tapered.shank_diameter = 6;
+    return tapered;
+}
+
+PlanContext five_axis_context(const Mesh& mesh, const Tool& tool) {
+    PlanContext c = context_of(mesh, tool);
+    c.machine = find_machine("tarus-tpi-2000");
+    c.stock_box.hi.z() += 2;
+    return c;
+}
+
+Finish5Settings settings(double tolerance, Choice choice = Choice::global) {
+    Finish5Settings s;
+    s.tolerance = tolerance;
+    s.direction = {0, "x"};
+    s.posture = choice;
+    return s;
+}
+
+ToolMotions linked(const StrategyResult& path, const PlanContext& context, const Finish5& op) {
+    return link_five_axis(path, context,
+                          {op.common().allowance, op.holder_clearance(), op.holder_clearance()},
+                          default_link_options(path, context, op.common()), Progress());
+}
+
+/// Deepest that the cutter is in the part, along its axis, over every facet near it.
+double deepest(const BruteCutter& cutter, const Mesh& part, const CutterLocation& at) {
+    const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(at.axis, Vec3::UnitZ()).toRotationMatrix();
+    double most = -infinity;
+    for (const auto& facet : part.facets) {
+        std::array<Vec3, 3> p;
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = turn * (part.vertices[facet[k]] - at.tip);
+        // Below the tip it cannot be cut.
+        if (std::max({p[0].z(), p[1].z(), p[2].z()}) < most) continue;
+        const Vec3 middle = (p[0] + p[1] + p[2]) / 3;
+        double reach = double(cutter.radius());
+        for (const Vec3& corner : p)
+            reach = std::max(reach, double(cutter.radius())
+                                        + std::hypot(corner.x() - middle.x(), corner.y() - middle.y()));
+        if (std::hypot(middle.x(), middle.y()) > reach) continue;
+        most = std::max(most, brute_lift(cutter, p[0], p[1], p[2], 0, 0));
+    }
+    return most;
+}
+
+/// As machines with tool centre point control move: the tip straight, the axis in one plane.
+CutterLocation on_way(const CutterLocation& a, const CutterLocation& b, double t) {
+    const double angle = std::acos(std::clamp(a.axis.dot(b.axis), -1.0, 1.0));
+    CutterLocation at{a.tip + t * (b.tip - a.tip), a.axis};
+    const Vec3 across = a.axis.cross(b.axis);
+    if (across.norm() > 1e-12) at.axis = Eigen::AngleAxisd(t * angle, across.normalized()) * a.axis;
+    return at;
+}
+
+std::vector<double> numbers(const StrategyResult& path) {
+    std::vector<double> all{path.stepover_min, path.stepover_max, path.direction,
+                            path.cusp_max,     path.lead_min,     path.lead_max};
+    for (const Pass& p : path.passes) {
+        all.push_back(p.offset);
+        for (std::size_t i = 0; i < p.cl.size(); ++i)
+            for (const Vec3* v : {&p.cl[i].tip, &p.cl[i].axis, &p.cc[i].point, &p.cc[i].normal})
+                all.insert(all.end(), v->data(), v->data() + 3);
+    }
+    for (const CutterContact& c : path.cleanup)
+        all.insert(all.end(), c.point.data(), c.point.data() + 3);
+    return all;
+}
+
+Verification judged(const Mesh& part, const PlanContext& context, const ToolMotions& motions,
+                    double tolerance, double chord) {
+    VerifySettings s;
+    s.resolution = 0.6;
+    s.sample_spacing = 0.3;
+    s.tolerance = tolerance;
+    s.gouge_limit = chord;
+    StockSolid stock;
+    stock.box = context.stock_box;
+    const VerifyProgram program{"F", VerifyTool(context.tool), std::make_shared<ToolMotions>(motions), {}};
+    return verify(part, stock, {&program, 1}, s, Progress());
+}
+
+} // namespace
+
+class TestFinish5 : public QObject {
+    Q_OBJECT
+private slots:
+    void shapes_are_cut_to_tolerance_data() {
+        QTest::addColumn<QString>("shape");
+        QTest::addColumn<QString>("tool");
+        QTest::addColumn<int>("choice");
+        const char* const methods[] = {"cm2", "local", "global"};
+        for (const char* shape : {"plane", "cap", "valley", "saddle"})
+            for (const char* tool : {"flat", "bull", "ball", "tapered"})
+                for (int choice = 0; choice < 3; ++choice) {
+                    // Global everywhere; the others with one shape per cutter.
+                    if (choice != 2 && !((*tool == 'f' && *shape == 's') || (*tool == 'b' && *shape == 'c')))
+                        continue;
+                    if (under_sanitizer && *shape != 's') continue;
+                    QTest::addRow("%s %s %s", shape, tool, methods[choice]) << shape << tool << choice;
+                }
+    }
+
+    void shapes_are_cut_to_tolerance() {
+        QFETCH(QString, shape);
+        QFETCH(QString, tool);
+        QFETCH(int, choice);
+        const Mesh part = sheet(shape.toStdString());
+        const PlanContext context = five_axis_context(part, cutter(tool.toStdString()));
+        const double tolerance = 0.1, chord = tolerance / 20;
+        const Finish5 op(settings(tolerance, Choice(choice)));
+        const StrategyResult path = op.plan(context, Progress());
+        QVERIFY(path.drive_planes >= 3);
+        QVERIFY(path.cusp_max > 0 && path.cusp_max <= tolerance * (1 + 1e-9));
+        QCOMPARE(path.chord_tolerance, chord);
+        QCOMPARE(path.cleanup_points, path.cleanup.size());
+        // Local choices may part at a turn.
+        QVERIFY2(path.cleanup_points <= (choice == 1 ? 3u : 0u),
+                 qPrintable(QString::number(path.cleanup_points)));
+
+        // Within the limits: what stands between neighbours too.
+        const Finish5Settings& s = op.settings();
+        QVERIFY(path.lead_min >= s.lead_limits[0] && path.lead_max <= s.lead_limits[1]);
+        for (const Pass& pass : path.passes) {
+            QCOMPARE(pass.cc.size(), pass.cl.size());
+            for (std::size_t i = 0; i < pass.cl.size(); ++i) {
+                QVERIFY(std::abs(pass.cl[i].axis.norm() - 1) < 1e-12);
+                const double lead = std::acos(std::clamp(pass.cl[i].axis.dot(pass.cc[i].normal), -1.0, 1.0));
+                QVERIFY(lead <= s.lead_limits[1] + 1e-6);
+                if (i == 0) continue;
+                const double turn =
+                    std::acos(std::clamp(pass.cl[i].axis.dot(pass.cl[i - 1].axis), -1.0, 1.0));
+                QVERIFY2(turn <= s.turn_limit + 1e-6, qPrintable(QString::number(degrees(turn))));
+            }
+        }
+
+        // Brute force, at locations and at seven places between.
+        const BruteCutter brute(context.tool.cutter());
+        const int every = under_sanitizer ? 490 : 49;
+        int count = 0;
+        const auto clear = [&](const CutterLocation& at) {
+            if (++count % every != 0) return true;
+            const double depth = deepest(brute, part, at);
+            if (depth <= chord) return true;
+            qWarning("gouge of %g", depth);
+            return false;
+        };
+        const ToolMotions motions = linked(path, context, op);
+        for (std::size_t i = 1; i < motions.motions.size(); ++i)
+            for (int k = 1; k <= 8; ++k)
+                QVERIFY(clear(on_way(motions.motions[i - 1].to, motions.motions[i].to, k / 8.0)));
+        QVERIFY(count > 300);
+
+        // Rapids are level, above everything, however the tool is tilted.
+        for (std::size_t i = 0; i < motions.motions.size(); ++i)
+            if (motions.motions[i].kind == MotionKind::rapid)
+                QVERIFY(motions.motions[i].to.tip.z() == motions.clearance_z
+                        && motions.clearance_z >= context.stock_box.hi.z() + op.common().clearance);
+
+        const Verification v = judged(part, context, motions, tolerance, chord);
+        QVERIFY(v.figures.samples > 500);
+        QVERIFY2(!v.gouged(), qPrintable(QString::number(std::max(v.figures.gouge_max, v.border.gouge_max))));
+        QVERIFY(v.collisions.empty());
+        // What a pose holds is checked at contact points and half-way between them.
+        QVERIFY2(v.figures.excess_p999 <= 1.1 * tolerance,
+                 qPrintable(QString::number(v.figures.excess_p999)));
+        QCOMPARE(v.figures.uncut_fraction, 0.0);
+        QVERIFY2(v.border.uncut_fraction < 1e-3, qPrintable(QString::number(v.border.uncut_fraction)));
+    }
+
+    /// Two sheets, a gap wider than the tool between them: along the travel, and across it.
+    void every_piece_of_the_part_is_cut() {
+        const Mesh whole =
+            height_field([](double x, double) { return 0.1 * x; }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const Mesh apart = only(whole, [](const Vec3& p) { return std::abs(p.y()) > 6; });
+        const Mesh slotted = only(whole, [](const Vec3& p) { return std::abs(p.y() - 1.3) > 1; });
+        const Mesh holed = only(whole, [](const Vec3& p) { return std::hypot(p.x(), p.y()) > 6; });
+        for (const auto& [part, direction] : {std::pair(&apart, "x"), std::pair(&apart, "y"),
+                                              std::pair(&slotted, "x"), std::pair(&holed, "x")}) {
+            const PlanContext context = five_axis_context(*part, cutter("flat"));
+            Finish5Settings s = settings(0.1);
+            s.direction = {0, direction};
+            const Finish5 op(s);
+            const StrategyResult path = op.plan(context, Progress());
+            const Verification v =
+                judged(*part, context, linked(path, context, op), s.tolerance, path.chord_tolerance);
+            QVERIFY(!v.gouged() && v.collisions.empty());
+            for (const DeviationFigures& f : {v.figures, v.border})
+                QVERIFY2(f.excess_p999 <= 1.05 * s.tolerance,
+                         qPrintable(QString("%1 travelling along %2").arg(f.excess_p999).arg(direction)));
+            for (const DeviationExtreme& e : v.excess) {
+                if (e.deviation <= 1.05 * s.tolerance) continue;
+                bool told = false;
+                for (const CutterContact& c : path.cleanup)
+                    told |= (c.point - e.point).norm() <= 0.5 * context.tool.diameter;
+                QVERIFY2(told, qPrintable(QString::number(e.deviation)));
+            }
+        }
+    }
+
+    /// A place that no posture serves ends neither the pass nor the part.
+    void a_wall_in_the_way_does_not_end_the_part() {
+        const PlanContext context = five_axis_context(box(Vec3(-12, -8, 0), Vec3(12, 8, 5)), cutter("ball"));
+        Finish5Settings s = settings(0.1);
+        s.lead_limits = {0, radians(80)};
+        const Finish5 op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        const Verification v =
+            judged(*context.part, context, linked(path, context, op), s.tolerance, path.chord_tolerance);
+        QVERIFY(!v.gouged());
+        for (const DeviationExtreme& e : v.excess)
+            QVERIFY2(e.normal.z() < 0.9 || e.deviation <= 1.1 * s.tolerance,
+                     qPrintable(QString::number(e.deviation)));
+        double least = infinity, most = -infinity;
+        for (const Pass& pass : path.passes)
+            for (const CutterContact& c : pass.cc)
+                if (c.normal.z() > 0.9) {
+                    least = std::min(least, c.point.y());
+                    most = std::max(most, c.point.y());
+                }
+        QVERIFY(least < -6.5 && most > 6.5);
+    }
+
+    void the_same_bits_with_any_number_of_threads() {
+        const Mesh part = sheet("saddle");
+        for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
+            const PlanContext context =
+                five_axis_context(part, cutter(choice == Choice::cm2 ? "bull" : "flat"));
+            const Finish5 op(settings(0.1, choice));
+            set_thread_count(1);
+            const auto one = numbers(op.plan(context, Progress()));
+            set_thread_count(2);
+            const auto two = numbers(op.plan(context, Progress()));
+            set_thread_count(0);
+            QVERIFY(one.size() > 1000);
+            QCOMPARE(two, one);
+        }
+    }
+
+    void winding_does_not_matter() {
+        Mesh part = sheet("saddle");
+        const PlanContext up = five_axis_context(part, cutter("bull"));
+        for (auto& facet : part.facets)
+            std::swap(facet[1], facet[2]);
+        const PlanContext down = five_axis_context(part, cutter("bull"));
+        const Finish5 op(settings(0.1));
+        const StrategyResult a = op.plan(up, Progress()), b = op.plan(down, Progress());
+        QCOMPARE(a.drive_planes, b.drive_planes);
+        QCOMPARE(b.cleanup_points, std::size_t(0));
+        for (const Pass& pass : b.passes)
+            for (const CutterContact& c : pass.cc)
+                QVERIFY(c.normal.z() > 0.5);
+    }
+
+    void a_cancelled_plan_ends_without_a_trace() {
+        const Mesh part = sheet("saddle");
+        const PlanContext context = five_axis_context(part, cutter("bull"));
+        for (const Choice choice : {Choice::cm2, Choice::local, Choice::global})
+            for (const double when : {0.0, 0.03, 0.2, 0.6, 0.95}) {
+                Job job;
+                const Finish5 op(settings(0.05, choice));
+                std::thread watcher([&] {
+                    while (job.fraction() < when)
+                        std::this_thread::yield();
+                    job.cancel();
+                });
+                const std::string code = code_of([&] {
+                    op.plan(context, Progress(job));
+                    job.raise_fraction(1);
+                });
+                watcher.join();
+                if (when < 0.9) QCOMPARE(code, std::string("cancelled"));
+            }
+    }
+
+    void a_constant_step_over_is_kept() {
+        const Mesh part = sheet("cap");
+        const PlanContext context = five_axis_context(part, cutter("bull"));
+        Finish5Settings s = settings(0.1);
+        s.stepover = {1.5, ""};
+        for (const auto pattern : {Finish5Settings::Pattern::zigzag, Finish5Settings::Pattern::oneway}) {
+            s.pattern = pattern;
+            const StrategyResult path = Finish5(s).plan(context, Progress());
+            QCOMPARE(path.drive_planes, 11); // 16 mm
+            QCOMPARE(path.stepover_min, 1.5);
+            QCOMPARE(path.stepover_max, 1.5);
+            for (const Pass& pass : path.passes) {
+                const double along = pass.cl.back().tip.x() - pass.cl.front().tip.x();
+                const bool back = pattern == Finish5Settings::Pattern::zigzag && pass.drive % 2 == 1;
+                QVERIFY(back ? along < 0 : along > 0);
+            }
+        }
+    }
+
+    /// Grids and limits of every width: neighbours stay together, or the pass is parted.
+    void axes_turn_within_the_limit() {
+        const Mesh part = sheet("saddle");
+        const PlanContext context = five_axis_context(part, cutter("flat"));
+        for (const auto& [limit, grid] : {std::pair(2.0, 3.0), std::pair(8.0, 15.0)})
+            for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
+                Finish5Settings s = settings(0.1, choice);
+                s.turn_limit = radians(limit);
+                s.grid_degrees = radians(grid);
+                const StrategyResult path = Finish5(s).plan(context, Progress());
+                double most = 0;
+                for (const Pass& pass : path.passes)
+                    for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                        most = std::max(
+                            most, std::acos(std::clamp(pass.cl[i].axis.dot(pass.cl[i - 1].axis), -1.0, 1.0)));
+                QVERIFY2(most <= s.turn_limit + 1e-6,
+                         qPrintable(QString("%1 of %2").arg(degrees(most)).arg(limit)));
+            }
+    }
+
+    void no_tool_lies_down() {
+        const Mesh part = sheet("cap");
+        const PlanContext context = five_axis_context(part, ball_tool(6));
+        for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
+            Finish5Settings s = settings(0.2, choice);
+            s.lead_limits = {radians(70), radians(85)};
+            s.yaw_limits = {radians(-90), radians(90)};
+            const Finish5 op(s);
+            const StrategyResult path = op.plan(context, Progress());
+            for (const Pass& pass : path.passes)
+                for (const CutterLocation& c : pass.cl)
+                    QVERIFY(c.axis.z() >= tolerance::lowest_axis_z * (1 - 1e-9));
+            QVERIFY(!linked(path, context, op).motions.empty());
+        }
+    }
+
+    void what_cannot_be_cut_is_an_error_data() {
+        QTest::addColumn<int>("number");
+        for (int i = 0; i < 6; ++i)
+            QTest::addRow("%d", i) << i;
+    }
+    void what_cannot_be_cut_is_an_error() {
+        QFETCH(int, number);
+        PlanContext context = five_axis_context(sheet("saddle"), cutter("flat"));
+        Finish5Settings s = settings(0.1);
+        std::string said, expected = "out_of_range", about;
+        switch (number) {
+        case 0:
+            std::swap(s.lead_limits[0], s.lead_limits[1]);
+            about = "lead_limits";
+            break;
+        case 1:
+            std::swap(s.yaw_limits[0], s.yaw_limits[1]);
+            about = "yaw_limits";
+            break;
+        case 2:
+            s.grid_degrees = 0;
+            about = "grid_degrees";
+            break;
+        case 3:
+            s.tolerance = 0;
+            about = "tolerance";
+            break;
+        case 4:
+            context.machine = find_machine("generic-3-axis");
+            expected = "empty_result";
+            about = "machine";
+            break;
+        default:
+            s.holder_clearance = 500;
+            expected = "empty_result";
+            about = "would hit the part";
+        }
+        QCOMPARE(code_of([&] { Finish5(s).plan(context, Progress()); }, &said), expected);
+        QVERIFY2(said.find(about) != std::string::npos, said.c_str());
+    }
+};
+
+FACETMILL_TEST(TestFinish5)
+#include "test_finish5.moc"
