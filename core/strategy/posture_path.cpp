@@ -38,15 +38,14 @@ public:
         const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
         const bool turns_little = angle <= field_.settings().turn_limit * (1 + tolerance::level_angle);
         const ContactPlace middle = place_between(a.place, b.place, 0.5);
-        if (turns_little
-            && deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()),
-                               hint_)
-                   <= chord_share * field_.chord()
-            && clears(a, b))
-            return true;
-        if (divisions == most_divisions) return false;
+        const bool keeps_clear =
+            deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()), hint_)
+            <= chord_share * field_.chord();
+        if (turns_little && keeps_clear && clears(a, b, 0.5 * field_.chord())) return true;
+        // So near to each other, what the two do not hold between them is narrower than a hair.
+        if (divisions == most_divisions) return turns_little && keeps_clear;
         Stop at;
-        if (!halfway(a, b, middle, at)) return false;
+        if (!halfway(a, b, middle, at)) return turns_little && keeps_clear && clears(a, b, field_.chord());
         std::vector<Stop> first, second;
         if (!between(a, at, divisions + 1, first) || !between(at, b, divisions + 1, second)) return false;
         way.insert(way.end(), first.begin(), first.end());
@@ -72,12 +71,12 @@ private:
         return p;
     }
 
-    /// On the way the tool still holds a point of every line that it has to clear there.
-    bool clears(const Stop& a, const Stop& b) const {
+    /// On the way the tool still holds a point of every line that it has to clear there, but for `slack`.
+    bool clears(const Stop& a, const Stop& b, double slack) const {
         for (const double t : {0.5, 0.25, 0.75}) {
             const CutterLocation on = location_on_way(a.cl, b.cl, t);
             const auto curves = field_.strip_curves(place_between(a.place, b.place, t));
-            if (field_.builder().top(ToolPose{on.tip, on.axis}, curves) < -0.5 * field_.chord()) return false;
+            if (field_.builder().top(ToolPose{on.tip, on.axis}, curves) < -slack) return false;
         }
         return true;
     }
