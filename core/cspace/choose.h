@@ -39,7 +39,6 @@ struct ChooseInput {
     double feed = 1000.0 / 60;              ///< of the tip, mm/s
     double turn_limit = radians(15);        ///< between neighbouring tool axes; more separates the pass there
     std::optional<ToolPose> before;         ///< where the tool comes from: the end of the pass before
-    bool accelerations = false;             ///< count the machine's largest accelerations
 };
 
 /// One posture per point, in their order. Free postures lie in the configuration space: bottom <= delta <=

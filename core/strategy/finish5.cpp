@@ -451,12 +451,6 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
                                      .minimum = 0,
                                      .maximum = 1000,
                                      .advanced = true});
-        t.add(&S::accelerations, {.key = "accelerations",
-                                  .label = "Accelerations",
-                                  .help = "Count what the machine's axes can accelerate when postures are "
-                                          "chosen.",
-                                  .kind = K::boolean,
-                                  .advanced = true});
         return t;
     }();
     return table;

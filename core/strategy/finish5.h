@@ -35,7 +35,6 @@ struct Finish5Settings : OperationCommon {
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes
     double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
-    bool accelerations = false;      ///< count the machine's accelerations when postures are chosen
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();

@@ -50,7 +50,6 @@ std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const Pos
     input.feed = field.settings().feed / 60;
     input.before = before;
     input.turn_limit = field.settings().turn_limit;
-    input.accelerations = field.settings().accelerations;
     using Method = Finish5Settings::PostureChoice;
     switch (method) {
     case Method::cm2:
