@@ -26,6 +26,8 @@ struct PassPoint {
     const CSpace* space = nullptr;
     const std::vector<RaisedCurve>* curves = nullptr; ///< so that postures between nodes are judged exactly
     double cm2_lambda = 0;                            ///< the CM2 lead, held to the lead limits
+    /// Chosen by hand, and free: what every method takes at this point.
+    std::optional<PostureValue> kept;
 };
 
 /// Not free: the point is left to clean-up.

@@ -20,6 +20,10 @@ std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const C
     ToolLift::Hint hint;
     for (const PassPoint& point : points) {
         progress.check();
+        if (point.kept) {
+            chosen.push_back({true, *point.kept});
+            continue;
+        }
         ChosenPosture choice;
         const auto tried = [&](double lambda) {
             const double bottom = builder.bottom(point.frame, lambda, 0, hint);

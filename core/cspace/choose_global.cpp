@@ -33,7 +33,7 @@ struct Stop {
 };
 
 /// Of one point. On the whole grid they are in the order of its nodes: those of node n stand from first[n] to
-/// first[n + 1]; elsewhere `first` is empty.
+/// first[n + 1]; elsewhere, and where a posture is kept, `first` is empty.
 struct Stops {
     std::vector<Stop> all;
     std::vector<std::uint32_t> first;
@@ -85,6 +85,10 @@ private:
         const PassPoint& point = points_[i];
         const PostureGrid& grid = *builder_.input().grid;
         Stops stops;
+        if (point.kept) {
+            add(point, *point.kept, 0, stops);
+            return stops;
+        }
         for (std::size_t l = 0; l < grid.lambda.size(); ++l)
             for (std::size_t o = 0; o < grid.omega.size(); ++o) {
                 const std::size_t n = grid.node(l, o);
@@ -142,12 +146,13 @@ private:
         }
     }
 
-    /// From nodes near its own; should none of them serve, from all.
+    static constexpr std::size_t no_node = std::size_t(-1);
+    /// From nodes near its own; should none of them serve, or where one of the two is no node, from all.
     Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to,
                        std::size_t node) const {
         Link best;
         const auto& all = before.all;
-        if (!before.first.empty()) {
+        if (!before.first.empty() && node != no_node) {
             const PostureGrid& grid = *builder_.input().grid;
             const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
             const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),
@@ -184,7 +189,7 @@ private:
             };
             if (here.first.empty()) {
                 for (std::size_t k = 0; k < here.all.size(); ++k)
-                    link(k, 0);
+                    link(k, no_node);
             } else {
                 parallel_for(here.first.size() - 1, nodes_per_block, Progress(), [&](std::size_t n) {
                     for (std::uint32_t k = here.first[n]; k < here.first[n + 1]; ++k)
@@ -209,6 +214,10 @@ private:
         const PostureGrid& grid = *builder_.input().grid;
         ToolLift::Hint hint;
         Stops stops;
+        if (point.kept) {
+            add(point, *point.kept, 0, stops);
+            return stops;
+        }
         for (const int l : {0, -1, 1})
             for (const int o : {0, -1, 1}) {
                 const double lambda =

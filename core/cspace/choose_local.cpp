@@ -226,7 +226,8 @@ std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const
                                                                                      : Vec3(Vec3::UnitZ());
     std::vector<ChosenPosture> chosen(points.size());
     parallel_for(points.size(), points_per_block, progress.part(0, 0), [&](std::size_t i) {
-        chosen[i] = LocalSearch(points[i], *input.builder, clock, ideal, input.feed).run();
+        chosen[i] = points[i].kept ? ChosenPosture{true, *points[i].kept}
+                                   : LocalSearch(points[i], *input.builder, clock, ideal, input.feed).run();
     });
     return chosen;
 }

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/job/stock_solid.h"
 #include "core/mesh/geometry.h"
+#include "core/strategy/manual_posture.h"
 
 #include <charconv>
 #include <chrono>
@@ -261,6 +262,9 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     for (const HolderSection& s : context.tool.holder)
         key.add(s.diameter).add(s.length);
     key.add_up_to(Stage::strategy, operation);
+    if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
+        for (const ManualPosture& m : by_hand->manual_postures())
+            key.add(m.point).add(m.lead).add(m.yaw);
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     const std::string path_key = key.text();
     const std::string motion_key = key.add_up_to(Stage::link, operation).text();

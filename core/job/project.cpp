@@ -1,5 +1,7 @@
 #include "core/job/project.h"
 
+#include "core/strategy/manual_posture.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -217,6 +219,10 @@ void check_operations(const Project& p) {
         const std::string place = at("operations", i);
         const std::string& name = operation.common().name;
         check_values(operation, place, p.unit);
+        if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
+            for (std::size_t k = 0; k < by_hand->manual_postures().size(); ++k)
+                check_struct(by_hand->manual_postures()[k], manual_posture_parameters(),
+                             place + "." + at(TakesManualPostures::file_key, k), p.unit);
         if (name.find_first_not_of(' ') == std::string::npos)
             throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
                         "give the operation a name");

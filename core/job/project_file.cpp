@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
+#include "core/strategy/manual_posture.h"
 
 #include <algorithm>
 
@@ -125,6 +126,25 @@ Tool read_tool(const Json& object, const std::string& place, LengthUnit unit) {
     return tool;
 }
 
+std::vector<ManualPosture> read_manual_postures(const Json& operation, const std::string& place,
+                                                LengthUnit unit) {
+    const std::string at = member(place, TakesManualPostures::file_key);
+    const Json& list = expect_list(operation[TakesManualPostures::file_key], at);
+    std::vector<ManualPosture> postures;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string here = element(at, i);
+        expect_object(list[i], here);
+        require(list[i], here, "point", "give the place on the part");
+        require(list[i], here, "lead", "give the inclination");
+        require(list[i], here, "yaw", "give the yaw");
+        ManualPosture posture;
+        ParameterView<ManualPosture> view(posture, manual_posture_parameters());
+        read_parameters(list[i], here, view, unit, {});
+        postures.push_back(posture);
+    }
+    return postures;
+}
+
 std::unique_ptr<Operation> read_operation(const Json& object, const std::string& place, LengthUnit unit) {
     expect_object(object, place);
     const std::string at = member(place, "kind");
@@ -136,7 +156,13 @@ std::unique_ptr<Operation> read_operation(const Json& object, const std::string&
         throw Error(e.code(), at, e.message(), e.remedy());
     }
     require(object, place, "tool", "give the number of a tool");
-    read_parameters(object, place, *operation, unit, {"kind"});
+    std::vector<std::string> own{"kind"};
+    if (auto* by_hand = dynamic_cast<TakesManualPostures*>(operation.get())) {
+        own.push_back(TakesManualPostures::file_key);
+        if (object.contains(own.back()))
+            by_hand->set_manual_postures(read_manual_postures(object, place, unit));
+    }
+    read_parameters(object, place, *operation, unit, own);
     return operation;
 }
 
@@ -273,7 +299,16 @@ std::string project_to_json(const Project& project) {
     for (std::size_t i = 0; i < project.operations.size(); ++i) {
         Json object = Json::object();
         object["kind"] = std::string(project.operations[i]->kind());
-        write_parameters(object, element("operations", i), *project.operations[i], unit);
+        const std::string place = element("operations", i);
+        write_parameters(object, place, *project.operations[i], unit);
+        const auto* by_hand = dynamic_cast<const TakesManualPostures*>(project.operations[i].get());
+        if (by_hand && !by_hand->manual_postures().empty()) {
+            const std::string key = TakesManualPostures::file_key;
+            object[key] = Json::array();
+            for (std::size_t k = 0; k < by_hand->manual_postures().size(); ++k)
+                object[key].push_back(write_struct(by_hand->manual_postures()[k], manual_posture_parameters(),
+                                                   element(member(place, key), k), unit));
+        }
         file["operations"].push_back(std::move(object));
     }
     return pretty_json(file);

@@ -2,6 +2,7 @@
 
 #include "core/job/project.h"
 #include "core/setup/machine.h"
+#include "core/strategy/manual_posture.h"
 
 namespace facetmill {
 
@@ -140,7 +141,13 @@ std::string reference_page() {
     page += "## Operations\n\n";
     for (const OperationKind& kind : operation_kinds()) {
         page += "### `" + kind.kind + "`: " + kind.label + "\n\n";
-        table(page, kind.make()->parameters());
+        const auto operation = kind.make();
+        table(page, operation->parameters());
+        if (!dynamic_cast<const TakesManualPostures*>(operation.get())) continue;
+        page += "`" + std::string(TakesManualPostures::file_key)
+                + "` is a list, which may be missing, of postures chosen by hand for single contact points; "
+                  "each of its keys is required:\n\n";
+        table_of(page, manual_posture_parameters());
     }
     page.pop_back();
     return page;

@@ -33,7 +33,8 @@ class Planner5 {
 public:
     Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress)
         : settings_(settings), progress_(progress), field_(context, settings, progress.part(0, 0.05)),
-          stepover_(field_), record_(std::make_shared<FiveAxisRecord>()) {
+          stepover_(field_), record_(std::make_shared<FiveAxisRecord>()),
+          met_(settings.manual_postures.size(), false) {
         record_->context = field_.context();
         record_->settings = settings;
     }
@@ -172,8 +173,9 @@ private:
         std::vector<std::size_t> order(pass.lines.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             order[i] = pass.travel > 0 ? i : order.size() - 1 - i;
+        std::vector<PlacedLine> lines;
         for (const std::size_t l : order) {
-            PlacedLine placed = place_line(pass, l, [&](double u) {
+            lines.push_back(place_line(pass, l, [&](double u) {
                 // The border goes in steps, and what a pose clears lies beside and behind it: each pass takes
                 // the farther of the borders nearby, which its widths allow (TiltedStepOver).
                 std::array<double, 2> strip{part_lo, part_hi};
@@ -186,7 +188,10 @@ private:
                     strip[1] = *std::max_element(border_hi.begin() + long(first),
                                                  border_hi.begin() + long(last) + 1);
                 return strip;
-            });
+            }));
+        }
+        hand_over_kept(lines);
+        for (PlacedLine& placed : lines) {
             choose(placed, drive, progress);
             const auto start = Clock::now();
             JoinedPasses joined = join_postures(field_, placed, progress);
@@ -235,6 +240,71 @@ private:
         return placed;
     }
 
+    /// Postures kept by hand, to the contact points of this pass that they are for.
+    void hand_over_kept(std::vector<PlacedLine>& lines) {
+        for (std::size_t k = 0; k < settings_.manual_postures.size(); ++k) {
+            const ManualPosture& kept = settings_.manual_postures[k];
+            const Vec3 point(kept.point[0], kept.point[1], kept.point[2]);
+            const double v = field_.drive().v(point);
+            if (met_[k]) continue;
+            ContactPlace* nearest = nullptr;
+            double least = field_.radius(); // what is farther away is another place
+            for (PlacedLine& line : lines)
+                for (ContactPlace& place : line.places) {
+                    if (v < place.v_lo - field_.chord() || v > place.v_hi + field_.chord()) continue;
+                    const double away = (place.surface - point).norm();
+                    if (away >= least) continue;
+                    least = away;
+                    nearest = &place;
+                }
+            if (!nearest) continue;
+            met_[k] = true;
+            if (nearest->kept)
+                kept_warnings_.push_back("the posture kept for " + place_text(point)
+                                         + " is not used: another one is kept for the same contact point");
+            else
+                nearest->kept = {kept.lead, kept.yaw};
+        }
+    }
+
+    std::string place_text(const Vec3& point) const {
+        return "the point " + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z());
+    }
+
+    /// Says which postures that were kept by hand are not free.
+    void check_kept(const PlacedLine& line, const PostureStudy& study) {
+        for (std::size_t i = 0; i < line.places.size(); ++i) {
+            const ContactPlace& place = line.places[i];
+            if (!place.kept || study.points[i].kept) continue;
+            const auto [lambda, omega] = *place.kept;
+            const PostureBlock block =
+                field_.builder().reason(place.frame, lambda, omega, study.curves[i]).block;
+            std::string why = "the tool would lie down"; // free but for that
+            switch (block) {
+            case PostureBlock::local:
+            case PostureBlock::global:
+                why = "the cutter would cut into the part";
+                break;
+            case PostureBlock::shank:
+                why = "the shank would hit the part";
+                break;
+            case PostureBlock::holder:
+                why = "the holder would hit the part";
+                break;
+            case PostureBlock::lift:
+                why = "it leaves more than the tolerance";
+                break;
+            case PostureBlock::machine:
+                why = "the machine's axes do not reach";
+                break;
+            case PostureBlock::free:
+                break;
+            }
+            kept_warnings_.push_back("the posture kept for " + place_text(place.surface)
+                                     + " is not free and not used: " + why);
+        }
+    }
+
     void choose(PlacedLine& line, int drive, const Progress& progress) {
         const auto start = Clock::now();
         const PostureStudy study = study_postures(field_, line.places, progress);
@@ -242,6 +312,7 @@ private:
         const double cpu = std::max(study.stages.bottom + study.stages.top, 1e-12);
         result_.stage_seconds[1] += spent * study.stages.bottom / cpu;
         result_.stage_seconds[2] += spent * study.stages.top / cpu;
+        check_kept(line, study);
         const auto choosing = Clock::now();
         line.choices = choose_postures(field_, study, settings_.posture, last_pose(), progress);
         // Between the nodes of the grid too no tool lies down.
@@ -339,6 +410,12 @@ private:
                 std::to_string(result_.cleanup_points - unfree_)
                 + " places are left to clean-up because the tool cannot come there from "
                   "its neighbours without gouging or turning too far");
+        for (std::string& warning : kept_warnings_)
+            result_.warnings.push_back(std::move(warning));
+        for (std::size_t k = 0; k < met_.size(); ++k)
+            if (const auto& p = settings_.manual_postures[k].point; !met_[k])
+                result_.warnings.push_back("the posture kept for " + place_text({p[0], p[1], p[2]})
+                                           + " is not used: no pass comes there");
         if (settings_.stepover.is_number() && result_.cusp_max > field_.cusp())
             result_.warnings.push_back("the step-over of " + text(settings_.stepover.number)
                                        + " leaves cusps of " + text(result_.cusp_max)
@@ -355,6 +432,8 @@ private:
     StrategyResult result_;
     std::array<std::size_t, 8> blocked_{};
     std::size_t unfree_ = 0; ///< contact points
+    std::vector<bool> met_;  ///< the manual postures that belong to a contact point
+    std::vector<std::string> kept_warnings_;
     int unsatisfied_ = 0;
 };
 

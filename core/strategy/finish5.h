@@ -13,6 +13,7 @@
 // inner one is kept off the part.
 #pragma once
 
+#include "core/strategy/manual_posture.h"
 #include "core/strategy/operation.h"
 
 namespace facetmill {
@@ -35,11 +36,13 @@ struct Finish5Settings : OperationCommon {
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes
     double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
+    /// Where they are free they are used whatever `posture` says; where not, a warning names the point.
+    std::vector<ManualPosture> manual_postures;
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
-class Finish5 : public Operation {
+class Finish5 : public Operation, public TakesManualPostures {
 public:
     Finish5() = default;
     explicit Finish5(Finish5Settings settings) : settings_(std::move(settings)) {}
@@ -51,6 +54,10 @@ public:
     const OperationCommon& common() const override { return settings_; }
     OperationCommon& common() override { return settings_; }
     const Finish5Settings& settings() const { return settings_; }
+    const std::vector<ManualPosture>& manual_postures() const override { return settings_.manual_postures; }
+    void set_manual_postures(std::vector<ManualPosture> postures) override {
+        settings_.manual_postures = std::move(postures);
+    }
 
     std::vector<const ParameterInfo*> parameters() const override;
     ParameterValue get(std::string_view key) const override;

@@ -9,6 +9,7 @@
 #include "core/strategy/finish5.h"
 #include "core/strategy/surface_lines.h"
 
+#include <array>
 #include <optional>
 
 namespace facetmill {
@@ -19,8 +20,9 @@ struct ContactPlace {
     Vec3 surface = Vec3::Zero(); ///< on the part
     Index facet = no_index;
     double u = 0, v = 0;
-    double s = 0;              ///< along the surface's line
-    double v_lo = 0, v_hi = 0; ///< the strip that the pass has to clear here
+    double s = 0;                              ///< along the surface's line
+    double v_lo = 0, v_hi = 0;                 ///< the strip that the pass has to clear here
+    std::optional<std::array<double, 2>> kept; ///< lambda and omega that were chosen by hand
 };
 
 class FiveAxisField {

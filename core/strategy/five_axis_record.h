@@ -12,7 +12,7 @@ namespace facetmill {
 
 struct FiveAxisRecord {
     struct Point {
-        ContactPlace place;
+        ContactPlace place; ///< with the posture kept by hand, if any, free or not
         double cm2_lambda = 0;
         ChosenPosture choice; ///< by the method of the operation
     };

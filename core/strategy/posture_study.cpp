@@ -7,6 +7,22 @@ namespace facetmill {
 
 namespace {
 constexpr std::size_t places_per_block = 8;
+
+/// As low as nothing is cut, if that is free.
+std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
+                                         const std::vector<RaisedCurve>& curves) {
+    if (!place.kept) return std::nullopt;
+    const auto [lambda, omega] = *place.kept;
+    ToolLift::Hint hint;
+    const double bottom = field.builder().bottom(place.frame, lambda, omega, hint);
+    if (!(bottom <= field.builder().top(place.frame, lambda, omega, curves)) || !(bottom < infinity))
+        return std::nullopt;
+    const PostureValue posture{lambda, omega, bottom};
+    const ToolPose pose = posture_pose(field.cutter(), place.frame, posture);
+    if (pose.axis.z() < tolerance::lowest_axis_z || !field.kinematics().reaches(pose)) return std::nullopt;
+    return posture;
+}
+
 } // namespace
 
 PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
@@ -37,6 +53,7 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
         point.space = &study.spaces[i];
         point.curves = &study.curves[i];
         point.cm2_lambda = field.cm2_lead(places[i]);
+        point.kept = kept_posture(field, places[i], study.curves[i]);
         study.points.push_back(point);
     }
     return study;

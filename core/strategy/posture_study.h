@@ -20,7 +20,8 @@ struct PostureStudy {
     PostureStudy& operator=(PostureStudy&&) = default;
 };
 
-/// Throws Cancelled within 100 ms.
+/// Postures kept by hand at the places are taken where they are free (PassPoint::kept). Throws Cancelled
+/// within 100 ms.
 PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
                             const Progress& progress);
 

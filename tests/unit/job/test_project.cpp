@@ -4,6 +4,7 @@
 #include "core/job/project.h"
 #include "core/job/reference.h"
 #include "core/setup/machine.h"
+#include "core/strategy/manual_posture.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -117,6 +118,48 @@ private slots:
         save_project(load_project(path), path);
         QCOMPARE(std::string(InputFile(path).bytes()), once);
         QCOMPARE(load_project(path).path, path);
+    }
+
+    void postures_kept_by_hand_are_saved() {
+        const std::string list = R"([{ "point": [1, 2.5, -0.1], "lead": 12.5, "yaw": -30 },)"
+                                 R"({ "point": [0, 0, 0], "lead": 0, "yaw": 180 }])";
+        const std::string text =
+            changed("\"kind\": \"finish3\",", "\"kind\": \"finish5\", \"manual_postures\": " + list + ",");
+        const Project p = parsed(text);
+        const auto* by_hand = dynamic_cast<const TakesManualPostures*>(p.operations[0].get());
+        QVERIFY(by_hand);
+        QCOMPARE(by_hand->manual_postures().size(), std::size_t(2));
+        const ManualPosture& first = by_hand->manual_postures()[0];
+        QCOMPARE(first.point[1], 2.5 * 25.4);
+        QCOMPARE(first.lead, radians(12.5));
+        QCOMPARE(first.yaw, radians(-30));
+        const std::string once = project_to_json(p);
+        QVERIFY(once.find("\"point\": [1, 2.5, -0.1], \"lead\": 12.5, \"yaw\": -30") != std::string::npos);
+        QCOMPARE(project_to_json(parsed(once)), once);
+        QCOMPARE(project_to_json(Project(p)), once);
+        // Without any, the file says nothing of them.
+        Project none = p;
+        dynamic_cast<TakesManualPostures*>(none.operations[0].get())->set_manual_postures({});
+        QVERIFY(project_to_json(none).find("manual_postures") == std::string::npos);
+
+        const auto wrong = [&](const char* from, const char* to, const char* code, const char* where) {
+            std::string broken = text;
+            broken.replace(broken.find(from), std::string(from).size(), to);
+            const Failure f = failure_of(broken);
+            if (f.code != code || f.where != std::string("p.facetmill: operations[0]") + where)
+                qFatal("%s gives %s at %s", to, f.code.c_str(), f.where.c_str());
+        };
+        wrong("finish5", "finish3", "unknown_key", ".manual_postures");
+        wrong(list.c_str(), "7", "wrong_type", ".manual_postures");
+        wrong("\"lead\": 12.5", "\"lead\": 95", "out_of_range", ".manual_postures[0].lead");
+        wrong("\"lead\": 12.5, ", "", "missing_key", ".manual_postures[0].lead");
+        wrong("\"yaw\": 180", "\"yaw\": 200", "out_of_range", ".manual_postures[1].yaw");
+        wrong("[1, 2.5, -0.1]", "[1, 2.5]", "wrong_type", ".manual_postures[0].point");
+        wrong("\"yaw\": -30", "\"yaw\": -30, \"lift\": 1", "unknown_key", ".manual_postures[0].lift");
+        Project off = p;
+        dynamic_cast<TakesManualPostures*>(off.operations[0].get())->set_manual_postures({{{0, 0, 0}, 2, 0}});
+        QCOMPARE(failure_of([&] { check_project(off); }).where,
+                 std::string("operations[0].manual_postures[0].lead"));
     }
 
     void any_number_of_fifteen_digits_survives() {
@@ -517,7 +560,8 @@ private slots:
         OutputFile own(root / "a" / "machines" / "own.json");
         own.write(text.bytes());
         own.commit();
-        Project p = parsed(changed("tarus-tpi-2000", "machines/own.json")); // has no place yet: not looked for
+        Project p =
+            parsed(changed("tarus-tpi-2000", "machines/own.json")); // has no place yet: not looked for
         QCOMPARE(p.machine, std::string("machines/own.json"));
         save_project(p, root / "a" / "p.facetmill");
         p = load_project(root / "a" / "p.facetmill");
@@ -534,7 +578,8 @@ private slots:
         bad.commit();
         const Failure failure = failure_of([&] { check_project(p); });
         QCOMPARE(failure.code, std::string("missing_key"));
-        QVERIFY2(failure.where.find("none.json: facetmill_machine") != std::string::npos, failure.line.c_str());
+        QVERIFY2(failure.where.find("none.json: facetmill_machine") != std::string::npos,
+                 failure.line.c_str());
     }
 
     void the_reference_page_is_current() {
