@@ -1,14 +1,13 @@
 #include "core/output/motion_time.h"
 
 #include "core/base/tolerances.h"
+#include "core/output/joint_course.h"
 
 #include <cmath>
 
 namespace facetmill {
 
 namespace {
-
-constexpr std::size_t check_every = 1024;
 
 Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options) {
     if (options.part_origin) return *options.part_origin;
@@ -19,60 +18,41 @@ Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionT
     return box.empty() ? machine.table : default_part_origin(machine, box);
 }
 
-/// How far the axis is off the middle between its ends when the joints are half-way, beyond half the angle of
-/// the ends.
-double stray(const Kinematics& kinematics, const Joints& from, const Joints& to, const Vec3& axis,
-             const Vec3& next) {
-    const Vec3 sum = axis + next;
-    if (kinematics.rotary_axes() == 0 || !(sum.norm() > tolerance::unit_axis)) return 0; // there is no middle
-    Joints half;
-    half.linear = 0.5 * (from.linear + to.linear);
-    for (std::size_t r = 0; r < 2; ++r)
-        half.rotary[r] = 0.5 * (from.rotary[r] + to.rotary[r]);
-    const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
-    return angle(kinematics.forward(half).axis, sum) - 0.5 * angle(axis, next);
-}
-
 int turns_most(const Kinematics& kinematics, const Joints& from, const Joints& to) {
     const bool second = kinematics.rotary_axes() == 2
                         && std::abs(to.rotary[1] - from.rotary[1]) > std::abs(to.rotary[0] - from.rotary[0]);
     return second ? 4 : 3;
 }
 
-/// The joints of all motions that follow from a start, findings about what cannot be held, and no times yet.
-MachineMotion follow(const ClProgram& program, const Kinematics& kinematics, Joints at,
-                     const MotionTimeOptions& options, const Progress& progress) {
+/// The joints of all motions, findings about what cannot be held, and no times yet.
+MachineMotion follow(const ClProgram& program, const Kinematics& kinematics, const MotionTimeOptions& options,
+                     const Progress& progress) {
     using Limit = Kinematics::Reach::Limit;
-    MachineMotion result;
+    const JointCourse course = find_joint_course(program, kinematics, options.largest_swing, progress);
     const auto& motions = program.motions.motions;
+    MachineMotion result;
     result.motions.resize(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        if (i % check_every == 0) progress.set(double(i) / double(motions.size()));
-        const ToolPose pose{motions[i].to.tip, motions[i].to.axis};
         MotionJoints& m = result.motions[i];
-        if (const auto next = kinematics.nearest(pose, at)) {
-            m.at = *next;
-            if (i > 0 && result.motions[i - 1].held && motions[i].kind != MotionKind::rapid)
-                if (const double swing = stray(kinematics, at, m.at, motions[i - 1].to.axis, pose.axis);
-                    swing > options.largest_swing)
-                    result.findings.push_back(
-                        {MotionFinding::Kind::swing, i, turns_most(kinematics, at, m.at), swing});
+        m.at = course.at[i];
+        m.held = course.held[i];
+        if (m.held) {
+            if (i == 0 || !course.held[i - 1] || motions[i].kind == MotionKind::rapid) continue;
+            const Joints& from = course.at[i - 1];
+            const double swing =
+                swing_between(kinematics, from, m.at, motions[i - 1].to.axis, motions[i].to.axis);
+            if (swing > options.largest_swing)
+                result.findings.push_back(
+                    {MotionFinding::Kind::swing, i, turns_most(kinematics, from, m.at), swing});
         } else {
-            const auto reach = kinematics.reach(pose);
-            m.at = at;
-            m.held = false;
+            const auto reach = kinematics.reach({motions[i].to.tip, motions[i].to.axis});
             const auto kind = reach.limit == Limit::rotary_travel   ? MotionFinding::Kind::rotary_travel
                               : reach.limit == Limit::linear_travel ? MotionFinding::Kind::linear_travel
                                                                     : MotionFinding::Kind::axis;
             result.findings.push_back({kind, i, reach.joint, reach.beyond});
         }
-        at = m.at;
     }
     return result;
-}
-
-double feed_time(const ClProgram& program, const Vec3& step) {
-    return step.norm() / program.feed_mm_per_min * 60.0;
 }
 
 double rapid_time(const Vec3& step, const Machine& machine) {
@@ -159,20 +139,11 @@ MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
     const auto& motions = program.motions.motions;
     if (motions.empty()) return {};
     const Kinematics kinematics(machine, program.gauge_length, part_origin(program, machine, options));
-    const Kinematics::Solutions start = kinematics.inverse({motions[0].to.tip, motions[0].to.axis}, {});
-    MachineMotion best;
-    for (int s = 0; s < std::max(start.count, 1); ++s) {
-        const int n = std::max(start.count, 1);
-        MachineMotion one = follow(program, kinematics, start.at[std::size_t(s)], options,
-                                   progress.part(double(s) / n, double(s + 1) / n));
-        set_times(one, program, kinematics);
-        if (options.accelerations) add_accelerations(one, machine);
-        add_quality(one, program, machine);
-        if (s == 0 || one.findings.size() < best.findings.size()
-            || (one.findings.size() == best.findings.size() && one.time_seconds < best.time_seconds))
-            best = std::move(one);
-    }
-    return best;
+    MachineMotion result = follow(program, kinematics, options, progress);
+    set_times(result, program, kinematics);
+    if (options.accelerations) add_accelerations(result, machine);
+    add_quality(result, program, machine);
+    return result;
 }
 
 std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,

@@ -3,8 +3,9 @@
 // A program of three axes takes its lengths at feed, and rapids with every axis at its own largest speed. In
 // a program of several axes each motion at feed takes what its length asks for at feed or what the slowest
 // joint asks for, whichever is longer, and a rapid what the slowest joint asks for (Lu 3.123, with the
-// machine's own joints). The rotary axes go on from where the motion before left them, turns included; the
-// program begins at the solution that takes it through with the fewest findings, then the soonest.
+// machine's own joints). Most tool axes can be held in two ways and by several turns of an axis; of all ways
+// through the program the machine is taken to follow one with the fewest findings, then the soonest, as a
+// post-processor that looks ahead makes it (joint_course.h).
 #pragma once
 
 #include "core/base/progress.h"
@@ -27,9 +28,9 @@ struct MotionTimeOptions {
     /// Where the part's origin lies in the frame of the machine. Default: default_part_origin for the
     /// program's part_box, or for the box of its tips where it knows no part.
     std::optional<Vec3> part_origin;
-    /// How far the tool axis may stray, in the middle of a motion at feed, from the middle between its ends
-    /// before it is a finding, beyond half the angle between the ends; radians. Axes stray where they rewind
-    /// or go round a singular pose.
+    /// How far the tool axis may stray, on a motion at feed, from the middle between its ends before it is a
+    /// finding, beyond half the angle between the ends; radians. Axes stray where they rewind or go round a
+    /// singular pose.
     double largest_swing = radians(1);
 };
 

@@ -201,20 +201,27 @@ std::optional<Joints> Kinematics::wound(Joints solution, bool singular, const Ve
     return solution;
 }
 
-std::optional<Joints> Kinematics::nearest(const ToolPose& pose, const Joints& from) const {
+Kinematics::Solutions Kinematics::within_travel(const ToolPose& pose, const Joints& from) const {
     const Solutions all = inverse(pose, from);
-    std::optional<Joints> best;
-    double least = infinity;
+    Solutions held;
+    held.singular = all.singular;
     for (std::size_t i = 0; i < std::size_t(all.count); ++i) {
         Reach reach;
-        const auto candidate = wound(all.at[i], all.singular, pose.tip, from, &reach);
-        if (!candidate) continue;
-        const double t = time(from, *candidate);
-        if (t < least) {
-            least = t;
-            best = candidate;
-        }
+        if (const auto candidate = wound(all.at[i], all.singular, pose.tip, from, &reach))
+            held.at[std::size_t(held.count++)] = *candidate;
     }
+    return held;
+}
+
+std::optional<Joints> Kinematics::nearest(const ToolPose& pose, const Joints& from) const {
+    const Solutions held = within_travel(pose, from);
+    std::optional<Joints> best;
+    double least = infinity;
+    for (std::size_t i = 0; i < std::size_t(held.count); ++i)
+        if (const double t = time(from, held.at[i]); t < least) {
+            least = t;
+            best = held.at[i];
+        }
     return best;
 }
 

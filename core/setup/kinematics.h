@@ -61,8 +61,10 @@ public:
     /// are. Axes held otherwise are exact to 1e-12, tips to 1e-9 mm for parts of 100 mm. Throws
     /// Error(internal) for a pose that is not finite or whose axis is no unit vector.
     Solutions inverse(const ToolPose& pose, const Joints& near) const;
-    /// The solution within travel that is reached soonest from `from`, its rotary angles wound by whole turns
-    /// as near as their travel allows; nothing when none is within travel.
+    /// The solutions within travel, their rotary angles wound by whole turns as near to those of `from` as
+    /// their travel allows.
+    Solutions within_travel(const ToolPose& pose, const Joints& from) const;
+    /// That of them which is reached soonest from `from`; nothing when none is within travel.
     std::optional<Joints> nearest(const ToolPose& pose, const Joints& from) const;
 
     struct Reach {

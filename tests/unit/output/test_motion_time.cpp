@@ -1,10 +1,13 @@
 // Programs of several axes on a machine: times, turns, findings.
+#include "core/output/joint_course.h"
 #include "core/output/motion_time.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 using namespace facetmill;
@@ -185,6 +188,96 @@ private slots:
         QVERIFY(m.findings.empty());
         QVERIFY(near(m.motions.front().at[3], radians(-20)));
         QVERIFY(near(m.motions.back().at[3], radians(-80)));
+    }
+
+    void a_turn_above_the_part_saves_one_in_it() {
+        // Upright, then above the part to a lean that A +20 holds sooner; but it grows, and A ends at +30.
+        ClProgram p = program_of(true);
+        add(p, MotionKind::rapid, Vec3(0, 0, 9));
+        for (int i = 0; i <= 60; ++i)
+            add(p, i ? MotionKind::cut : MotionKind::rapid, Vec3(0, 0, 0), leaning(-pi / 2, radians(20 + i)));
+        const MachineMotion m = machine_motion(p, find_machine("trunnion-ac"));
+        QVERIFY(m.findings.empty());
+        QVERIFY(near(m.motions[1].at[3], radians(-20)));
+        QVERIFY(near(m.motions.back().at[3], radians(-80)));
+        // While it cuts the way back by two whole turns is no way either, though half of it ends at one.
+        const MachineMotion bound =
+            machine_motion(round_and_round(2.5, radians(25)), find_machine("tarus-tpi-2000"));
+        QCOMPARE(bound.findings.size(), std::size_t(1));
+    }
+
+    /// Against every combination of solutions and turns.
+    void no_other_course_is_sooner() {
+        std::mt19937_64 rng(11);
+        std::uniform_real_distribution<double> at(-1, 1);
+        for (const char* name : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"}) {
+            const Machine& machine = find_machine(name);
+            for (int trial = 0; trial < 12; ++trial) {
+                ClProgram p = program_of(true);
+                for (int i = 0; i < 4; ++i)
+                    add(p, i % 3 ? MotionKind::cut : MotionKind::rapid, 20 * Vec3(at(rng), at(rng), at(rng)),
+                        leaning(pi * at(rng), radians(trial % 2 ? 4 : 50) * std::abs(at(rng))));
+                const auto& motions = p.motions.motions;
+                const Kinematics k(machine, p.gauge_length, default_part_origin(machine, p.part_box));
+                std::vector<std::vector<Joints>> ways;
+                for (const Motion& m : motions) {
+                    ways.emplace_back();
+                    for (const double a : {0.0, 2 * pi, -2 * pi})
+                        for (const double b : {0.0, 2 * pi, -2 * pi}) {
+                            const auto held =
+                                k.within_travel({m.to.tip, m.to.axis}, Joints{Vec3::Zero(), {a, b}});
+                            for (int w = 0; w < held.count; ++w) {
+                                const Joints& j = held.at[std::size_t(w)];
+                                const auto same = [&](const Joints& o) {
+                                    return near(o.rotary[0], j.rotary[0]) && near(o.rotary[1], j.rotary[1]);
+                                };
+                                if (std::none_of(ways.back().begin(), ways.back().end(), same))
+                                    ways.back().push_back(j);
+                            }
+                        }
+                }
+                const auto step = [&](std::size_t i, const Joints& from, const Joints& to) {
+                    const bool rapid = motions[i].kind == MotionKind::rapid;
+                    const double feed =
+                        rapid ? 0 : (motions[i].to.tip - motions[i - 1].to.tip).norm() / 10; // 10 mm/s
+                    const double swing =
+                        rapid ? 0 : swing_between(k, from, to, motions[i - 1].to.axis, motions[i].to.axis);
+                    return std::max(feed, k.time(from, to)) + (swing > radians(1) ? 1e6 : 0);
+                };
+                double least = infinity;
+                const std::function<void(std::size_t, const Joints&, double)> all =
+                    [&](std::size_t i, const Joints& last, double sum) {
+                        if (sum >= least) return;
+                        if (i == motions.size()) {
+                            least = sum;
+                            return;
+                        }
+                        for (const Joints& to : ways[i])
+                            all(i + 1, to, sum + step(i, last, to));
+                    };
+                for (const Joints& first : ways[0])
+                    all(1, first, 0);
+                const MachineMotion found = machine_motion(p, machine);
+                const double cost = found.time_seconds + 1e6 * double(found.findings.size());
+                QVERIFY2(cost <= least * (1 + 0.002),
+                         qPrintable(QString("%1 %2: %3 %4").arg(name).arg(trial).arg(cost).arg(least)));
+                QVERIFY(cost >= least * (1 - 1e-9));
+            }
+        }
+    }
+
+    /// Longer than what is decided at once.
+    void long_programs_go_on() {
+        const ClProgram p = round_and_round(1, radians(25), 40000);
+        for (const char* name : {"tarus-tpi-2000", "head-b-table-c"}) {
+            const MachineMotion m = machine_motion(p, find_machine(name));
+            QVERIFY2(m.findings.empty(), name);
+            QVERIFY2(
+                near(m.time_seconds,
+                     motion_totals(round_and_round(1, radians(25), 400), find_machine(name)).time_seconds,
+                     1e-3),
+                name);
+        }
     }
 
     void reversals_are_counted_per_run() {
