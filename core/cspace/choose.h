@@ -3,10 +3,11 @@
 //
 //   cm2     curvature matching: yaw 0 and the lead that matches the curvature across the feed; where that is
 //           not free, inclined further, then lifted (Li and Jerard)
-//   local   Lu: point by point the free posture nearest to one and the same axis, by joint-motion time,
-//           searched from the CM2 posture by the penalty method
-//   global  the postures that take the machine least time over the whole pass: the cheapest path through all
-//           configuration spaces
+//   local   Lu: point by point the free posture nearest to the ideal one, by joint-motion time, searched from
+//           the CM2 posture by the penalty method. The ideal is an axis that stays as it is: that of the
+//           point before
+//   global  the postures that take the machine least time over the whole pass and on to the next: the
+//           cheapest path through all configuration spaces
 //
 // mm, radians, seconds; part coordinates.
 #pragma once
@@ -41,7 +42,12 @@ struct ChooseInput {
     double feed = 1000.0 / 60;              ///< of the tip, mm/s
     double turn_limit = radians(15);        ///< between neighbouring tool axes; more separates the pass there
     std::optional<ToolPose> before;         ///< where the tool comes from: the end of the pass before
+    /// Where it goes to: the first points of the next pass, `choose_horizon` of them or fewer.
+    std::span<const PassPoint> next;
 };
+
+/// How far into the next pass the global choice looks: far enough for the axis to turn to what comes.
+constexpr std::size_t choose_horizon = 12;
 
 /// One posture per point, in their order. Free postures lie in the configuration space: bottom <= delta <=
 /// top, checked between nodes too. Throws Cancelled within 100 ms. The same bits for every thread count.

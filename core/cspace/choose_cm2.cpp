@@ -2,15 +2,6 @@
 
 namespace facetmill {
 
-namespace {
-
-/// Of the room between bottom and top that a posture at the CM2 lead has to have, nothing: any is taken.
-bool serves(double bottom, double top) {
-    return bottom <= top;
-}
-
-} // namespace
-
 std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const ChooseInput& input,
                                       const Progress& progress) {
     std::vector<ChosenPosture> chosen;
@@ -28,11 +19,9 @@ std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const C
         const auto tried = [&](double lambda) {
             const double bottom = builder.bottom(point.frame, lambda, 0, hint);
             const double top = builder.top(point.frame, lambda, 0, *point.curves);
-            if (!serves(bottom, top)) return false;
+            if (!(bottom <= top)) return false;
             choice.posture = {lambda, 0, bottom};
-            const Kinematics* machine = builder.input().kinematics;
-            const CutterProfile& cutter = builder.input().lift->cutter();
-            choice.free = !machine || machine->reaches(posture_pose(cutter, point.frame, choice.posture));
+            choice.free = builder.holds(point.frame, choice.posture);
             return choice.free;
         };
         // Inclined further until it need not be lifted more than the tolerance allows.

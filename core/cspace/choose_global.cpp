@@ -1,7 +1,9 @@
 // The cheapest path through all configuration spaces of a pass. What Lu calls too complex to implement is a
 // shortest path: the free nodes of each point's grid, in either way the machine can hold them, are the stops;
 // a move between two of neighbouring points costs the time it takes, feed or joints, whichever is longer.
-// Between nodes the path is then refined: around every stop a smaller grid, the same search, three times.
+// The path begins where the pass before ended and goes on into the next one, so that the tool ends as the
+// next pass is best begun. Between nodes it is then refined: around every stop a smaller grid, the same
+// search, three times.
 #include "core/cspace/choose.h"
 #include "core/cspace/joint_path.h"
 
@@ -16,9 +18,8 @@ namespace facetmill {
 namespace {
 
 constexpr int refinements = 3;
-/// Where moves take the same time, the one that turns less and lifts less is taken: shares of its joint time
-/// and, for a lift as high as the space, seconds.
-constexpr double joint_share = 0.04, lift_seconds = 1e-4;
+/// Where moves take the same time, the one that lifts less is taken: seconds for a lift as high as the space.
+constexpr double lift_seconds = 1e-4;
 /// What being separated costs, s: about a retract, a rapid and an approach. So much that no smooth path is
 /// given up for it.
 constexpr double separation_seconds = 1000;
@@ -27,8 +28,7 @@ constexpr std::size_t points_per_block = 4;
 /// One way to stand at a point.
 struct Stop {
     PostureValue posture;
-    ToolPose pose;
-    JointClock::Times joints{};
+    Stand stand;
     double own_cost = 0; ///< s
 };
 
@@ -43,9 +43,10 @@ struct Stops {
 class Search {
 public:
     Search(std::span<const PassPoint> points, const ChooseInput& input)
-        : points_(points), input_(input), builder_(*input.builder), clock_(builder_.input().kinematics),
-          cos_limit_(std::cos(input.turn_limit)), per_feed_(1 / input.feed) {
-        if (input.before) before_ = clock_.ways(*input.before);
+        : points_(points.begin(), points.end()), own_(points.size()), input_(input), builder_(*input.builder),
+          clock_(builder_.input().kinematics, input.feed), cos_limit_(std::cos(input.turn_limit)) {
+        points_.insert(points_.end(), input.next.begin(),
+                       input.next.begin() + long(std::min(input.next.size(), choose_horizon)));
     }
 
     std::vector<ChosenPosture> run(const Progress& progress) {
@@ -54,7 +55,7 @@ public:
                      [&](std::size_t i) { stops[i] = nodes(i); });
         std::vector<ChosenPosture> chosen(points_.size());
         // Points without a free posture part the pass.
-        for (std::size_t begin = 0; begin < points_.size();) {
+        for (std::size_t begin = 0; begin < own_;) {
             if (stops[begin].empty()) {
                 ++begin;
                 continue;
@@ -65,6 +66,7 @@ public:
             refined(stops, begin, end, chosen, progress);
             begin = end;
         }
+        chosen.resize(own_);
         return chosen;
     }
 
@@ -75,10 +77,9 @@ private:
 
     void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {
         const ToolPose pose = posture_pose(builder_.input().lift->cutter(), point.frame, posture);
-        if (pose.axis.z() < tolerance::lowest_axis_z) return;
         const JointClock::Ways ways = clock_.ways(pose);
         for (int w = 0; w < ways.count; ++w)
-            stops.all.push_back({posture, pose, ways.at[std::size_t(w)], own_cost(posture, top)});
+            stops.all.push_back({posture, {pose, ways.at[std::size_t(w)]}, own_cost(posture, top)});
     }
 
     Stops nodes(std::size_t i) const {
@@ -101,33 +102,11 @@ private:
         return stops;
     }
 
-    double move_cost(const Stop& a, const Stop& b) const {
-        const double joints = clock_.between(a.joints, b.joints);
-        const double feed = (b.pose.tip - a.pose.tip).norm() * per_feed_;
-        return std::max(feed, joints) + joint_share * joints;
-    }
-
     /// What it costs to come to a stop from where the pass before ended.
     double entry_cost(const Stop& stop) const {
         if (!input_.before) return 0;
-        double least = infinity;
-        for (int w = 0; w < before_.count; ++w)
-            least = std::min(least, clock_.between(before_.at[std::size_t(w)], stop.joints));
-        return before_.count > 0 ? least : 0;
-    }
-
-    /// The next pass most likely comes back: half of what it takes to lean as far to the other side.
-    double exit_cost(const Stop& stop, const PassPoint& point) const {
-        const Vec3& n = point.frame.normal;
-        const Vec3 mirrored = 2 * n.dot(stop.pose.axis) * n - stop.pose.axis;
-        if (mirrored.z() < tolerance::lowest_axis_z) return 0;
-        const Vec3 tip =
-            2 * point.frame.point + 2 * n.dot(stop.pose.tip - point.frame.point) * n - stop.pose.tip;
-        const JointClock::Ways ways = clock_.ways({tip, mirrored.normalized()}, &stop.joints);
-        double least = infinity;
-        for (int w = 0; w < ways.count; ++w)
-            least = std::min(least, clock_.between(ways.at[std::size_t(w)], stop.joints));
-        return ways.count > 0 ? 0.5 * least : 0;
+        const double cost = clock_.to(*input_.before, stop.stand);
+        return cost < infinity ? cost : 0;
     }
 
     /// The cheapest of the stops `from` before one, or none (false) within the turn limit.
@@ -136,23 +115,24 @@ private:
         std::uint32_t from = 0;
     };
     void look(const std::vector<Stop>& before, const std::vector<double>& cost, std::uint32_t begin,
-              std::uint32_t end, const Stop& to, Link& best) const {
+              std::uint32_t end, const Stop& to, double cos_limit, Link& best) const {
         for (std::uint32_t j = begin; j < end; ++j) {
             if (cost[j] >= best.cost) continue;
-            const Stop& s = before[j];
-            if (s.pose.axis.dot(to.pose.axis) < cos_limit_) continue;
-            const double total = cost[j] + move_cost(s, to);
+            const Stand& s = before[j].stand;
+            if (s.pose.axis.dot(to.stand.pose.axis) < cos_limit) continue;
+            const double total = cost[j] + clock_.between(s, to.stand);
             if (total < best.cost) best = {total, j};
         }
     }
 
     static constexpr std::size_t no_node = std::size_t(-1);
-    /// From nodes near its own; should none of them serve, or where one of the two is no node, from all.
-    Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to,
-                       std::size_t node) const {
+    /// From nodes near its own; should none of them serve, where one of the two is no node, or between
+    /// passes, from all.
+    Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to, std::size_t node,
+                       double cos_limit) const {
         Link best;
         const auto& all = before.all;
-        if (!before.first.empty() && node != no_node) {
+        if (!before.first.empty() && node != no_node && cos_limit > -1) {
             const PostureGrid& grid = *builder_.input().grid;
             const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
             const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),
@@ -160,10 +140,10 @@ private:
             for (std::size_t i = l - std::min(l, window); i < l_end; ++i) {
                 const std::size_t row = grid.node(i, 0);
                 look(all, cost, before.first[row + o - std::min(o, window)], before.first[row + o_end], to,
-                     best);
+                     cos_limit, best);
             }
         }
-        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, best);
+        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, cos_limit, best);
         return best;
     }
 
@@ -181,8 +161,10 @@ private:
             const Link separated{*least + separation_seconds, std::uint32_t(least - cost.begin())};
             next.assign(here.all.size(), infinity);
             from[i - begin].assign(here.all.size(), 0);
+            // Between passes the axis may turn as far as it likes.
+            const double cos_limit = i == own_ ? -2 : cos_limit_;
             const auto link = [&](std::size_t k, std::size_t node) {
-                Link best = cheapest_link(before, cost, here.all[k], node);
+                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit);
                 if (best.cost > separated.cost) best = separated;
                 next[k] = best.cost + here.all[k].own_cost;
                 from[i - begin][k] = best.from;
@@ -198,9 +180,6 @@ private:
             }
             cost.swap(next);
         }
-        if (end == points_.size())
-            for (std::size_t k = 0; k < cost.size(); ++k)
-                cost[k] += exit_cost(stops[end - 1].all[k], points_[end - 1]);
         std::vector<std::size_t> path(end - begin);
         path.back() = std::size_t(std::min_element(cost.begin(), cost.end()) - cost.begin());
         for (std::size_t i = path.size() - 1; i > 0; --i)
@@ -229,11 +208,7 @@ private:
                 const double top = builder_.top(point.frame, lambda, omega, *point.curves);
                 if (!(bottom <= top)) continue;
                 const PostureValue p{lambda, omega, bottom};
-                const Kinematics* machine = builder_.input().kinematics;
-                if (machine
-                    && !machine->reaches(posture_pose(builder_.input().lift->cutter(), point.frame, p)))
-                    continue;
-                add(point, p, top, stops);
+                if (builder_.holds(point.frame, p)) add(point, p, top, stops);
             }
         return stops;
     }
@@ -266,12 +241,12 @@ private:
     /// turn by a degree or so; a grid step is three.
     static constexpr std::size_t window = 2;
 
-    std::span<const PassPoint> points_;
+    std::vector<PassPoint> points_; ///< of the pass, then of the next
+    std::size_t own_;               ///< how many are the pass's
     const ChooseInput& input_;
     const CSpaceBuilder& builder_;
-    JointClock clock_;
-    double cos_limit_, per_feed_;
-    JointClock::Ways before_;
+    MoveClock clock_;
+    double cos_limit_;
 };
 
 } // namespace

@@ -4,11 +4,14 @@
 //   F(lambda, omega, delta) = time(posture, ideal) + r (violation of S2 <= delta <= S1)^2,   r = 10000
 //
 // from the CM2 posture. The ideal axis is any that stays the same along the pass (3.119, Fig. 3-28 c: the
-// spindle's way is then shortest). Lu takes Z; but on machines with a head or table that turns about Z that
-// is the singular direction, next to which the axes turn most. Here it is the mean of the pass's CM2 axes.
-// The time is that of the machine's own joints (his 3.122 takes lambda and omega for joint angles, see
-// core/cspace/README.md). The surfaces are read off the grid between nodes; what comes out is then judged
-// exactly, and where it is not free, moved towards the nearest free node as little as it takes.
+// spindle's way is then shortest). Lu takes Z for all points; but on machines with a head or table that turns
+// about Z that is the singular direction, next to which the axes turn most, and nothing ties neighbours
+// together. Here it is the axis that the point before has: where it can stay, it stays, and where the
+// configuration space does not allow it, it moves by as little as it takes. The time is that of the machine's
+// own joints (his 3.122 takes lambda and omega for joint angles, see core/cspace/README.md), and at least
+// that of the tip at feed: a flat end that hardly leans is anywhere about its contact point in no joint time
+// to speak of. The surfaces are read off the grid between nodes; what comes out is then judged exactly, and
+// where it is not free, moved towards the nearest free node as little as it takes.
 #include "core/cspace/choose.h"
 #include "core/cspace/joint_path.h"
 
@@ -25,10 +28,6 @@ namespace facetmill {
 namespace {
 
 constexpr double penalty = 10000; // Lu's r; lengths in mm, times in s
-constexpr std::size_t points_per_block = 4;
-/// Of the time that the tip takes from the CM2 posture at feed: a flat end that hardly leans is anywhere
-/// about its contact point in no joint-motion time to speak of, but the part is cut at feed.
-constexpr double near_start_share = 0.5;
 constexpr int most_steps = 60;
 /// Of the first step: the search ends when its steps are this small.
 constexpr double last_step_share = 1.0 / 64;
@@ -45,16 +44,11 @@ std::pair<std::size_t, double> place_in(const std::vector<double>& values, doubl
 
 class LocalSearch {
 public:
-    LocalSearch(const PassPoint& point, const CSpaceBuilder& builder, const JointClock& clock,
-                const Vec3& ideal_axis, double feed)
+    /// `from`: how the tool stands at the point before.
+    LocalSearch(const PassPoint& point, const CSpaceBuilder& builder, const MoveClock& clock,
+                const Stand& from)
         : point_(point), builder_(builder), grid_(*builder.input().grid), clock_(clock),
-          cutter_(builder.input().lift->cutter()), feed_(feed),
-          start_tip_(posture_pose(cutter_, point.frame, {point.cm2_lambda, 0, 0}).tip) {
-        const PostureValue ideal = posture_of_axis(point.frame, ideal_axis);
-        const ToolPose pose = posture_pose(cutter_, point.frame, ideal);
-        const JointClock::Ways ways = clock_.ways({pose.tip, ideal_axis});
-        if (ways.count > 0) ideal_ = ways.at[0];
-    }
+          cutter_(builder.input().lift->cutter()), from_(from) {}
 
     ChosenPosture run() const {
         // From CM2, as Lu does, and from the best node: the objective has valleys with flat floors, one for
@@ -152,29 +146,12 @@ private:
                + weighted((1 - s) * t, grid_.node(l, o1)) + weighted(s * t, grid_.node(l1, o1));
     }
 
-    double time_to_ideal(const PostureValue& p) const {
-        const ToolPose pose = posture_pose(cutter_, point_.frame, p);
-        if (!ideal_) return pose.axis.z() > 0 ? 1 - pose.axis.z() : infinity;
-        const JointClock::Ways ways = clock_.ways(pose, &*ideal_);
-        double least = infinity;
-        for (int w = 0; w < ways.count; ++w)
-            least = std::min(least, clock_.between(ways.at[std::size_t(w)], *ideal_));
-        return least;
-    }
-
     double objective(const PostureValue& p) const {
         const double under = std::max(between(point_.space->bottom, p) - p.delta, 0.0);
         const double over = std::max(p.delta - between(point_.space->top, p), 0.0);
-        const Vec3 tip = posture_pose(cutter_, point_.frame, p).tip;
-        const double f = time_to_ideal(p) + near_start_share * (tip - start_tip_).norm() / feed_
+        const double f = clock_.to(posture_pose(cutter_, point_.frame, p), from_)
                          + penalty * (under * under + over * over);
         return std::isnan(f) ? infinity : f;
-    }
-
-    bool reachable(const PostureValue& p) const {
-        const ToolPose pose = posture_pose(cutter_, point_.frame, p);
-        const Kinematics* machine = builder_.input().kinematics;
-        return pose.axis.z() >= tolerance::lowest_axis_z && (!machine || machine->reaches(pose));
     }
 
     std::optional<ChosenPosture> judged(PostureValue p) const {
@@ -183,7 +160,7 @@ private:
         const double top = builder_.top(point_.frame, p.lambda, p.omega, *point_.curves);
         if (!(bottom <= top)) return std::nullopt;
         p.delta = std::clamp(p.delta, bottom, top);
-        if (!reachable(p)) return std::nullopt;
+        if (!builder_.holds(point_.frame, p)) return std::nullopt;
         return ChosenPosture{true, p};
     }
 
@@ -197,7 +174,7 @@ private:
                 if (point_.space->block[n] != PostureBlock::free) continue;
                 const PostureValue p{grid_.lambda[l], grid_.omega[o], point_.space->bottom[n]};
                 const double away = std::hypot(p.lambda - from.lambda, p.omega - from.omega);
-                if (!(away < least) || !reachable(p)) continue;
+                if (!(away < least) || !builder_.holds(point_.frame, p)) continue;
                 least = away;
                 best = {true, p};
             }
@@ -207,28 +184,30 @@ private:
     const PassPoint& point_;
     const CSpaceBuilder& builder_;
     const PostureGrid& grid_;
-    const JointClock& clock_;
+    const MoveClock& clock_;
     const CutterProfile& cutter_;
-    double feed_;
-    Vec3 start_tip_;
-    std::optional<JointClock::Times> ideal_;
+    const Stand& from_;
 };
 
 } // namespace
 
 std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const ChooseInput& input,
                                         const Progress& progress) {
-    const JointClock clock(input.builder->input().kinematics);
-    Vec3 sum = Vec3::Zero();
-    for (const PassPoint& point : points)
-        sum += posture_axis(point.frame, point.cm2_lambda, 0);
-    const Vec3 ideal = sum.norm() > tolerance::vanishing_sum * double(points.size()) ? Vec3(sum.normalized())
-                                                                                     : Vec3(Vec3::UnitZ());
-    std::vector<ChosenPosture> chosen(points.size());
-    parallel_for(points.size(), points_per_block, progress.part(0, 0), [&](std::size_t i) {
-        chosen[i] = points[i].kept ? ChosenPosture{true, *points[i].kept}
-                                   : LocalSearch(points[i], *input.builder, clock, ideal, input.feed).run();
-    });
+    const CSpaceBuilder& builder = *input.builder;
+    const CutterProfile& cutter = builder.input().lift->cutter();
+    const MoveClock clock(builder.input().kinematics, input.feed);
+    std::optional<Stand> last;
+    if (input.before) last = clock.stand(*input.before, nullptr);
+    std::vector<ChosenPosture> chosen;
+    chosen.reserve(points.size());
+    for (const PassPoint& point : points) {
+        progress.check();
+        if (!last) last = clock.stand(posture_pose(cutter, point.frame, {point.cm2_lambda, 0, 0}), nullptr);
+        chosen.push_back(point.kept ? ChosenPosture{true, *point.kept}
+                                    : LocalSearch(point, builder, clock, *last).run());
+        if (chosen.back().free)
+            last = clock.stand(posture_pose(cutter, point.frame, chosen.back().posture), &*last);
+    }
     return chosen;
 }
 

@@ -105,14 +105,17 @@ double CSpaceBuilder::top(const ToolPose& pose, std::span<const RaisedCurve> cur
     return least;
 }
 
+bool CSpaceBuilder::holds(const ToolPose& pose) const {
+    return pose.axis.z() >= input_.lowest_axis_z && (!input_.kinematics || input_.kinematics->reaches(pose));
+}
+
 PostureBlock CSpaceBuilder::judge(const Reason& reason, const ToolPose& pose,
                                   const ContactFrame& frame) const {
     if (!(reason.bottom < infinity)) return PostureBlock::shank;
     if (!(reason.top >= 0)) return PostureBlock::lift;
     if (reason.bottom <= reason.top) {
-        const ToolPose held{pose.tip + reason.bottom * pose.axis, pose.axis};
-        return !input_.kinematics || input_.kinematics->reaches(held) ? PostureBlock::free
-                                                                      : PostureBlock::machine;
+        return holds(ToolPose{pose.tip + reason.bottom * pose.axis, pose.axis}) ? PostureBlock::free
+                                                                                : PostureBlock::machine;
     }
     switch (block_cause(reason.contact, frame.point, input_.local_radius)) {
     case BlockCause::global:

@@ -58,6 +58,7 @@ struct CSpaceInput {
     const ToolLift* lift = nullptr;         ///< cutter, shank and holder over the mesh; wanted
     const PostureGrid* grid = nullptr;      ///< wanted for `build`
     const Kinematics* kinematics = nullptr; ///< none: a machine without limits
+    double lowest_axis_z = -1;              ///< no tool axis with a smaller z is held, by any machine
     /// mm. With the cutter's diameter all that lies under an upright flat end is local.
     double local_radius = 0;
     /// Of the flutes (mm): above it the cutter removes nothing; 0: the cutter's own height.
@@ -83,6 +84,12 @@ public:
     explicit CSpaceBuilder(const CSpaceInput& input);
 
     const CSpaceInput& input() const { return input_; }
+
+    /// Whether the machine can hold a pose whose axis is not too low.
+    bool holds(const ToolPose& pose) const;
+    bool holds(const ContactFrame& frame, const PostureValue& posture) const {
+        return holds(posture_pose(input_.lift->cutter(), frame, posture));
+    }
 
     /// Any posture, also between nodes, without allocation; the same bits as `build`.
     double bottom(const ContactFrame& frame, double lambda, double omega, ToolLift::Hint& hint) const;

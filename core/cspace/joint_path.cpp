@@ -13,8 +13,9 @@ JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
     for (int k = 0; k < m.joints(); ++k) {
         per_unit_[std::size_t(k)] = 1 / m.speed(k);
         const Travel& travel = m.joint_travel(k);
-        // An axis that winds up has to be wound back: only one without limits goes round and round.
-        if (k >= 3 && !travel.limited())
+        // An axis that winds up has to be wound back: only one with two turns of travel or more is taken to
+        // go round.
+        if (k >= 3 && !(travel.hi - travel.lo < 4 * pi - tolerance::level_angle))
             half_turn_[std::size_t(k)] = pi * per_unit_[std::size_t(k)];
     }
 }

@@ -4,6 +4,7 @@
 
 #include "core/setup/kinematics.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -40,6 +41,54 @@ private:
     const Kinematics* machine_;
     std::array<double, 5> per_unit_{};  ///< s per mm or radian
     std::array<double, 5> half_turn_{}; ///< s; +inf for axes that cannot go round
+};
+
+/// A pose and one way to hold it.
+struct Stand {
+    ToolPose pose;
+    JointClock::Times joints{};
+};
+
+/// What moves at feed cost, s.
+class MoveClock : public JointClock {
+public:
+    /// `feed` of the tip, mm/s.
+    MoveClock(const Kinematics* machine, double feed) : JointClock(machine), per_feed_(1 / feed) {}
+
+    using JointClock::between;
+    /// The time of the tip at feed or of the slowest axis, whichever is longer; and a little of the joints'
+    /// time besides: of moves that take the same time, the one that turns less.
+    double between(const Stand& a, const Stand& b) const {
+        const double joints = between(a.joints, b.joints);
+        return std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, joints) + joint_share * joints;
+    }
+    /// From a stand to the cheaper way to hold a pose; +inf where there is none.
+    double to(const ToolPose& pose, const Stand& from) const {
+        const Ways held = ways(pose, &from.joints);
+        double least = infinity;
+        for (int w = 0; w < held.count; ++w)
+            least = std::min(least, between(from, Stand{pose, held.at[std::size_t(w)]}));
+        return least;
+    }
+    /// The cheapest stand of a pose after another; the pose with joints at zero where it is out of reach.
+    Stand stand(const ToolPose& pose, const Stand* after) const {
+        const Ways held = ways(pose, after ? &after->joints : nullptr);
+        Stand best{pose, {}};
+        double least = infinity;
+        for (int w = 0; w < held.count; ++w) {
+            const Stand s{pose, held.at[std::size_t(w)]};
+            const double cost = after ? between(*after, s) : 0;
+            if (cost < least) {
+                least = cost;
+                best = s;
+            }
+        }
+        return best;
+    }
+
+private:
+    static constexpr double joint_share = 0.04;
+    double per_feed_;
 };
 
 } // namespace facetmill

@@ -6,13 +6,16 @@
 #include "core/strategy/five_axis_record.h"
 #include "core/strategy/posture_path.h"
 #include "core/strategy/posture_study.h"
+#include "core/strategy/run_out.h"
 #include "core/strategy/tilted_stepover.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <span>
 
 namespace facetmill {
 
@@ -51,6 +54,7 @@ public:
             plan_constant(settings_.stepover.number);
         else
             plan_adaptive();
+        if (pending_) cut(*pending_, {}, progress_.part(1, 1));
         finish();
         return std::move(result_);
     }
@@ -192,19 +196,13 @@ private:
         }
         hand_over_kept(lines);
         for (PlacedLine& placed : lines) {
-            choose(placed, drive, progress);
-            const auto start = Clock::now();
-            JoinedPasses joined = join_postures(field_, placed, progress);
-            result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - start).count();
-            for (Pass& p : joined.passes) {
-                p.drive = drive;
-                p.offset = pass.v;
-                result_.passes.push_back(std::move(p));
-            }
-            result_.cleanup.insert(result_.cleanup.end(), joined.uncut.begin(), joined.uncut.end());
-            result_.cusp_max = std::max(result_.cusp_max, joined.cusp);
-            result_.lead_min = std::min(result_.lead_min, joined.lead_min);
-            result_.lead_max = std::max(result_.lead_max, joined.lead_max);
+            auto coming = std::make_unique<Pending>();
+            coming->drive = drive;
+            coming->v = pass.v;
+            coming->study = study(placed, progress);
+            coming->placed = std::move(placed);
+            if (pending_) cut(*pending_, coming->study.points, progress);
+            pending_ = std::move(coming);
         }
         field_.lines().forget(field_.lines().beyond(pass.v, part_hi)
                               - long(2.5 * field_.radius() / field_.lines().spacing()));
@@ -214,7 +212,7 @@ private:
     PlacedLine place_line(const EstimatedPass& pass, std::size_t l, Strip&& strip) const {
         const SurfaceLine& line = pass.lines[l];
         PlacedLine placed;
-        placed.line = &line;
+        placed.line = line;
         placed.travel = pass.travel;
         const auto add = [&](double s) {
             ContactPlace p = field_.place(line, s, pass.v, pass.travel);
@@ -279,7 +277,7 @@ private:
             const auto [lambda, omega] = *place.kept;
             const PostureBlock block =
                 field_.builder().reason(place.frame, lambda, omega, study.curves[i]).block;
-            std::string why = "the tool would lie down"; // free but for that
+            std::string why;
             switch (block) {
             case PostureBlock::local:
             case PostureBlock::global:
@@ -295,7 +293,7 @@ private:
                 why = "it leaves more than the tolerance";
                 break;
             case PostureBlock::machine:
-                why = "the machine's axes do not reach";
+                why = "the machine's axes do not reach, or the tool would lie down";
                 break;
             case PostureBlock::free:
                 break;
@@ -305,33 +303,59 @@ private:
         }
     }
 
-    void choose(PlacedLine& line, int drive, const Progress& progress) {
+    /// A line whose postures are chosen when the one after it is known.
+    struct Pending {
+        PlacedLine placed;
+        PostureStudy study;
+        int drive = 0;
+        double v = 0;
+    };
+
+    PostureStudy study(const PlacedLine& line, const Progress& progress) {
         const auto start = Clock::now();
-        const PostureStudy study = study_postures(field_, line.places, progress);
+        PostureStudy made = study_postures(field_, line.places, progress);
         const double spent = std::chrono::duration<double>(Clock::now() - start).count();
-        const double cpu = std::max(study.stages.bottom + study.stages.top, 1e-12);
-        result_.stage_seconds[1] += spent * study.stages.bottom / cpu;
-        result_.stage_seconds[2] += spent * study.stages.top / cpu;
-        check_kept(line, study);
-        const auto choosing = Clock::now();
-        line.choices = choose_postures(field_, study, settings_.posture, last_pose(), progress);
-        // Between the nodes of the grid too no tool lies down.
-        for (std::size_t i = 0; i < line.places.size(); ++i) {
-            ChosenPosture& c = line.choices[i];
-            c.free = c.free
-                     && posture_axis(line.places[i].frame, c.posture.lambda, c.posture.omega).z()
-                            >= tolerance::lowest_axis_z;
-        }
-        result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - choosing).count();
-        FiveAxisRecord::Line recorded{record_->points.size(), 0, drive};
-        for (std::size_t i = 0; i < line.places.size(); ++i) {
-            record_->points.push_back({line.places[i], study.points[i].cm2_lambda, line.choices[i]});
-            if (line.choices[i].free) continue;
+        const double cpu = std::max(made.stages.bottom + made.stages.top, 1e-12);
+        result_.stage_seconds[1] += spent * made.stages.bottom / cpu;
+        result_.stage_seconds[2] += spent * made.stages.top / cpu;
+        check_kept(line, made);
+        return made;
+    }
+
+    /// Chooses the postures of a line and makes its passes. `next`: points of the line that comes after.
+    void cut(Pending& line, std::span<const PassPoint> next, const Progress& progress) {
+        const auto start = Clock::now();
+        PlacedLine& placed = line.placed;
+        placed.choices = choose_postures(field_, line.study, settings_.posture, last_pose(), next, progress);
+        FiveAxisRecord::Line recorded{record_->points.size(), 0, line.drive};
+        for (std::size_t i = 0; i < placed.places.size(); ++i) {
+            record_->points.push_back({placed.places[i], line.study.points[i].cm2_lambda, placed.choices[i]});
+            if (placed.choices[i].free) continue;
             ++unfree_;
-            ++blocked_[std::size_t(decisive_block(study.spaces[i]))];
+            ++blocked_[std::size_t(decisive_block(line.study.spaces[i]))];
         }
         recorded.end = record_->points.size();
         record_->lines.push_back(recorded);
+        add_run_outs(placed);
+        JoinedPasses joined = join_postures(field_, placed, progress);
+        for (Pass& p : joined.passes) {
+            p.drive = line.drive;
+            p.offset = line.v;
+            result_.passes.push_back(std::move(p));
+        }
+        result_.cleanup.insert(result_.cleanup.end(), joined.uncut.begin(), joined.uncut.end());
+        result_.cusp_max = std::max(result_.cusp_max, joined.cusp);
+        result_.lead_min = std::min(result_.lead_min, joined.lead_min);
+        result_.lead_max = std::max(result_.lead_max, joined.lead_max);
+        result_.stage_seconds[3] += std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    void add_run_outs(PlacedLine& line) const {
+        const ChosenPosture &first = line.choices.front(), &last = line.choices.back();
+        if (first.free)
+            line.before = run_out(field_, line.line, line.places.front(), first.posture, line.travel, false);
+        if (last.free)
+            line.after = run_out(field_, line.line, line.places.back(), last.posture, line.travel, true);
     }
 
     std::optional<ToolPose> last_pose() const {
@@ -429,6 +453,7 @@ private:
     FiveAxisField field_;
     TiltedStepOver stepover_;
     std::shared_ptr<FiveAxisRecord> record_;
+    std::unique_ptr<Pending> pending_;
     StrategyResult result_;
     std::array<std::size_t, 8> blocked_{};
     std::size_t unfree_ = 0; ///< contact points

@@ -64,8 +64,8 @@ public:
     void set(std::string_view key, const ParameterValue& value) override;
 
     /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
-    /// Error(out_of_range) for limits that leave nothing and for a tool that is wider than the part,
-    /// Error(limit_exceeded) beyond 100 000 drive planes. Cancelled within 100 ms.
+    /// Error(out_of_range) for limits that leave nothing, Error(limit_exceeded) beyond 100 000 drive planes.
+    /// Cancelled within 100 ms.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 
 private:

@@ -24,24 +24,11 @@ constexpr double raised_piece_share = 1.0 / 8;
 /// Of the turn limit: neighbouring contact points' normals are no farther apart.
 constexpr double turn_share = 0.75;
 
-Finish5Settings checked(Finish5Settings s) {
-    const auto refuse = [](const char* key, const std::string& what, const std::string& remedy) {
-        throw Error(ErrorCode::out_of_range, key, what, remedy);
-    };
-    if (!(s.tolerance > 0)) refuse("tolerance", "the tolerance is not above 0", "enter a length above 0");
-    if (!(s.lead_limits[0] <= s.lead_limits[1]))
-        refuse("lead_limits", "the lower limit is above the upper", "enter the lower limit first");
-    if (!(s.yaw_limits[0] <= s.yaw_limits[1]))
-        refuse("yaw_limits", "the lower limit is above the upper", "enter the lower limit first");
-    if (!(s.grid_degrees > 0)) refuse("grid_degrees", "the grid has no width", "enter an angle above 0");
-    return s;
-}
-
 } // namespace
 
 FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& settings,
                              const Progress& progress, bool whole_spaces)
-    : context_(context), settings_(checked(settings)), cusp_(cusp_budget(settings_, context)),
+    : context_(context), settings_(settings), cusp_(cusp_budget(settings_, context)),
       chord_(chord_budget(settings_.chord_tolerance, cusp_)),
       allowance_(settings_.allowance + context.tessellation_tolerance[1]) {
     drive_ = DriveFrame(travel_direction(settings_.direction, context_, progress.part(0, 0.5)));
@@ -67,6 +54,7 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     input.lift = &*lift_;
     input.grid = &grid_;
     input.kinematics = &*kinematics_;
+    input.lowest_axis_z = tolerance::lowest_axis_z;
     input.local_radius = 2 * radius_;
     input.height = cutter().height();
     input.bottom_everywhere = whole_spaces;
@@ -90,12 +78,22 @@ ContactPlace FiveAxisField::place(const SurfaceLine& line, double s, double v, i
 }
 
 bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve) const {
-    // Steep across the travel the line beside is farther away than its plane.
-    const double aside = std::abs(lines_->v(plane) - place.v);
-    const double slope = std::max(std::abs(drive_.v(place.frame.left)), 0.1);
-    return lines_->slice(plane)->near(place.surface, place.frame.normal, place.u,
-                                      reach_share * radius_ + aside / slope, allowance_ + cusp_ - chord_,
-                                      curve);
+    const double raise = allowance_ + cusp_ - chord_;
+    const auto slope = [&] { return std::max(std::abs(drive_.v(place.frame.left)), 0.1); };
+    const auto at = [&](long k) {
+        // Steep across the travel the line beside is farther away than its plane.
+        const double aside = std::abs(lines_->v(k) - place.v);
+        return lines_->slice(k)->near(place.surface, place.frame.normal, place.u,
+                                      reach_share * radius_ + aside / slope(), raise, curve);
+    };
+    if (at(plane)) return true;
+    // The surface ends somewhere between this plane and the one before it: that one's line, moved here.
+    const double away = lines_->v(plane) - place.v;
+    if (std::abs(away) <= lines_->spacing() || !at(plane + (away > 0 ? -1 : 1))) return false;
+    const double towards = (away > 0) == (drive_.v(place.frame.left) > 0) ? 1 : -1;
+    for (Vec3& p : curve)
+        p += towards * lines_->spacing() / slope() * place.frame.left;
+    return true;
 }
 
 std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) const {
@@ -154,14 +152,10 @@ std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {
         at.push_back(line.at(s));
     const auto serves = [&](std::size_t a, std::size_t b) {
         if (stations[b] - stations[a] > longest || at[a].normal.dot(at[b].normal) < cos_limit) return false;
-        const Vec3 d = at[b].point - at[a].point;
-        const double square = d.squaredNorm();
-        for (std::size_t k = a + 1; k < b; ++k) {
-            const Vec3 r = at[k].point - at[a].point;
-            const double t = square > 0 ? std::clamp(r.dot(d) / square, 0.0, 1.0) : 0.0;
-            if ((r - t * d).squaredNorm() > most_away * most_away) return false;
-            if (at[a].normal.dot(at[k].normal) < cos_limit) return false;
-        }
+        for (std::size_t k = a + 1; k < b; ++k)
+            if (distance_to_segment(at[k].point, at[a].point, at[b].point) > most_away
+                || at[a].normal.dot(at[k].normal) < cos_limit)
+                return false;
         return true;
     };
     std::vector<double> chosen{0};

@@ -39,7 +39,8 @@ public:
     ContactPlace place(const SurfaceLine& line, double s, double v, int travel) const;
 
     /// The line of plane `plane` beside a place, raised by what may stay there; false: the surface ends
-    /// before.
+    /// before. One plane beyond its end the surface is taken to go on, so that its border is not lost between
+    /// two planes.
     bool raised_line(const ContactPlace& place, long plane, RaisedCurve& curve) const;
     /// All that a posture at this place has to clear: its own line, and those in the strip on either side.
     std::vector<RaisedCurve> strip_curves(const ContactPlace& place) const;

@@ -20,14 +20,21 @@ std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const P
     std::vector<ContactPlace> places;
     for (std::size_t i = line.begin; i < line.end; ++i)
         places.push_back(record_->points[i].place);
-    PostureStudy study = study_postures(field_, places, progress.part(0, 0.6));
+    PostureStudy study = study_postures(field_, places, progress.part(0, 0.55));
+    std::vector<ContactPlace> coming;
+    if (&line != &record_->lines.back()) {
+        const FiveAxisRecord::Line& next = *(&line + 1);
+        for (std::size_t i = next.begin; i < std::min(next.end, next.begin + choose_horizon); ++i)
+            coming.push_back(record_->points[i].place);
+    }
+    const PostureStudy next = study_postures(field_, coming, progress.part(0.55, 0.6));
     std::optional<ToolPose> before;
-    if (line.begin > 0)
-        if (const auto& last = record_->points[line.begin - 1]; last.choice.free)
+    for (std::size_t i = line.begin; i > 0 && !before; --i)
+        if (const auto& last = record_->points[i - 1]; last.choice.free)
             before = posture_pose(field_.cutter(), last.place.frame, last.choice.posture);
     std::array<std::vector<ChosenPosture>, 3> chosen;
     for (std::size_t m = 0; m < chosen.size(); ++m)
-        chosen[m] = choose_postures(field_, study, Finish5Settings::PostureChoice(m), before,
+        chosen[m] = choose_postures(field_, study, Finish5Settings::PostureChoice(m), before, next.points,
                                     progress.part(0.6 + 0.13 * double(m), 0.73 + 0.13 * double(m)));
     std::vector<Point> points(places.size());
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -33,19 +33,22 @@ public:
         return {place, posture, {pose.tip, pose.axis}};
     }
 
+    bool keeps_clear(const CutterLocation& a, const CutterLocation& b) {
+        return deepest_between(field_.lift(), a, b, looking_step(field_.radius(), field_.chord()), hint_)
+               <= chord_share * field_.chord();
+    }
+
     /// Appends what stands between a and b; false where the way is not free.
     bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& way) {
         const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
         const bool turns_little = angle <= field_.settings().turn_limit * (1 + tolerance::level_angle);
         const ContactPlace middle = place_between(a.place, b.place, 0.5);
-        const bool keeps_clear =
-            deepest_between(field_.lift(), a.cl, b.cl, looking_step(field_.radius(), field_.chord()), hint_)
-            <= chord_share * field_.chord();
-        if (turns_little && keeps_clear && clears(a, b, 0.5 * field_.chord())) return true;
+        const bool clear = keeps_clear(a.cl, b.cl);
+        if (turns_little && clear && clears(a, b, 0.5 * field_.chord())) return true;
         // So near to each other, what the two do not hold between them is narrower than a hair.
-        if (divisions == most_divisions) return turns_little && keeps_clear;
+        if (divisions == most_divisions) return turns_little && clear;
         Stop at;
-        if (!halfway(a, b, middle, at)) return turns_little && keeps_clear && clears(a, b, field_.chord());
+        if (!halfway(a, b, middle, at)) return turns_little && clear && clears(a, b, field_.chord());
         std::vector<Stop> first, second;
         if (!between(a, at, divisions + 1, first) || !between(at, b, divisions + 1, second)) return false;
         way.insert(way.end(), first.begin(), first.end());
@@ -65,7 +68,7 @@ public:
 
 private:
     ContactPlace place_between(const ContactPlace& a, const ContactPlace& b, double t) const {
-        ContactPlace p = field_.place(*line_.line, a.s + t * (b.s - a.s), a.v, line_.travel);
+        ContactPlace p = field_.place(line_.line, a.s + t * (b.s - a.s), a.v, line_.travel);
         p.v_lo = a.v_lo + t * (b.v_lo - a.v_lo);
         p.v_hi = a.v_hi + t * (b.v_hi - a.v_hi);
         return p;
@@ -101,9 +104,7 @@ private:
                 const double top = field_.builder().top(middle.frame, p.lambda, p.omega, curves);
                 if (!(bottom <= top)) continue;
                 p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
-                const ToolPose pose = posture_pose(field_.cutter(), middle.frame, p);
-                if (!(pose.axis.z() >= tolerance::lowest_axis_z) || !field_.kinematics().reaches(pose))
-                    continue;
+                if (!field_.builder().holds(middle.frame, p)) continue;
                 at = stop(middle, p);
                 return true;
             }
@@ -121,7 +122,6 @@ private:
                 const std::size_t n = grid.node(l, o);
                 if (space.block[n] != PostureBlock::free) continue;
                 const Vec3 axis = posture_axis(middle.frame, grid.lambda[l], grid.omega[o]);
-                if (!(axis.z() >= tolerance::lowest_axis_z)) continue;
                 const double cosine = std::min(axis.dot(a.cl.axis), axis.dot(b.cl.axis));
                 if (cosine <= nearest) continue;
                 nearest = cosine;
@@ -173,7 +173,8 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
     JoinedPasses result;
     Joiner joiner(field, line);
     std::vector<Stop> run;
-    const auto finish = [&] {
+    std::size_t begin = 0; // the place that the run began with
+    const auto finish = [&](std::size_t end) {
         if (run.empty()) return;
         double length = 0;
         for (std::size_t i = 1; i < run.size(); ++i)
@@ -189,7 +190,20 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
                 result.cusp = std::max(result.cusp, joiner.cusp(s));
                 result.lead_min = std::min(result.lead_min, s.posture.lambda);
                 result.lead_max = std::max(result.lead_max, s.posture.lambda);
-                result.lift_max = std::max(result.lift_max, s.posture.delta);
+            }
+            if (line.before && begin == 0) {
+                const Stop further = joiner.stop(*line.before, run.front().posture);
+                if (joiner.keeps_clear(further.cl, run.front().cl)) {
+                    pass.cc.insert(pass.cc.begin(), {further.place.surface, further.place.frame.normal});
+                    pass.cl.insert(pass.cl.begin(), further.cl);
+                }
+            }
+            if (line.after && end == line.places.size()) {
+                const Stop further = joiner.stop(*line.after, run.back().posture);
+                if (joiner.keeps_clear(run.back().cl, further.cl)) {
+                    pass.cc.push_back({further.place.surface, further.place.frame.normal});
+                    pass.cl.push_back(further.cl);
+                }
             }
             result.passes.push_back(std::move(pass));
         }
@@ -198,7 +212,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
     for (std::size_t i = 0; i < line.places.size(); ++i) {
         progress.check();
         if (!line.choices[i].free) {
-            finish();
+            finish(i);
             result.uncut.push_back({line.places[i].surface, line.places[i].frame.normal});
             continue;
         }
@@ -211,13 +225,14 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
                 // What lies between the two is cut by neither.
                 const Vec3 middle = 0.5 * (run.back().place.surface + here.place.surface);
                 const Vec3 normal = run.back().place.frame.normal;
-                finish();
+                finish(i);
                 result.uncut.push_back({middle, normal});
             }
         }
+        if (run.empty()) begin = i;
         run.push_back(here);
     }
-    finish();
+    finish(line.places.size());
     return result;
 }
 

@@ -1,6 +1,5 @@
 // From chosen postures to cutter locations: the motion between contact points is checked and divided until
-// it keeps clear of the part and within the configuration space (Lu checks contact
-// points only).
+// it keeps clear of the part and within the configuration space (Lu checks contact points only).
 //
 // Between two locations the tip moves straight and the axis turns in one plane, as machines with tool centre
 // point control do and as the verifier assumes.
@@ -14,18 +13,20 @@ namespace facetmill {
 
 /// One line of the surface as it is to be cut: contact places in the order of travel.
 struct PlacedLine {
-    const SurfaceLine* line = nullptr;
+    SurfaceLine line;
     int travel = 1;
     std::vector<ContactPlace> places;
     std::vector<ChosenPosture> choices;
+    /// Where the pass begins before its first place and goes on to after its last (run_out.h), with the
+    /// postures of those.
+    std::optional<ContactPlace> before, after;
 };
 
-/// A location on the way, with the line's place that it cuts.
 struct JoinedPasses {
-    std::vector<Pass> passes;         ///< drive and offset are the caller's
-    std::vector<CutterContact> uncut; ///< contact points left to clean-up
-    double cusp = 0;                  ///< largest to expect along the line, mm
-    double lead_min = infinity, lead_max = -infinity, lift_max = 0;
+    std::vector<Pass> passes;                         ///< drive and offset are the caller's
+    std::vector<CutterContact> uncut;                 ///< contact points left to clean-up
+    double cusp = 0;                                  ///< largest to expect along the line, mm
+    double lead_min = infinity, lead_max = -infinity; ///< leads used, radians
 };
 
 /// Tip and axis between two locations, as they move.

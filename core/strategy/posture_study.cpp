@@ -36,17 +36,6 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
     for (const ContactPlace& p : places)
         frames.push_back(p.frame);
     study.spaces = field.builder().build(frames, study.curves, progress.part(0, 0), &study.stages);
-    // Tools that lie down cannot be drawn out along their axis.
-    const PostureGrid& grid = field.grid();
-    for (CSpace& space : study.spaces)
-        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
-            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
-                PostureBlock& block = space.block[grid.node(l, o)];
-                if (block == PostureBlock::free
-                    && posture_axis(space.frame, grid.lambda[l], grid.omega[o]).z()
-                           < tolerance::lowest_axis_z)
-                    block = PostureBlock::machine;
-            }
     for (std::size_t i = 0; i < places.size(); ++i) {
         PassPoint point;
         point.frame = places[i].frame;
@@ -61,11 +50,13 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
 
 std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const PostureStudy& study,
                                            Finish5Settings::PostureChoice method,
-                                           const std::optional<ToolPose>& before, const Progress& progress) {
+                                           const std::optional<ToolPose>& before,
+                                           std::span<const PassPoint> next, const Progress& progress) {
     ChooseInput input;
     input.builder = &field.builder();
     input.feed = field.settings().feed / 60;
     input.before = before;
+    input.next = next;
     input.turn_limit = field.settings().turn_limit;
     using Method = Finish5Settings::PostureChoice;
     switch (method) {

@@ -25,9 +25,10 @@ struct PostureStudy {
 PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
                             const Progress& progress);
 
-/// `before`: where the tool comes from, the end of the pass before.
+/// `before`: where the tool comes from, the end of the pass before; `next`: the points of the next, if any.
 std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const PostureStudy& study,
                                            Finish5Settings::PostureChoice method,
-                                           const std::optional<ToolPose>& before, const Progress& progress);
+                                           const std::optional<ToolPose>& before,
+                                           std::span<const PassPoint> next, const Progress& progress);
 
 } // namespace facetmill

@@ -16,8 +16,8 @@
 namespace facetmill {
 
 struct SlicePoint {
-    Vec3 point, normal; ///< the normal is that of the edge there (Lu 3.5)
-    double u = 0;       ///< along the direction of travel
+    Vec3 point, normal;     ///< the normal is that of the edge there (Lu 3.5)
+    double u = 0;           ///< along the direction of travel
     Index facet = no_index; ///< one that the point lies on
 };
 

@@ -56,15 +56,14 @@ void add_usable(const SliceChain& chain, const UpSide& up, std::vector<SurfaceLi
     finish();
 }
 
-/// Distance of p from the segment a b.
-double away(const Vec3& p, const Vec3& a, const Vec3& b) {
+} // namespace
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double square = d.squaredNorm();
     const double t = square > 0 ? std::clamp((p - a).dot(d) / square, 0.0, 1.0) : 0.0;
     return (p - a - t * d).norm();
 }
-
-} // namespace
 
 SlicePoint SurfaceLine::at(double s) const {
     const auto after = std::lower_bound(arc.begin(), arc.end(), s);
@@ -75,11 +74,9 @@ SlicePoint SurfaceLine::at(double s) const {
     // Beyond an end: straight on, in the direction that the line has there, with the normal of the end.
     const bool front = t < 0;
     SlicePoint end = front ? points.front() : points.back();
-    const Vec3 step = (front ? s : s - length()) * direction(front ? 0 : length());
-    end.point += step;
-    const double slope = direction(front ? 0 : length()).norm();
-    const SlicePoint &a = points[i - 1], &b = points[i];
-    end.u += piece > 0 ? (front ? s : s - length()) * (b.u - a.u) / piece * slope : 0.0;
+    const double beyond = front ? s : s - length();
+    end.point += beyond * direction(s);
+    if (piece > 0) end.u += beyond * (points[i].u - points[i - 1].u) / piece;
     return end;
 }
 
@@ -103,7 +100,7 @@ SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& option
             std::minmax_element(line.points.begin(), line.points.end(),
                                 [](const SlicePoint& a, const SlicePoint& b) { return a.u < b.u; });
         ranges_.push_back({least->u, most->u});
-        const auto add = [&](const SlicePoint& p) { chain.push_back({p.point, p.normal, p.u}); };
+        const auto add = [&](const SlicePoint& p) { chain.push_back(p); };
         if (options.extension > 0) add(line.at(-options.extension));
         std::size_t last = 0;
         add(line.points.front());
@@ -120,9 +117,10 @@ SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& option
             // The tips of the normals too: what is wanted of the line is its raised copy.
             for (std::size_t k = last + 1; k < i && !keep; ++k) {
                 const SlicePoint& p = line.points[k];
-                keep = away(p.point, a.point, b.point) > options.deviation
-                       || away(p.point + options.longest * p.normal, a.point + options.longest * a.normal,
-                               b.point + options.longest * b.normal)
+                keep = distance_to_segment(p.point, a.point, b.point) > options.deviation
+                       || distance_to_segment(p.point + options.longest * p.normal,
+                                              a.point + options.longest * a.normal,
+                                              b.point + options.longest * b.normal)
                               > 20 * options.deviation;
             }
             if (!keep) continue;
@@ -154,7 +152,7 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
     double least = reach * reach;
     const Reference* nearest = nullptr;
     for (auto r = first; r != by_u_.end() && r->u <= u + reach; ++r) {
-        const LinePlace& place = chains_[r->chain][r->place];
+        const SlicePoint& place = chains_[r->chain][r->place];
         // The other side of a thin wall is not the surface that goes on here.
         if (place.normal.dot(normal) <= 0) continue;
         const double square = (place.point - p).squaredNorm();

@@ -30,11 +30,8 @@ struct SurfaceLine {
     Vec3 direction(double s) const;
 };
 
-/// A point of a line raised along its normal.
-struct LinePlace {
-    Vec3 point, normal;
-    double u = 0;
-};
+/// Of p from the segment a b, mm.
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 
 /// One slice, thinned, so that lines can be looked at near a place.
 class SurfaceSlice {
@@ -64,7 +61,7 @@ public:
     const std::vector<End>& ends() const { return ends_; }
 
 private:
-    using Chain = std::vector<LinePlace>;
+    using Chain = std::vector<SlicePoint>;
     struct Reference {
         double u;
         std::uint32_t chain, place;
