@@ -18,8 +18,7 @@ std::optional<PostureValue> kept_posture(const FiveAxisField& field, const Conta
     if (!(bottom <= field.builder().top(place.frame, lambda, omega, curves)) || !(bottom < infinity))
         return std::nullopt;
     const PostureValue posture{lambda, omega, bottom};
-    const ToolPose pose = posture_pose(field.cutter(), place.frame, posture);
-    if (pose.axis.z() < tolerance::lowest_axis_z || !field.kinematics().reaches(pose)) return std::nullopt;
+    if (!field.builder().holds(place.frame, posture)) return std::nullopt;
     return posture;
 }
 
