@@ -119,9 +119,8 @@ private:
         for (std::uint32_t j = begin; j < end; ++j) {
             if (cost[j] >= best.cost) continue;
             const Stand& s = before[j].stand;
-            if (s.pose.axis.dot(to.stand.pose.axis) < cos_limit) continue;
             const double total = cost[j] + clock_.between(s, to.stand);
-            if (total < best.cost) best = {total, j};
+            if (total < best.cost && s.pose.axis.dot(to.stand.pose.axis) >= cos_limit) best = {total, j};
         }
     }
 
@@ -133,6 +132,8 @@ private:
         Link best;
         const auto& all = before.all;
         if (!before.first.empty() && node != no_node && cos_limit > -1) {
+            // Its own node's first: most others are then too dear already.
+            look(all, cost, before.first[node], before.first[node + 1], to, cos_limit, best);
             const PostureGrid& grid = *builder_.input().grid;
             const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
             const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),

@@ -1,5 +1,6 @@
 #include "core/strategy/posture_path.h"
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 
 /// A motion between neighbouring contact points is halved this often at most.
 constexpr int most_divisions = 6;
+constexpr std::size_t places_per_block = 4;
 /// Of the cutter's radius: a run of free points shorter than this is left to clean-up with its neighbours.
 constexpr double shortest_run_share = 0.1;
 
@@ -22,6 +24,13 @@ struct Stop {
     ContactPlace place;
     PostureValue posture;
     CutterLocation cl;
+    double cusp = 0; ///< that it leaves over its strip, mm, without the chord's share
+};
+
+/// From one contact place to the next.
+struct Gap {
+    bool closed = false;
+    std::vector<Stop> way; ///< what stands between
 };
 
 class Joiner {
@@ -172,6 +181,19 @@ double deepest_between(const ToolLift& lift, const CutterLocation& a, const Cutt
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress) {
     JoinedPasses result;
     Joiner joiner(field, line);
+    std::vector<Stop> stops(line.places.size());
+    std::vector<Gap> gaps(line.places.size()); // before each place
+    parallel_for(stops.size(), places_per_block, progress.part(0, 0), [&](std::size_t i) {
+        if (!line.choices[i].free) return;
+        Joiner own(field, line);
+        stops[i] = own.stop(line.places[i], line.choices[i].posture);
+        stops[i].cusp = own.cusp(stops[i]);
+        if (i == 0 || !line.choices[i - 1].free) return;
+        gaps[i].closed =
+            own.between(own.stop(line.places[i - 1], line.choices[i - 1].posture), stops[i], 0, gaps[i].way);
+        for (Stop& s : gaps[i].way)
+            s.cusp = own.cusp(s);
+    });
     std::vector<Stop> run;
     std::size_t begin = 0; // the place that the run began with
     const auto finish = [&](std::size_t end) {
@@ -187,7 +209,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
             for (const Stop& s : run) {
                 pass.cc.push_back({s.place.surface, s.place.frame.normal});
                 pass.cl.push_back(s.cl);
-                result.cusp = std::max(result.cusp, joiner.cusp(s));
+                result.cusp = std::max(result.cusp, s.cusp);
                 result.lead_min = std::min(result.lead_min, s.posture.lambda);
                 result.lead_max = std::max(result.lead_max, s.posture.lambda);
             }
@@ -210,27 +232,24 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         run.clear();
     };
     for (std::size_t i = 0; i < line.places.size(); ++i) {
-        progress.check();
         if (!line.choices[i].free) {
             finish(i);
             result.uncut.push_back({line.places[i].surface, line.places[i].frame.normal});
             continue;
         }
-        const Stop here = joiner.stop(line.places[i], line.choices[i].posture);
         if (!run.empty()) {
-            std::vector<Stop> way;
-            if (joiner.between(run.back(), here, 0, way)) {
-                run.insert(run.end(), way.begin(), way.end());
+            if (gaps[i].closed) {
+                run.insert(run.end(), gaps[i].way.begin(), gaps[i].way.end());
             } else {
                 // What lies between the two is cut by neither.
-                const Vec3 middle = 0.5 * (run.back().place.surface + here.place.surface);
+                const Vec3 middle = 0.5 * (run.back().place.surface + stops[i].place.surface);
                 const Vec3 normal = run.back().place.frame.normal;
                 finish(i);
                 result.uncut.push_back({middle, normal});
             }
         }
         if (run.empty()) begin = i;
-        run.push_back(here);
+        run.push_back(stops[i]);
     }
     finish(line.places.size());
     return result;

@@ -40,7 +40,7 @@ double deepest_between(const ToolLift& lift, const CutterLocation& a, const Cutt
 /// more than a quarter of it.
 double looking_step(double radius, double chord);
 
-/// Throws Cancelled per pair of neighbours.
+/// Throws Cancelled within a few pairs of neighbours.
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress);
 
 } // namespace facetmill
