@@ -60,7 +60,7 @@ function(facetmill_link_core target upto)
 endfunction()
 
 # A slow machine is limited by the TIMEOUT of a test alone: QtTest would end every function that runs for 5 minutes.
-set(FACETMILL_TEST_TIMEOUT 900)
+set(FACETMILL_TEST_TIMEOUT 1800)
 set(FACETMILL_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=1800000) # ms
 
 # facetmill_test(NAME ROOM room [LABELS ...] [TIMEOUT s] SOURCES ...): a QtTest program whose classes register themselves
