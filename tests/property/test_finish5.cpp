@@ -217,7 +217,8 @@ private slots:
         QVERIFY2(v.figures.excess_p999 <= 1.1 * tolerance,
                  qPrintable(QString::number(v.figures.excess_p999)));
         QCOMPARE(v.figures.uncut_fraction, 0.0);
-        QVERIFY2(v.border.uncut_fraction < 1e-3, qPrintable(QString::number(v.border.uncut_fraction)));
+        QVERIFY2(v.border.uncut_fraction < 2e-4, qPrintable(QString::number(v.border.uncut_fraction)));
+        QVERIFY2(v.border.excess_p999 <= 1.1 * tolerance, qPrintable(QString::number(v.border.excess_p999)));
     }
 
     /// Two sheets, a gap wider than the tool between them: along the travel, and across it.
