@@ -4,6 +4,10 @@
 // The path begins where the pass before ended and goes on into the next one, so that the tool ends as the
 // next pass is best begun. Between nodes it is then refined: around every stop a smaller grid, the same
 // search, three times.
+//
+// With accelerations a move costs besides what its joints take to come from the speeds of the move before it
+// and to those of the move after it, as core/output/motion_time counts it. Those speeds are not known while
+// the path is sought; they are taken from the round before, and a round that makes it no better is dropped.
 #include "core/cspace/choose.h"
 #include "core/cspace/joint_path.h"
 
@@ -114,12 +118,24 @@ private:
         double cost = infinity;
         std::uint32_t from = 0;
     };
+    /// The speeds of the moves next to one, of the round before; nullptr: there is none, or it is no matter.
+    struct Neighbours {
+        const JointClock::Times *before = nullptr, *after = nullptr;
+    };
+    double move_cost(const Stand& a, const Stand& b, const Neighbours& n) const {
+        const double cost = clock_.between(a, b);
+        if (!n.before && !n.after) return cost;
+        const JointClock::Times v = clock_.speeds(a, b);
+        return cost + (n.before ? clock_.changing(*n.before, v) : 0)
+               + (n.after ? clock_.changing(v, *n.after) : 0);
+    }
+
     void look(const std::vector<Stop>& before, const std::vector<double>& cost, std::uint32_t begin,
-              std::uint32_t end, const Stop& to, double cos_limit, Link& best) const {
+              std::uint32_t end, const Stop& to, double cos_limit, const Neighbours& n, Link& best) const {
         for (std::uint32_t j = begin; j < end; ++j) {
             if (cost[j] >= best.cost) continue;
             const Stand& s = before[j].stand;
-            const double total = cost[j] + clock_.between(s, to.stand);
+            const double total = cost[j] + move_cost(s, to.stand, n);
             if (total < best.cost && s.pose.axis.dot(to.stand.pose.axis) >= cos_limit) best = {total, j};
         }
     }
@@ -128,12 +144,12 @@ private:
     /// From nodes near its own; should none of them serve, where one of the two is no node, or between
     /// passes, from all.
     Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to, std::size_t node,
-                       double cos_limit) const {
+                       double cos_limit, const Neighbours& n) const {
         Link best;
         const auto& all = before.all;
         if (!before.first.empty() && node != no_node && cos_limit > -1) {
             // Its own node's first: most others are then too dear already.
-            look(all, cost, before.first[node], before.first[node + 1], to, cos_limit, best);
+            look(all, cost, before.first[node], before.first[node + 1], to, cos_limit, n, best);
             const PostureGrid& grid = *builder_.input().grid;
             const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
             const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),
@@ -141,15 +157,17 @@ private:
             for (std::size_t i = l - std::min(l, window); i < l_end; ++i) {
                 const std::size_t row = grid.node(i, 0);
                 look(all, cost, before.first[row + o - std::min(o, window)], before.first[row + o_end], to,
-                     cos_limit, best);
+                     cos_limit, n, best);
             }
         }
-        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, cos_limit, best);
+        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, cos_limit, n, best);
         return best;
     }
 
-    /// Indices of the cheapest stops of points begin..end - 1.
+    /// Indices of the cheapest stops of points begin..end - 1. `speeds`: of the moves to them in the round
+    /// before, or none.
     std::vector<std::size_t> cheapest(const std::vector<Stops>& stops, std::size_t begin, std::size_t end,
+                                      const std::vector<JointClock::Times>& speeds,
                                       const Progress& progress) const {
         std::vector<std::vector<std::uint32_t>> from(end - begin);
         std::vector<double> cost, next;
@@ -164,8 +182,13 @@ private:
             from[i - begin].assign(here.all.size(), 0);
             // Between passes the axis may turn as far as it likes.
             const double cos_limit = i == own_ ? -2 : cos_limit_;
+            Neighbours neighbours;
+            if (!speeds.empty()) {
+                if (i - begin >= 2) neighbours.before = &speeds[i - begin - 1];
+                if (i + 1 < end) neighbours.after = &speeds[i - begin + 1];
+            }
             const auto link = [&](std::size_t k, std::size_t node) {
-                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit);
+                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit, neighbours);
                 if (best.cost > separated.cost) best = separated;
                 next[k] = best.cost + here.all[k].own_cost;
                 from[i - begin][k] = best.from;
@@ -214,11 +237,35 @@ private:
         return stops;
     }
 
+    static std::vector<Stop> taken(const std::vector<Stops>& stops, std::size_t begin,
+                                   const std::vector<std::size_t>& path) {
+        std::vector<Stop> all;
+        for (std::size_t k = 0; k < path.size(); ++k)
+            all.push_back(stops[begin + k].all[path[k]]);
+        return all;
+    }
+
+    /// Of the moves to each stop; the first has none.
+    std::vector<JointClock::Times> speeds_of(const std::vector<Stop>& path) const {
+        std::vector<JointClock::Times> speeds(path.size());
+        for (std::size_t k = 1; k < path.size(); ++k)
+            speeds[k] = clock_.speeds(path[k - 1].stand, path[k].stand);
+        return speeds;
+    }
+
+    double seconds_of(const std::vector<Stop>& path) const {
+        const std::vector<JointClock::Times> speeds = speeds_of(path);
+        double sum = 0;
+        for (std::size_t k = 1; k < path.size(); ++k) {
+            sum += clock_.between(path[k - 1].stand, path[k].stand);
+            if (k > 1) sum += clock_.changing(speeds[k - 1], speeds[k]);
+        }
+        return sum;
+    }
+
     void refined(const std::vector<Stops>& stops, std::size_t begin, std::size_t end,
                  std::vector<ChosenPosture>& chosen, const Progress& progress) const {
-        const std::vector<std::size_t> path = cheapest(stops, begin, end, progress);
-        for (std::size_t i = begin; i < end; ++i)
-            chosen[i] = {true, stops[i].all[path[i - begin]].posture};
+        std::vector<Stop> path = taken(stops, begin, cheapest(stops, begin, end, {}, progress));
         const PostureGrid& grid = *builder_.input().grid;
         double step = grid.lambda.size() > 1  ? grid.lambda[1] - grid.lambda[0]
                       : grid.omega.size() > 1 ? grid.omega[1] - grid.omega[0]
@@ -227,14 +274,17 @@ private:
             step *= 0.5;
             std::vector<Stops> finer(stops.size());
             parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
-                finer[begin + k] = around(begin + k, chosen[begin + k].posture, step);
+                finer[begin + k] = around(begin + k, path[k].posture, step);
                 // The middle is free by construction; should rounding say otherwise it is kept as it was.
-                if (finer[begin + k].empty()) finer[begin + k].all.push_back(stops[begin + k].all[path[k]]);
+                if (finer[begin + k].empty()) finer[begin + k].all.push_back(path[k]);
             });
-            const std::vector<std::size_t> better = cheapest(finer, begin, end, progress);
-            for (std::size_t i = begin; i < end; ++i)
-                chosen[i].posture = finer[i].all[better[i - begin]].posture;
+            std::vector<JointClock::Times> speeds;
+            if (input_.accelerations) speeds = speeds_of(path);
+            std::vector<Stop> better = taken(finer, begin, cheapest(finer, begin, end, speeds, progress));
+            if (!input_.accelerations || seconds_of(better) < seconds_of(path)) path = std::move(better);
         }
+        for (std::size_t i = begin; i < end; ++i)
+            chosen[i] = {true, path[i - begin].posture};
     }
 
     static constexpr std::size_t nodes_per_block = 64;

@@ -12,6 +12,7 @@ JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
     const Machine& m = machine->machine();
     for (int k = 0; k < m.joints(); ++k) {
         per_unit_[std::size_t(k)] = 1 / m.speed(k);
+        change_[std::size_t(k)] = m.speed(k) / (2 * m.acceleration(k));
         const Travel& travel = m.joint_travel(k);
         // An axis that winds up has to be wound back: only one with two turns of travel or more is taken to
         // go round.

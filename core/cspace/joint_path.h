@@ -37,10 +37,31 @@ public:
         return slowest;
     }
 
+    /// Seconds that the slowest axis takes to go from one speed to another; shares of the largest speeds.
+    /// Axes without a stated acceleration take none.
+    double changing(const Times& from, const Times& to) const {
+        double slowest = 0;
+        for (std::size_t k = 0; k < 5; ++k)
+            slowest = std::max(slowest, std::abs(to[k] - from[k]) * change_[k]);
+        return slowest;
+    }
+
+protected:
+    /// From a to b, the shorter way of axes that may go round.
+    Times difference(const Times& a, const Times& b) const {
+        Times d;
+        for (std::size_t k = 0; k < 5; ++k) {
+            d[k] = b[k] - a[k];
+            if (std::abs(d[k]) > half_turn_[k]) d[k] -= std::copysign(2 * half_turn_[k], d[k]);
+        }
+        return d;
+    }
+
 private:
     const Kinematics* machine_;
     std::array<double, 5> per_unit_{};  ///< s per mm or radian
     std::array<double, 5> half_turn_{}; ///< s; +inf for axes that cannot go round
+    std::array<double, 5> change_{};    ///< s, half of what it takes to come to the largest speed
 };
 
 /// A pose and one way to hold it.
@@ -61,6 +82,15 @@ public:
     double between(const Stand& a, const Stand& b) const {
         const double joints = between(a.joints, b.joints);
         return std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, joints) + joint_share * joints;
+    }
+    /// Of the joints on a move, shares of the largest; 0 where nothing moves.
+    Times speeds(const Stand& a, const Stand& b) const {
+        Times d = difference(a.joints, b.joints);
+        const double time =
+            std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, between(a.joints, b.joints));
+        for (double& v : d)
+            v = time > 0 ? v / time : 0;
+        return d;
     }
     /// From a stand to the cheaper way to hold a pose; +inf where there is none.
     double to(const ToolPose& pose, const Stand& from) const {

@@ -327,7 +327,8 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     program.gauge_length = gauge_length(context.tool);
     program.part_box = context.part_box;
     MachineMotion followed;
-    result->totals = motion_totals(program, context.machine, {}, progress, &followed);
+    result->totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
+                                   progress, &followed);
     if (program.multi_axis) result->machine_run = machine_run(followed, context.machine, project.unit);
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;

@@ -555,6 +555,13 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
                                      .minimum = 0,
                                      .maximum = 1000,
                                      .advanced = true});
+        t.add(&S::accelerations,
+              {.key = "accelerations",
+               .label = "Accelerations",
+               .help = "Choose global postures, and count the time, with what the machine's "
+                       "axes take to change their speed, where its file says.",
+               .kind = K::boolean,
+               .advanced = true});
         return t;
     }();
     return table;

@@ -36,6 +36,7 @@ struct Finish5Settings : OperationCommon {
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes
     double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
+    bool accelerations = false;      ///< global choice and the reported time mind those of the axes
     /// Where they are free they are used whatever `posture` says; where not, a warning names the point.
     std::vector<ManualPosture> manual_postures;
 };
@@ -51,6 +52,7 @@ public:
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish5>(settings_); }
     bool three_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
+    bool accelerations() const override { return settings_.accelerations; }
     const OperationCommon& common() const override { return settings_; }
     OperationCommon& common() override { return settings_; }
     const Finish5Settings& settings() const { return settings_; }

@@ -56,6 +56,9 @@ public:
     /// What shank and holder keep from the part, mm.
     virtual double holder_clearance() const { return 0; }
 
+    /// True when its time is counted with what the axes take to change their speed.
+    virtual bool accelerations() const { return false; }
+
     virtual const OperationCommon& common() const = 0;
     virtual OperationCommon& common() = 0;
 };

@@ -56,6 +56,7 @@ std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const Pos
     input.feed = field.settings().feed / 60;
     input.before = before;
     input.next = next;
+    input.accelerations = field.settings().accelerations;
     input.turn_limit = field.settings().turn_limit;
     using Method = Finish5Settings::PostureChoice;
     switch (method) {

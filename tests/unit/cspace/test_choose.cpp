@@ -24,6 +24,13 @@ using Method = std::vector<ChosenPosture> (*)(std::span<const PassPoint>, const 
                                               const Progress&);
 constexpr std::array<Method, 3> methods{choose_cm2, choose_local, choose_global};
 
+Box3 box_of(const Mesh& mesh) {
+    Box3 box;
+    for (const Vec3& p : mesh.vertices)
+        box.add(p);
+    return box;
+}
+
 /// Contact points in a row, with all that choosing postures there asks for.
 struct Row {
     Bench bench;
@@ -37,7 +44,8 @@ struct Row {
     Row(Mesh mesh, const Tool& tool, const PostureGrid& grid, const std::vector<ContactFrame>& frames,
         const char* machine = "tarus-tpi-2000", double tau = 0.4)
         : bench(std::move(mesh), tool),
-          kinematics(find_machine(machine), gauge_length(tool), Vec3(1000, 700, 300)) {
+          kinematics(find_machine(machine), gauge_length(tool),
+                     default_part_origin(find_machine(machine), box_of(*bench.mesh))) {
         bench.grid = grid;
         bench.input.kinematics = &kinematics;
         bench.input.lowest_axis_z = tolerance::lowest_axis_z;
@@ -259,6 +267,56 @@ private slots:
         const double seeing = turned(choose_global(there.points, input, Progress()));
         QVERIFY2(seeing < radians(1), qPrintable(QString::number(degrees(seeing))));
         QVERIFY2(blind > radians(5), qPrintable(QString::number(degrees(blind))));
+    }
+
+    /// A table that changes its speed slowly is spared.
+    void accelerations_are_minded() {
+        double plain = 0, minded = 0;
+        for (const std::uint64_t seed : {21, 22, 23, 24, 25, 26}) {
+            Random rng(seed);
+            const auto mesh = hills(seed);
+            Row row(*mesh, small_tool,
+                    PostureGrid::make(0, radians(40), radians(-40), radians(40), radians(8)),
+                    along_x(*mesh, 14, rng), "trunnion-ac");
+            const Machine& machine = row.kinematics.machine();
+            // What motion_time counts, with joints that follow each other.
+            const auto counted = [&](const std::vector<ChosenPosture>& choices) {
+                double sum = 0;
+                std::optional<Joints> last;
+                ToolPose last_pose;
+                std::array<double, 5> speed{};
+                int moves = 0;
+                for (std::size_t i = 0; i < choices.size(); ++i) {
+                    if (!choices[i].free) continue;
+                    const ToolPose pose = row.pose(i, choices[i].posture);
+                    const auto at = row.kinematics.nearest(pose, last ? *last : Joints{});
+                    if (!at) continue;
+                    if (last) {
+                        const double time = std::max((pose.tip - last_pose.tip).norm() / feed,
+                                                     row.kinematics.time(*last, *at));
+                        double change = 0;
+                        for (int k = 0; k < 5; ++k) {
+                            const double v = time > 0 ? ((*at)[k] - (*last)[k]) / time : 0;
+                            if (moves > 0)
+                                change = std::max(change, std::abs(v - speed[std::size_t(k)])
+                                                              / (2 * machine.acceleration(k)));
+                            speed[std::size_t(k)] = v;
+                        }
+                        sum += time + change;
+                        ++moves;
+                    }
+                    last = at;
+                    last_pose = pose;
+                }
+                return sum;
+            };
+            const double without = counted(choose_global(row.points, row.input, Progress()));
+            row.input.accelerations = true;
+            const double with = counted(choose_global(row.points, row.input, Progress()));
+            plain += without;
+            minded += with;
+        }
+        QVERIFY2(minded < 0.99 * plain, qPrintable(QString("%1 %2").arg(minded).arg(plain)));
     }
 
     void neighbours_keep_the_turn_limit() {
