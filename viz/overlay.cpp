@@ -22,8 +22,9 @@ namespace {
 
 constexpr double margin = 12, padding = 9, row = 18, sample_width = 26, gap = 8;
 constexpr double title_size = 15, text_size = 12;
-constexpr double least_bar = 56, largest_bar = 150; // of a scale of colours
-constexpr int dots_per_inch = 72;                   // a point is a pixel
+constexpr double least_bar = 56, largest_bar = 150;
+constexpr double scale_gap = 9;   // between two scales of the legend // of a scale of colours
+constexpr int dots_per_inch = 72; // a point is a pixel
 constexpr double cap_height = 0.72, descent = 0.21; // of VTK's own font, in font sizes
 
 void set_font(vtkTextProperty* property, double pixels, bool bold) {
@@ -272,7 +273,7 @@ void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLay
 }
 
 void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
-    if (content.legend.empty() && !content.color_bar) return;
+    if (content.legend.empty() && content.color_bars.empty()) return;
     const double width = content.width / ratio_, height = content.height / ratio_;
     // Below, the workbench has its cube.
     const double widest = 0.45 * width, highest = std::min(0.6 * height, height - 170);
@@ -282,9 +283,11 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
             label = std::max(label, text_width(e.label, text_size, false));
         return std::ceil(2 * padding + sample_width + gap + label);
     };
-    double bar_width = 0, bar_rest = 0; // the rest: all of the bar's height that cannot shrink
-    if (content.color_bar) {
-        const ColorBar& bar = *content.color_bar;
+    // As many scales as there is room for. The rest: all of their height that cannot shrink.
+    std::vector<double> bar_rests;
+    double bar_width = 0, bar_rest = 0;
+    const double frame = 2 * (padding - 3), entries_height = row * double(content.legend.size());
+    for (const ColorBar& bar : content.color_bars) {
         double label =
             std::max(text_width(bar.low_text, text_size, false), text_width(bar.high_text, text_size, false));
         for (const auto& [at, text] : bar.marks)
@@ -292,18 +295,25 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
         const double flat = std::max(
             {text_width(bar.title, text_size, true), text_width(bar.note, text_size, false),
              bar.other ? sample_width + gap + text_width(bar.other->second, text_size, false) : 0.0});
-        bar_width = std::ceil(2 * padding + std::max(sample_width + gap + label, flat));
-        bar_rest = row * (3 + (bar.note.empty() ? 0 : 1) + (bar.other ? 1 : 0));
+        const double wide =
+            std::max(bar_width, std::ceil(2 * padding + std::max(sample_width + gap + label, flat)));
+        const double rest = (bar_rests.empty() ? 0 : scale_gap)
+                            + row * (3 + (bar.note.empty() ? 0 : 1) + (bar.other ? 1 : 0));
+        if (wide > widest || frame + bar_rest + rest + least_bar * double(bar_rests.size() + 1) > highest)
+            break;
+        bar_width = wide;
+        bar_rest += rest;
+        bar_rests.push_back(rest);
     }
-    const double frame = 2 * (padding - 3), entries_height = row * double(content.legend.size());
-    // A small window has room for the scale, or for the entries, or for neither.
-    bool bar = content.color_bar && bar_width <= widest && frame + bar_rest + least_bar <= highest;
+    // A small window has room for the scales, or for the entries, or for neither.
+    const bool bar = !bar_rests.empty();
+    const double least_bars = least_bar * double(bar_rests.size());
     double w = bar ? bar_width : 0, h = frame;
     bool entries = !content.legend.empty();
     std::size_t shown = content.legend.size(); // beside a scale as many as there is room for
     if (entries) {
         const double wide = std::max(w, entries_width());
-        const double high = frame + entries_height + (bar ? bar_rest + least_bar : 0);
+        const double high = frame + entries_height + (bar ? bar_rest + least_bars : 0);
         entries = wide <= widest && (bar || high <= 0.55 * height);
         if (entries && high > highest && bar) {
             shown = std::size_t(std::max(0.0, (highest - high + entries_height) / row));
@@ -317,8 +327,9 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     if (!bar && !entries) return;
     double bar_height = 0;
     if (bar) {
-        bar_height = std::clamp(highest - h - bar_rest, least_bar, largest_bar);
-        h += bar_rest + bar_height;
+        const double count = double(bar_rests.size());
+        bar_height = std::clamp((highest - h - bar_rest) / count, least_bar, largest_bar);
+        h += bar_rest + count * bar_height;
     }
     const LayoutRect r{width - margin - w, margin, width - margin, margin + h};
     layout.legend = r;
@@ -332,8 +343,12 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
             draw_legend_entry(content.legend[i], r.x0 + padding, y + row / 2, colors);
             y += row;
         }
-    if (bar)
-        draw_color_bar(*content.color_bar, {r.x0 + padding, y, r.x1 - padding, r.y1 - padding + 3}, colors);
+    for (std::size_t i = 0; i < bar_rests.size(); ++i) {
+        const double below = y + bar_rests[i] + bar_height;
+        draw_color_bar(content.color_bars[i],
+                       {r.x0 + padding, y + (i > 0 ? scale_gap : 0), r.x1 - padding, below}, colors);
+        y = below;
+    }
 }
 
 void Overlay::draw_legend_entry(const LegendEntry& e, double x0, double y, const Colors& colors) {

@@ -69,7 +69,7 @@ struct OverlayContent {
     Palette palette = Palette::light;
     std::string title, subtitle, empty_text;
     std::vector<LegendEntry> legend;
-    std::optional<ColorBar> color_bar; ///< below the legend's entries
+    std::vector<ColorBar> color_bars; ///< below the legend's entries; the first where there is room for one
     bool scale = false;
     LengthUnit unit = LengthUnit::mm;
     double mm_per_pixel = 0; ///< per layout pixel

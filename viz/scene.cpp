@@ -71,8 +71,9 @@ constexpr std::size_t few_patches = 30;
 bool Scene::has_preview() const {
     bool any = impl_->part_preview.filled || impl_->contact_preview.filled || impl_->deviation_preview.filled
                || impl_->has_detail || impl_->cut_patches.size() > few_patches;
-    for (const SceneActor& a : impl_->motion_preview)
-        any = any || a.filled;
+    for (const auto* previews : {&impl_->motion_preview, &impl_->tint_preview})
+        for (const SceneActor& a : *previews)
+            any = any || a.filled;
     return any;
 }
 
@@ -140,7 +141,30 @@ void Scene::set_stock(const Box3& box) {
     set_stock_shape(make_stock_shape(solid, {}));
 }
 
+void Scene::set_path_tint(TintedPathPtr tint) {
+    // The old arrays stay until the actors have the new ones.
+    const TintedPathPtr old = std::move(impl_->tint);
+    impl_->tint = std::move(tint);
+    static const TintedPath none;
+    const TintedPath& t = impl_->tint ? *impl_->tint : none;
+    const auto set = [&](SceneActor& a, const TintedPath::Lines& lines) {
+        if (lines.empty()) {
+            a.clear();
+            return;
+        }
+        const auto data = segment_data(lines.points, lines.segments);
+        set_point_colors({data}, lines.rgba);
+        a.set_data(data, t.centre);
+    };
+    for (std::size_t k = 0; k < motion_kinds; ++k) {
+        set(impl_->tint_lines[k], t.lines[k]);
+        set(impl_->tint_preview[k], t.preview[k]);
+    }
+    impl_->apply_visibility();
+}
+
 void Scene::set_path(PathDisplayPtr path) {
+    set_path_tint(nullptr);
     const PathDisplayPtr old = std::move(impl_->path);
     impl_->path = std::move(path);
     const auto set = [](SceneActor& a, vtkPolyData* data, const Vec3& centre) { a.set_data(data, centre); };
@@ -172,6 +196,10 @@ void Scene::set_tool(const std::optional<Tool>& tool) {
         impl_->tool_rings[k].set_data(segment_data(s.points, s.rings), Vec3::Zero());
     }
     impl_->place_tool();
+}
+
+const std::optional<CutterLocation>& Scene::tool_pose() const {
+    return impl_->pose;
 }
 
 void Scene::set_tool_pose(const std::optional<CutterLocation>& pose) {
@@ -257,7 +285,7 @@ bool Scene::has(Layer layer) const {
     case Layer::scale:
         return impl_->shows_content();
     case Layer::legend:
-        return !impl_->legend().empty() || impl_->color_bar();
+        return !impl_->legend().empty() || !impl_->color_bars().empty();
     case Layer::title:
         return !impl_->title.empty() || !impl_->subtitle.empty();
     }

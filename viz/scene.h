@@ -19,6 +19,7 @@
 #include "viz/deviation_display.h"
 #include "viz/part_display.h"
 #include "viz/path_display.h"
+#include "viz/path_tint.h"
 #include "viz/stock_shape.h"
 
 #include <cstddef>
@@ -187,11 +188,15 @@ public:
 
     /// Paths of one or several operations; an empty display or nullptr removes them.
     void set_path(PathDisplayPtr path);
+    /// Colours for the path that was set, instead of those of the kinds of motion, until another path is set;
+    /// nullptr: the kinds' again. Their scale stands in the legend.
+    void set_path_tint(TintedPathPtr tint);
 
     /// The tool, or none. Its values must make a cutter (check_tool); throws Error(out_of_range) otherwise.
     void set_tool(const std::optional<Tool>& tool);
     /// Tip and unit axis; the tool is drawn after both a tool and a pose were given.
     void set_tool_pose(const std::optional<CutterLocation>& pose);
+    const std::optional<CutterLocation>& tool_pose() const;
 
     void set_marker(const std::optional<Marker>& marker);
 

@@ -61,7 +61,7 @@ struct Scene::Impl {
     bool shows_content() const;
     bool shows_cut_stock() const;
     bool shows_deviation() const;
-    std::optional<ColorBar> color_bar() const;
+    std::vector<ColorBar> color_bars() const; ///< of what is shown, the one to be kept first
     /// True when some patch has a surface. `old` are the patches the actors have now.
     bool swap_patches(const StockPatches& patches, const StockPatches& old,
                       std::vector<std::unique_ptr<SceneActor>>& actors);
@@ -109,6 +109,7 @@ struct Scene::Impl {
     std::string deviation_note;
     std::vector<FindingMark> findings;
     PathDisplayPtr path;
+    TintedPathPtr tint;
     std::optional<ToolShape> tool;
     std::optional<CutterLocation> pose;
     std::optional<Marker> marker;
@@ -128,7 +129,8 @@ struct Scene::Impl {
     std::array<std::vector<float>, finding_kinds> finding_points;
     SceneActor contact_lines, contact_dots, contact_preview;
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
-    std::array<SceneActor, 3> tool_bodies, tool_rings; ///< cutter, shank, holder
+    std::array<SceneActor, motion_kinds> tint_lines, tint_preview; ///< stand for them where they have data
+    std::array<SceneActor, 3> tool_bodies, tool_rings;             ///< cutter, shank, holder
     std::array<SceneActor, 3> axes;
     std::array<RevolvedShape, 3> axis_shapes;
 };

@@ -85,7 +85,7 @@ Scene::Impl::Impl() {
         renderer->AddActor(a.actor);
     add_all(part_surface, part_preview, deviation_surface, deviation_preview, part_lines, part_edges,
             contact_preview, stock_faces, stock_lines, contact_lines, contact_dots);
-    for (auto* lines : {&motion_lines, &motion_preview})
+    for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             renderer->AddActor(a.actor);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -96,7 +96,7 @@ Scene::Impl::Impl() {
     for (SceneActor* a : {&part_lines, &part_edges, &stock_faces, &stock_lines, &contact_lines, &contact_dots,
                           &contact_preview})
         unlit(*a);
-    for (auto* lines : {&motion_lines, &motion_preview})
+    for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             unlit(a);
     for (auto& a : tool_rings)
@@ -128,6 +128,11 @@ Scene::Impl::Impl() {
     contact_preview.actor->SetProperty(contact_lines.actor->GetProperty());
     for (std::size_t k = 0; k < motion_kinds; ++k)
         motion_preview[k].actor->SetProperty(motion_lines[k].actor->GetProperty());
+    for (std::size_t k = 0; k < motion_kinds; ++k) {
+        tint_preview[k].actor->SetProperty(tint_lines[k].actor->GetProperty());
+        tint_lines[k].mapper->ScalarVisibilityOn();
+        tint_preview[k].mapper->ScalarVisibilityOn();
+    }
     for (auto& a : tool_bodies) {
         a.actor->GetProperty()->SetAmbient(0.08);
         a.actor->GetProperty()->SetSpecular(0.35);
@@ -148,7 +153,7 @@ Scene::Impl::Impl() {
     nearer(contact_lines, 40);
     nearer(contact_preview, 40);
     nearer(contact_dots, 48);
-    for (auto* lines : {&motion_lines, &motion_preview})
+    for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             nearer(a, 44);
     for (auto& a : tool_rings)
@@ -235,6 +240,8 @@ void Scene::Impl::apply_line_widths() {
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
         set(motion_lines[k], motion_line_width(MotionKind(k)));
+    for (auto& a : tint_lines) // colours that are to be told apart
+        set(a, 2.2);
     for (auto& a : finding_dots)
         a.actor->GetProperty()->SetPointSize(float(10 * ratio));
 }
@@ -273,9 +280,12 @@ void Scene::Impl::apply_visibility() {
     show(contact_dots, on(Layer::cc) && !coarse_contacts);
     show(contact_preview, on(Layer::cc) && coarse_contacts);
     for (std::size_t k = 0; k < motion_kinds; ++k) {
-        const bool coarse = moving && motion_preview[k].filled;
-        show(motion_lines[k], on(Layer::cl) && motion_on[k] && !coarse);
-        show(motion_preview[k], on(Layer::cl) && motion_on[k] && coarse);
+        const bool shown = on(Layer::cl) && motion_on[k], tinted = tint_lines[k].filled;
+        const bool coarse = moving && (tinted ? tint_preview[k] : motion_preview[k]).filled;
+        show(motion_lines[k], shown && !tinted && !coarse);
+        show(motion_preview[k], shown && !tinted && coarse);
+        show(tint_lines[k], shown && !coarse);
+        show(tint_preview[k], shown && coarse);
     }
     for (std::size_t k = 0; k < 3; ++k) {
         show(tool_bodies[k], on(Layer::tool) && pose.has_value());
@@ -344,7 +354,7 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
     const auto on = [&](Layer layer) { return bool(layer_on[std::size_t(layer)]); };
     const auto moves = [&](MotionKind kind) {
         const auto k = std::size_t(kind);
-        return on(Layer::cl) && motion_on[k] && motion_lines[k].filled;
+        return on(Layer::cl) && motion_on[k] && motion_lines[k].filled && !tint_lines[k].filled;
     };
     std::vector<LegendEntry> all;
     if (shows_back()) all.push_back({Sample::surface, c.part_back, 1, "Back of the surface"});
@@ -395,7 +405,7 @@ OverlayContent Scene::Impl::overlay_content() const {
     if (!shows_content()) content.empty_text = empty_text;
     if (on(Layer::legend)) {
         content.legend = legend();
-        content.color_bar = color_bar();
+        content.color_bars = color_bars();
     }
     content.scale = on(Layer::scale) && shows_content();
     content.unit = unit;

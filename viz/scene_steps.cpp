@@ -57,8 +57,9 @@ std::vector<std::vector<SceneActor*>> Scene::Impl::heavy_groups() {
         heavy.push_back(piece.get());
     heavy.push_back(&contact_lines);
     heavy.push_back(&contact_dots);
-    for (auto& a : motion_lines)
-        heavy.push_back(&a);
+    for (auto* lines : {&motion_lines, &tint_lines})
+        for (auto& a : *lines)
+            heavy.push_back(&a);
     std::vector<std::vector<SceneActor*>> groups;
     std::size_t elements = 0;
     for (SceneActor* a : heavy) {

@@ -142,8 +142,14 @@ void Scene::set_findings(const std::vector<FindingMark>& findings) {
     impl_->apply_visibility();
 }
 
-std::optional<ColorBar> Scene::Impl::color_bar() const {
-    if (!deviation || !shows_deviation()) return std::nullopt;
+std::vector<ColorBar> Scene::Impl::color_bars() const {
+    std::vector<ColorBar> bars;
+    const auto tinted = [&](std::size_t k) {
+        return layer_on[std::size_t(Layer::cl)] && motion_on[k] && tint_lines[k].filled;
+    };
+    for (std::size_t k = 0; k < motion_kinds && bars.empty(); ++k)
+        if (tinted(k)) bars.push_back(tint->bar());
+    if (!deviation || !shows_deviation()) return bars;
     ColorBar bar;
     bar.title = "Deviation (" + std::string(unit_name(unit)) + ")";
     bar.note = deviation_note;
@@ -160,7 +166,8 @@ std::optional<ColorBar> Scene::Impl::color_bar() const {
     bar.low_text = "gouge";
     bar.high_text = "excess";
     if (deviation->has_unjudged) bar.other = {unjudged_color(), "not judged"};
-    return bar;
+    bars.push_back(std::move(bar));
+    return bars;
 }
 
 CameraPlace Scene::camera_place() const {

@@ -66,15 +66,6 @@ public:
         return true;
     }
 
-    /// The height of the cusp that a posture leaves over its strip, mm, without the chord's share.
-    double cusp(const Stop& stop) const {
-        const auto curves = field_.strip_curves(stop.place);
-        const double top =
-            field_.builder().top(stop.place.frame, stop.posture.lambda, stop.posture.omega, curves);
-        const double margin = (top - stop.posture.delta) * std::cos(stop.posture.lambda);
-        return std::max(field_.cusp() - field_.chord() - margin, 0.0);
-    }
-
 private:
     ContactPlace place_between(const ContactPlace& a, const ContactPlace& b, double t) const {
         ContactPlace p = field_.place(line_.line, a.s + t * (b.s - a.s), a.v, line_.travel);
@@ -178,6 +169,13 @@ double deepest_between(const ToolLift& lift, const CutterLocation& a, const Cutt
     return deepest;
 }
 
+double posture_cusp(const FiveAxisField& field, const ContactPlace& place, const PostureValue& posture) {
+    const auto curves = field.strip_curves(place);
+    const double top = field.builder().top(place.frame, posture.lambda, posture.omega, curves);
+    const double margin = (top - posture.delta) * std::cos(posture.lambda);
+    return std::max(field.cusp() - field.chord() - margin, 0.0);
+}
+
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress) {
     JoinedPasses result;
     Joiner joiner(field, line);
@@ -187,12 +185,12 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         if (!line.choices[i].free) return;
         Joiner own(field, line);
         stops[i] = own.stop(line.places[i], line.choices[i].posture);
-        stops[i].cusp = own.cusp(stops[i]);
+        stops[i].cusp = posture_cusp(field, stops[i].place, stops[i].posture);
         if (i == 0 || !line.choices[i - 1].free) return;
         gaps[i].closed =
             own.between(own.stop(line.places[i - 1], line.choices[i - 1].posture), stops[i], 0, gaps[i].way);
         for (Stop& s : gaps[i].way)
-            s.cusp = own.cusp(s);
+            s.cusp = posture_cusp(field, s.place, s.posture);
     });
     std::vector<Stop> run;
     std::size_t begin = 0; // the place that the run began with

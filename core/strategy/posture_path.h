@@ -40,6 +40,9 @@ double deepest_between(const ToolLift& lift, const CutterLocation& a, const Cutt
 /// more than a quarter of it.
 double looking_step(double radius, double chord);
 
+/// The height of the cusp that a posture leaves over its strip, mm, without the chord's share.
+double posture_cusp(const FiveAxisField& field, const ContactPlace& place, const PostureValue& posture);
+
 /// Throws Cancelled within a few pairs of neighbours.
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress);
 
