@@ -1,9 +1,16 @@
 #include "ui/layer_bar.h"
 
 #include "ui/flow_layout.h"
+#include "ui/text.h"
+#include "viz/palette.h"
 #include "viz/scene.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QStandardItemModel>
 
 namespace facetmill::ui {
 
@@ -38,6 +45,49 @@ constexpr Entry entries[] = {
 
 } // namespace
 
+/// "0.5 [colours] 12 °".
+class ScaleStrip : public QWidget {
+public:
+    explicit ScaleStrip(QWidget* parent) : QWidget(parent) {
+        setObjectName(QStringLiteral("path_scale"));
+        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    }
+    void show_path(const TintedPathPtr& path) {
+        setVisible(path != nullptr);
+        if (!path) return;
+        low_ = ui::text(format_number(path->low, 3));
+        high_ = ui::text(format_number(path->high, 3) + (path->unit == "°" ? "" : " ") + path->unit);
+        setToolTip(
+            LayerBar::tr("%1 from %2 to %3").arg(ui::text(path_quantity_label(path->quantity)), low_, high_));
+        updateGeometry();
+        update();
+    }
+    QSize sizeHint() const override {
+        const QFontMetrics fm(font());
+        return {fm.horizontalAdvance(low_) + fm.horizontalAdvance(high_) + bar + 2 * gap, fm.height() + 2};
+    }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter p(this);
+        const QFontMetrics fm(font());
+        constexpr int high = 10;
+        const int x = fm.horizontalAdvance(low_) + gap, y = (height() - high) / 2;
+        p.setPen(palette().color(QPalette::WindowText));
+        p.drawText(QRect(0, 0, x, height()), int(Qt::AlignLeft | Qt::AlignVCenter), low_);
+        for (int i = 0; i < bar; ++i) {
+            const Rgb c = path_tint_color((i + 0.5) / bar);
+            p.fillRect(x + i, y, 1, high, QColor::fromRgbF(float(c.r), float(c.g), float(c.b)));
+        }
+        p.drawText(QRect(x + bar + gap, 0, width(), height()), int(Qt::AlignLeft | Qt::AlignVCenter), high_);
+    }
+
+private:
+    static constexpr int bar = 64, gap = 5;
+    QString low_, high_;
+};
+
 LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("layer_bar"));
     auto* flow = new FlowLayout(this, 14);
@@ -52,6 +102,25 @@ LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
         flow->addWidget(box);
         boxes_.push_back(box);
     }
+    auto* colours = new QWidget(this);
+    auto* row = new QHBoxLayout(colours);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(5);
+    quantity_ = new QComboBox(colours);
+    quantity_->setObjectName(QStringLiteral("path_quantity"));
+    quantity_->setToolTip(tr("What the colours of the path mean; their scale stands in the view"));
+    quantity_->setFocusPolicy(Qt::TabFocus);
+    for (std::size_t q = 0; q < path_quantities; ++q)
+        quantity_->addItem(ui::text(path_quantity_label(PathQuantity(q))));
+    auto* label = new QLabel(tr("Path by"), colours);
+    label->setBuddy(quantity_);
+    row->addWidget(label);
+    row->addWidget(quantity_);
+    scale_ = new ScaleStrip(colours);
+    scale_->hide();
+    row->addWidget(scale_);
+    connect(quantity_, &QComboBox::currentIndexChanged, this, &LayerBar::quantity_chosen);
+    flow->addWidget(colours);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
@@ -59,6 +128,22 @@ LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
 
 QCheckBox* LayerBar::box(ViewLayer layer) const {
     return boxes_[std::size_t(layer)];
+}
+
+void LayerBar::show_scale(const TintedPathPtr& path) {
+    scale_->show_path(path);
+}
+
+PathQuantity LayerBar::quantity() const {
+    return PathQuantity(std::max(0, quantity_->currentIndex()));
+}
+
+void LayerBar::set_quantity_missing(PathQuantity quantity, const QString& why) {
+    auto* model = qobject_cast<QStandardItemModel*>(quantity_->model());
+    QStandardItem* item = model ? model->item(int(quantity)) : nullptr;
+    if (!item) return;
+    item->setEnabled(why.isEmpty());
+    item->setToolTip(why);
 }
 
 bool LayerBar::shown(ViewLayer layer) const {

@@ -1,11 +1,14 @@
-// Check boxes for what the view shows. Wraps where the window is narrow.
+// Check boxes for what the view shows, and what the path's colours mean. Wraps where the window is narrow.
 #pragma once
+
+#include "viz/path_tint.h"
 
 #include <QWidget>
 
 #include <vector>
 
 class QCheckBox;
+class QComboBox;
 
 namespace facetmill {
 class Scene;
@@ -15,6 +18,8 @@ namespace facetmill::ui {
 
 /// What a user tells apart: the scene's layers, with the motions of a path split by kind.
 enum class ViewLayer { part, edges, stock, deviation, cc, cuts, links, rapids, tool };
+
+class ScaleStrip;
 
 class LayerBar : public QWidget {
     Q_OBJECT
@@ -29,12 +34,22 @@ public:
     void set_shown_names(const QStringList& names);
     /// Hands all check marks to the scene.
     void apply(Scene& scene) const;
+    /// What the path's colours are to mean.
+    PathQuantity quantity() const;
+    QComboBox* quantity_box() { return quantity_; }
+    /// The ends of the scale beside the choice, for views too small for a legend; nullptr: none.
+    void show_scale(const TintedPathPtr& path);
+    /// Why a quantity cannot be chosen; empty: it can. One that was chosen before stays so.
+    void set_quantity_missing(PathQuantity quantity, const QString& why);
 
 signals:
     void toggled();
+    void quantity_chosen();
 
 private:
     std::vector<QCheckBox*> boxes_;
+    QComboBox* quantity_ = nullptr;
+    ScaleStrip* scale_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -3,6 +3,7 @@
 #include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
+#include "ui/inspection_desk.h"
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
 #include "ui/parameter_form.h"
@@ -85,9 +86,10 @@ MainWindow::~MainWindow() {
     // The children go while the document they show is still there. An entry that was not finished goes with
     // its field.
     properties_->form()->disconnect();
-    for (QDockWidget* dock :
-         {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_, log_dock_})
+    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_,
+                              log_dock_, chart_dock_})
         delete dock;
+    delete inspection_;
     delete cspace_;
     delete desk_;
     delete takeCentralWidget();
@@ -120,6 +122,7 @@ void MainWindow::build_docks() {
     tree_->tree()->installEventFilter(desk_);
     desk_->panel()->findings()->installEventFilter(desk_);
     log_dock_ = dock(tr("Log"), "log_dock", log_, Qt::BottomDockWidgetArea);
+    build_inspection();
 }
 
 void MainWindow::build_status_bar() {
@@ -391,7 +394,7 @@ void MainWindow::ended(const JobEnd& end) {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy()
+    return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy() || inspection_->busy()
            || !viewport_->finished();
 }
 

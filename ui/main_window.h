@@ -27,6 +27,7 @@ namespace facetmill::ui {
 
 class CSpaceDesk;
 class ElidedLabel;
+class InspectionDesk;
 class LayerBar;
 class LogView;
 class ProjectTree;
@@ -76,6 +77,7 @@ public:
     ReportView& report() { return *report_; }
     VerificationDesk& verification() { return *desk_; }
     CSpaceDesk& cspace() { return *cspace_; }
+    InspectionDesk& inspection() { return *inspection_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -149,6 +151,9 @@ private:
     void show_start_of_path();
     void hide_tool();
     void step_tool(int by);
+    void show_motion(std::size_t source, std::size_t motion);
+    /// Number of the motion; of a contact the one that cuts it.
+    std::size_t motion_of(const PathPick& pick) const;
     void edit_tool(std::optional<std::size_t> index);
 
     // main_window_cspace.cpp
@@ -157,6 +162,8 @@ private:
                           const QString& readout);
     void follow_cspace(const PathPick& pick);
     void export_cspace(bool table);
+    void build_inspection();
+    void export_chart(bool table);
 
     Document document_;
     std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
@@ -170,9 +177,11 @@ private:
     LayerBar* layers_ = nullptr;
     VerificationDesk* desk_ = nullptr;
     CSpaceDesk* cspace_ = nullptr;
+    InspectionDesk* inspection_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
-                *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr;
+                *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,
+                *chart_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* activity_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -189,8 +198,9 @@ private:
         shown_results_; ///< in the order of the scene's path sources
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
-    StockShapePtr stock_mesh_; ///< as read with the part
+    StockShapePtr stock_mesh_;    ///< as read with the part
     bool cspace_offered_ = false; ///< the room came to light once
+    bool chart_sized_ = false;    ///< the charts' dock had its height given
     bool settling_ = false;
     bool verify_next_ = false;           ///< when the planning under way is through
     std::vector<QDockWidget*> made_way_; ///< put behind the parameters because the window is narrow

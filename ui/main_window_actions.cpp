@@ -161,8 +161,8 @@ void MainWindow::build_menus() {
         theme_actions_.push_back(a);
     }
     view_menu_->addSeparator();
-    for (QDockWidget* dock :
-         {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_, log_dock_})
+    for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_,
+                              chart_dock_, log_dock_})
         view_menu_->addAction(dock->toggleViewAction());
 
     QMenu* plan = menuBar()->addMenu(tr("&Plan"));
@@ -222,6 +222,7 @@ void MainWindow::show_shortcuts() {
     row(tr("Double click, F"), tr("fit"));
     row(tr("Click on a path"), tr("show the tool there; ← and → step along the path (Shift: by ten)"));
     row(tr("← →  ↑ ↓"), tr("with the configuration space in view: points along the pass, passes"));
+    row(tr("In a chart"), tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
     row(tr("0 … 6"), tr("isometric, front, top, right, rear, bottom, left"));
     row(tr("F5, Ctrl+P"), tr("plan"));
     row(tr("F6"), tr("verify"));

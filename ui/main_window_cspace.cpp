@@ -3,6 +3,7 @@
 
 #include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
+#include "ui/inspection_desk.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/verification_desk.h"
@@ -90,7 +91,10 @@ void MainWindow::show_cspace_tool(int operation, const std::optional<CutterLocat
         }
         pick.position = pose->tip;
         pick.location = *pose;
-        if (pick.motion < motions.size()) tool_at_ = pick;
+        if (pick.motion < motions.size()) {
+            tool_at_ = pick;
+            inspection_->set_place(pick.source, pick.motion);
+        }
     }
     viewport_->refresh();
 }

@@ -4,6 +4,7 @@
 #include "core/job/stock_solid.h"
 #include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
+#include "ui/inspection_desk.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/text.h"
@@ -212,6 +213,7 @@ void MainWindow::refresh_paths() {
     if (results.empty()) {
         display_job_.cancel();
         viewport_->scene().set_path(nullptr);
+        inspection_->set_paths({});
         viewport_->refresh();
         return;
     }
@@ -228,6 +230,7 @@ void MainWindow::refresh_paths() {
             if (!end.done() || results != shown_results_) return;
             viewport_->scene().set_path(*display);
             viewport_->content_changed();
+            inspection_->set_paths(results);
             show_start_of_path();
         });
 }
@@ -289,12 +292,14 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     readout_->set_text(readout);
     viewport_->refresh();
     desk_->tool_put(*index, pick.motion);
+    inspection_->set_place(pick.source, motion_of(pick));
     follow_cspace(pick);
 }
 
 void MainWindow::hide_tool() {
     tool_at_.reset();
     cspace_->leave();
+    inspection_->clear_place();
     readout_text_.clear();
     readout_->set_text({});
     viewport_->scene().set_tool(std::nullopt);
@@ -306,23 +311,32 @@ void MainWindow::step_tool(int by) {
     if (!tool_at_ || tool_at_->source >= shown_results_.size()) return;
     const auto& motions = shown_results_[tool_at_->source]->program.motions.motions;
     if (motions.empty()) return;
-    std::size_t at = tool_at_->motion;
-    if (at >= motions.size()) {
-        // A contact was picked: its motion is the one that cuts it.
-        const auto it = std::find_if(motions.begin(), motions.end(), [this](const Motion& m) {
-            return m.pass == tool_at_->pass && m.point == tool_at_->point;
-        });
-        at = it == motions.end() ? 0 : std::size_t(it - motions.begin());
-    }
     const auto last = std::ptrdiff_t(motions.size()) - 1;
-    const auto next = std::size_t(std::clamp<std::ptrdiff_t>(std::ptrdiff_t(at) + by, 0, last));
+    const auto at = std::ptrdiff_t(motion_of(*tool_at_));
+    show_motion(tool_at_->source, std::size_t(std::clamp<std::ptrdiff_t>(at + by, 0, last)));
+}
+
+std::size_t MainWindow::motion_of(const PathPick& pick) const {
+    const auto& motions = shown_results_[pick.source]->program.motions.motions;
+    if (pick.motion < motions.size()) return pick.motion;
+    // A contact was picked: its motion is the one that cuts it.
+    const auto it = std::find_if(motions.begin(), motions.end(), [&](const Motion& m) {
+        return m.pass == pick.pass && m.point == pick.point;
+    });
+    return it == motions.end() ? 0 : std::size_t(it - motions.begin());
+}
+
+void MainWindow::show_motion(std::size_t source, std::size_t motion) {
+    if (source >= shown_results_.size()) return;
+    const auto& motions = shown_results_[source]->program.motions.motions;
+    if (motion >= motions.size()) return;
     PathPick pick;
-    pick.source = tool_at_->source;
-    pick.motion = next;
-    pick.pass = motions[next].pass;
-    pick.point = motions[next].point;
-    pick.position = motions[next].to.tip;
-    pick.location = motions[next].to;
+    pick.source = source;
+    pick.motion = motion;
+    pick.pass = motions[motion].pass;
+    pick.point = motions[motion].point;
+    pick.position = motions[motion].to.tip;
+    pick.location = motions[motion].to;
     show_tool_at(pick);
 }
 

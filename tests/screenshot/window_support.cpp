@@ -133,4 +133,19 @@ bool WindowFixture::open_and_plan() {
     return wait_until_settled(w()) && w().document().state(0) == ui::OperationState::planned;
 }
 
+bool WindowFixture::plan_five_axes() {
+    if (!open_part()) return false;
+    w().document().add_operation("finish5");
+    w().document().remove_operation(0);
+    w().document().change(QStringLiteral("Coarse"), [](Project& p) {
+        p.machine = "tarus-tpi-2000";
+        p.operations[0]->common().tolerance = 0.03 * mm_per_inch;
+        p.operations[0]->set("grid_degrees", ParameterValue(radians(9)));
+        p.operations[0]->set("normal_limit", ParameterValue(radians(20)));
+        p.operations[0]->set("posture", ParameterValue(std::string("cm2")));
+    });
+    w().plan();
+    return wait_until_settled(w()) && w().document().state(0) == ui::OperationState::planned;
+}
+
 } // namespace facetmill::test

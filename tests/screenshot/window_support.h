@@ -61,6 +61,8 @@ public:
     bool open_part();
     /// The same, planned by F5 at a tolerance of 0.02 in.
     bool open_and_plan();
+    /// A coarse convex part with a coarse 5-axis operation in the place of the default one, planned.
+    bool plan_five_axes();
 
 protected:
     std::unique_ptr<ui::MainWindow> window_;
