@@ -8,6 +8,7 @@
 
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QSaveFile>
 #include <QToolButton>
 
@@ -37,6 +38,8 @@ CSpaceDesk::CSpaceDesk(Document& document, QWidget* window)
     connect(panel_, &CSpacePanel::stepped, this, &CSpaceDesk::step);
     connect(panel_, &CSpacePanel::cancel_requested, this, [this] { job_.cancel(); });
     connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
+    connect(panel_, &CSpacePanel::keep_requested, this, &CSpaceDesk::keep);
+    connect(panel_, &CSpacePanel::remove_requested, this, &CSpaceDesk::remove_kept);
     connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceDesk::show_hover);
     connect(panel_->view(), &CSpaceView::tried, this, &CSpaceDesk::try_posture);
     connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceDesk::show_choice);
@@ -48,9 +51,10 @@ CSpaceDesk::CSpaceDesk(Document& document, QWidget* window)
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, [this] { // the unit
+    connect(&document_, &Document::changed, this, [this] { // the unit, what is kept
         panel_->view()->scene().set_unit(document_.unit());
         panel_->view()->refresh();
+        show_kept();
     });
     clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
 }
@@ -69,6 +73,7 @@ void CSpaceDesk::clear_room(const QString& text) {
     panel_->heading()->set_text(heading());
     panel_->set_ready(at_.has_value(), false);
     panel_->view()->refresh();
+    show_kept();
 }
 
 bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationResult>& result,
@@ -84,6 +89,15 @@ bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationRes
     }
     operation_ = operation;
     result_ = result;
+    const std::size_t index = nearest_point(place);
+    if (at_ == index && shown_ && !tried_) return true;
+    at_ = index;
+    tried_.reset();
+    study();
+    return true;
+}
+
+std::size_t CSpaceDesk::nearest_point(const Vec3& place) const {
     double nearest = infinity;
     std::size_t index = 0;
     for (std::size_t i = 0; i < record_->points.size(); ++i) {
@@ -93,11 +107,7 @@ bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationRes
             index = i;
         }
     }
-    if (at_ == index && shown_ && !tried_) return true;
-    at_ = index;
-    tried_.reset();
-    study();
-    return true;
+    return index;
 }
 
 void CSpaceDesk::leave() {
@@ -244,11 +254,17 @@ void CSpaceDesk::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
                                  .arg(count_text(content->free_nodes), count_text(content->block.size()))));
     scene.set_content(std::move(content));
     panel_->show_legend();
+    // What was kept stands in the record also where it was not free.
+    const auto& wish = shown_->place.kept;
+    const bool by_hand = wish && shown_->planned.free && shown_->planned.posture.lambda == (*wish)[0]
+                         && shown_->planned.posture.omega == (*wish)[1];
     panel_->readout()->setText(shown_->planned.free
-                                   ? tr("Planned: ") + reason_text(shown_->planned.posture, true)
+                                   ? (by_hand ? tr("Planned as kept: ") : tr("Planned: "))
+                                         + reason_text(shown_->planned.posture, true)
                                    : tr("No posture is free: the point is left to clean-up"));
     panel_->set_ready(true, true);
     panel_->view()->refresh();
+    show_kept();
 }
 
 QString CSpaceDesk::reason_text(const PostureValue& posture, bool with_lift) const {
@@ -289,12 +305,14 @@ void CSpaceDesk::try_posture(const PostureValue& posture) {
     panel_->view()->refresh();
     panel_->readout()->setText(tr("Tried: ") + reason_text(p, true));
     show_tool(p, tr("tried"));
+    show_kept();
 }
 
 void CSpaceDesk::show_choice(std::size_t choice) {
     if (!shown_) return;
     const ChosenPosture& chosen = choice + 1 < cspace_choices ? shown_->chosen[choice] : shown_->planned;
     tried_.reset();
+    show_kept();
     panel_->view()->scene().set_probe(std::nullopt);
     panel_->view()->refresh();
     const QString name = text(cspace_choice_label(choice));
@@ -302,6 +320,90 @@ void CSpaceDesk::show_choice(std::size_t choice) {
         panel_->readout()->setText(name + QStringLiteral(": ") + reason_text(chosen.posture, true));
     show_tool(chosen.free ? std::optional(chosen.posture) : std::nullopt,
               chosen.free ? name : tr("left to clean-up"));
+}
+
+std::vector<ManualPosture> CSpaceDesk::all_kept() const {
+    const auto index = document_.index_of(operation_);
+    if (!index) return {};
+    const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&document_.operation(*index));
+    return by_hand ? by_hand->manual_postures() : std::vector<ManualPosture>();
+}
+
+std::optional<std::size_t> CSpaceDesk::kept_number() const {
+    if (!at_ || !record_) return std::nullopt;
+    const std::vector<ManualPosture> all = all_kept();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto& p = all[i].point;
+        if (nearest_point({p[0], p[1], p[2]}) == *at_) return i;
+    }
+    return std::nullopt;
+}
+
+std::optional<ManualPosture> CSpaceDesk::kept() const {
+    const auto number = kept_number();
+    return number ? std::optional(all_kept()[*number]) : std::nullopt;
+}
+
+void CSpaceDesk::change_kept(const QString& what, std::vector<ManualPosture> postures) {
+    const auto index = document_.index_of(operation_);
+    if (!index) return;
+    document_.change(what, [&](Project& project) {
+        if (auto* by_hand = dynamic_cast<TakesManualPostures*>(project.operations[*index].get()))
+            by_hand->set_manual_postures(std::move(postures));
+    });
+}
+
+void CSpaceDesk::keep() {
+    if (!tried_ || !shown_ || !study_) return;
+    if (study_->reason(*shown_, tried_->lambda, tried_->omega).block != PostureBlock::free) return;
+    const Vec3& place = shown_->place.surface;
+    const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lambda, tried_->omega};
+    std::vector<ManualPosture> all = all_kept();
+    if (const auto number = kept_number())
+        all[*number] = posture;
+    else
+        all.push_back(posture);
+    change_kept(tr("Keep posture"), std::move(all));
+    emit told(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
+                  .arg(angle_text(posture.lead), angle_text(posture.yaw)));
+}
+
+void CSpaceDesk::remove_kept() {
+    const auto number = kept_number();
+    if (!number) return;
+    std::vector<ManualPosture> all = all_kept();
+    all.erase(all.begin() + std::ptrdiff_t(*number));
+    change_kept(tr("Remove kept posture"), std::move(all));
+    emit told(tr("The posture kept for the point is forgotten. Plan again to choose one."));
+}
+
+void CSpaceDesk::show_kept() {
+    const bool tried = tried_ && shown_ && study_;
+    const bool free =
+        tried && study_->reason(*shown_, tried_->lambda, tried_->omega).block == PostureBlock::free;
+    panel_->keep()->setEnabled(free);
+    panel_->keep()->setToolTip(!tried  ? tr("Try a posture first: click in the room, or drag a marker")
+                               : !free ? tr("The tried posture is not free: it would not be used")
+                                       : tr("Keep the tried posture for this point; planning again uses it"));
+    panel_->remove()->setEnabled(kept_number().has_value());
+    const std::vector<ManualPosture> all = all_kept();
+    panel_->kept()->setText(tr("Kept: %1").arg(all.size()));
+    panel_->kept()->setVisible(!all.empty());
+    if (QMenu* old = panel_->kept()->menu()) { // which may be what led here
+        panel_->kept()->setMenu(nullptr);
+        old->deleteLater();
+    }
+    if (all.empty() || !record_) return;
+    auto* menu = new QMenu(panel_->kept());
+    for (const ManualPosture& m : all) {
+        const std::size_t point = nearest_point({m.point[0], m.point[1], m.point[2]});
+        const FiveAxisRecord::Line& line = record_->line_of(point);
+        menu->addAction(tr("Pass %1, point %2: lead %3, yaw %4")
+                            .arg(line.drive + 1)
+                            .arg(count_text(point - line.begin + 1), angle_text(m.lead), angle_text(m.yaw)),
+                        this, [this, point] { stand_at(point); });
+    }
+    panel_->kept()->setMenu(menu);
 }
 
 void CSpaceDesk::set_palette(Palette palette) {

@@ -5,6 +5,7 @@
 
 #include "core/job/planner.h"
 #include "core/strategy/five_axis_study.h"
+#include "core/strategy/manual_posture.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "viz/cspace_room.h"
@@ -35,6 +36,9 @@ public:
     ElidedLabel* heading() { return heading_; }
     QLabel* readout() { return readout_; }
     QToolButton* back() { return back_; }
+    QToolButton* keep() { return keep_; }
+    QToolButton* remove() { return remove_; }
+    QToolButton* kept() { return kept_; }
     void set_busy(bool busy, double fraction = 0);
     /// Buttons for what is there: a point, its study.
     void set_ready(bool point, bool study);
@@ -47,6 +51,8 @@ signals:
     void picture_requested();
     void table_requested();
     void back_requested(); ///< to the planned posture
+    void keep_requested(); ///< of the tried posture for the point
+    void remove_requested();
 
 private:
     QToolButton* button(int which, const QString& tip, const char* name);
@@ -56,6 +62,7 @@ private:
     QWidget* legend_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QToolButton *cancel_ = nullptr, *back_ = nullptr, *picture_ = nullptr, *table_ = nullptr;
+    QToolButton *keep_ = nullptr, *remove_ = nullptr, *kept_ = nullptr;
     std::vector<QToolButton*> steps_;
 };
 
@@ -85,6 +92,13 @@ public:
     const std::optional<PostureValue>& tried() const { return tried_; }
     void try_posture(const PostureValue& posture);
     void show_choice(std::size_t choice);
+    /// Keeps the tried posture for the point, as a step of the history; planning again uses it. Nothing where
+    /// none is tried that is free.
+    void keep();
+    /// What was kept for the point is forgotten.
+    void remove_kept();
+    /// The posture kept for the point by the operation as it stands, planned with it or not.
+    std::optional<ManualPosture> kept() const;
 
     bool save_picture(const QString& path);
     bool save_table(const QString& path);
@@ -103,6 +117,11 @@ signals:
 
 private:
     void stand_at(std::size_t index);
+    std::size_t nearest_point(const Vec3& place) const;
+    std::vector<ManualPosture> all_kept() const;
+    std::optional<std::size_t> kept_number() const;
+    void change_kept(const QString& what, std::vector<ManualPosture> postures);
+    void show_kept();
     void study();
     void show_point(std::shared_ptr<const FiveAxisStudy::Point> point);
     void clear_room(const QString& text);

@@ -120,6 +120,27 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     readout_->setMinimumWidth(40);
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(readout_);
+    auto* by_hand = new QWidget(this);
+    auto* keeping = new FlowLayout(by_hand, 4);
+    keeping->setContentsMargins(0, 0, 0, 0);
+    const auto worded = [&](const QString& label, const QString& tip, const char* name) {
+        auto* b = new QToolButton(by_hand);
+        b->setObjectName(QLatin1String(name));
+        b->setText(label);
+        b->setToolTip(tip);
+        b->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        b->setFocusPolicy(Qt::TabFocus);
+        keeping->addWidget(b);
+        return b;
+    };
+    keep_ = worded(tr("Keep for this point"), {}, "cspace_keep");
+    remove_ = worded(tr("Remove"), tr("Forget the posture kept for this point"), "cspace_remove");
+    kept_ = worded(tr("Kept"), tr("Points with a posture kept by hand"), "cspace_kept");
+    kept_->setPopupMode(QToolButton::MenuButtonPopup);
+    connect(kept_, &QToolButton::clicked, kept_, &QToolButton::showMenu);
+    connect(keep_, &QToolButton::clicked, this, &CSpacePanel::keep_requested);
+    connect(remove_, &QToolButton::clicked, this, &CSpacePanel::remove_requested);
+    column->addWidget(by_hand);
     connect(view_, &CSpaceView::stepped, this, &CSpacePanel::stepped);
     set_busy(false);
     set_ready(false, false);

@@ -1,6 +1,7 @@
 #include "ui/document.h"
 
 #include "core/job/stock_solid.h"
+#include "core/strategy/manual_posture.h"
 #include "ui/text.h"
 
 #include <QUndoCommand>
@@ -126,10 +127,14 @@ void Document::add_operation(const std::string& kind) {
         const auto& all = project_.operations;
         const auto like =
             std::find_if(all.rbegin(), all.rend(), [&](const auto& o) { return o->kind() == kind; });
-        if (like != all.rend())
+        if (like != all.rend()) {
             operation = (*like)->clone();
-        else
+            // Postures were kept for contact points of that one.
+            if (auto* by_hand = dynamic_cast<TakesManualPostures*>(operation.get()))
+                by_hand->set_manual_postures({});
+        } else {
             static_cast<OperationCommon&>(operation->common()) = all.back()->common();
+        }
     } else if (!project_.tools.empty()) {
         operation->common().tool = project_.tools.front().number;
     }

@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QTest>
 #include <QToolButton>
 
@@ -24,22 +25,6 @@ class TestWindowCSpace : public QObject, public WindowFixture {
     CSpaceDesk& room() { return w().cspace(); }
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("cspace_dock")); }
     QString heading() { return room().panel()->heading()->text(); }
-
-    /// A coarse convex part with a coarse 5-axis operation in the place of the default one, planned.
-    bool plan_five_axes() {
-        if (!open_part()) return false;
-        w().document().add_operation("finish5");
-        w().document().remove_operation(0);
-        w().document().change(QStringLiteral("Coarse"), [](Project& p) {
-            p.machine = "tarus-tpi-2000";
-            p.operations[0]->common().tolerance = 0.03 * mm_per_inch;
-            p.operations[0]->set("grid_degrees", ParameterValue(radians(9)));
-            p.operations[0]->set("normal_limit", ParameterValue(radians(20)));
-            p.operations[0]->set("posture", ParameterValue(std::string("cm2")));
-        });
-        w().plan();
-        return wait_until_settled(w()) && w().document().state(0) == OperationState::planned;
-    }
 
 private slots:
     void init() { QVERIFY(show_window()); }
@@ -130,6 +115,89 @@ private slots:
         QTest::mouseMove(view, to);
         QTest::mouseRelease(view, Qt::LeftButton, {}, to);
         QVERIFY(room().tried());
+    }
+
+    void postures_are_kept_for_a_point() {
+        QVERIFY2(plan_five_axes(), qPrintable(w().last_failure()));
+        CSpacePanel* panel = room().panel();
+        room().step(20, 0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(room().shown() && room().shown()->planned.free);
+        QVERIFY(!panel->keep()->isEnabled() && !panel->remove()->isEnabled());
+        QVERIFY(panel->kept()->isHidden());
+        const std::size_t point = *room().point();
+        const Vec3 place = room().shown()->place.surface;
+        const PostureValue planned = room().shown()->planned.posture;
+
+        // One that is not free cannot be kept, one that is can.
+        room().try_posture({radians(44), radians(44), 0});
+        const PostureValue wish{planned.lambda + radians(2), radians(7), 0};
+        room().try_posture(wish);
+        QVERIFY2(panel->keep()->isEnabled(), qPrintable(panel->keep()->toolTip()));
+        shot(w(), QStringLiteral("cspace-keep"));
+        QTest::mouseClick(panel->keep(), Qt::LeftButton);
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QVERIFY(room().kept().has_value());
+        QCOMPARE(room().kept()->lead, wish.lambda);
+        QCOMPARE(room().kept()->yaw, wish.omega);
+        QVERIFY(
+            (Vec3(room().kept()->point[0], room().kept()->point[1], room().kept()->point[2]) - place).norm()
+            == 0);
+        QVERIFY(panel->remove()->isEnabled());
+        QVERIFY(!panel->kept()->isHidden());
+        QCOMPARE(panel->kept()->text(), QStringLiteral("Kept: 1"));
+        // Kept again it is another one, not a second.
+        room().try_posture({planned.lambda + radians(3), radians(7), 0});
+        QTest::mouseClick(panel->keep(), Qt::LeftButton);
+        QCOMPARE(panel->kept()->text(), QStringLiteral("Kept: 1"));
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(room().kept()->lead, wish.lambda);
+
+        // Planned again, the point stands as kept.
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        const auto record = w().document().result(0)->path.five_axis;
+        QVERIFY(record->points[point].choice.free);
+        QCOMPARE(record->points[point].choice.posture.lambda, wish.lambda);
+        QCOMPARE(record->points[point].choice.posture.omega, wish.omega);
+
+        // The list leads there.
+        QVERIFY(*room().point() != point);
+        QVERIFY(!panel->remove()->isEnabled());
+        QMenu* menu = panel->kept()->menu();
+        QVERIFY(menu);
+        QCOMPARE(menu->actions().size(), qsizetype(1));
+        menu->actions().front()->trigger();
+        QCOMPARE(*room().point(), point);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(panel->readout()->text().startsWith(QStringLiteral("Planned as kept")),
+                 qPrintable(panel->readout()->text()));
+        shot(w(), QStringLiteral("cspace-kept"));
+
+        // Saved and read again it is there; removed it is gone.
+        const QString path = scratch_folder(QStringLiteral("kept")) + QStringLiteral("/p.facetmill");
+        QVERIFY(w().save_to(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("\"manual_postures\""));
+        QTest::mouseClick(panel->remove(), Qt::LeftButton);
+        QVERIFY(!room().kept());
+        QVERIFY(panel->kept()->isHidden());
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        // Another operation of the kind starts without them, a copy with them.
+        QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(room().kept().has_value());
+        w().document().add_operation("finish5");
+        w().document().duplicate_operation(0);
+        const auto kept = [&](std::size_t i) {
+            return dynamic_cast<const TakesManualPostures&>(w().document().operation(i))
+                .manual_postures()
+                .size();
+        };
+        QCOMPARE(kept(0), std::size_t(1));
+        QCOMPARE(kept(1), std::size_t(1));
+        QCOMPARE(kept(2), std::size_t(0));
     }
 
     void exports() {
