@@ -44,7 +44,9 @@ QString help_html(const ParameterInfo& info, LengthUnit unit) {
     if (info.kind != ParameterKind::text) {
         const QString unit_text = text(edge_unit_name(info.quantity, unit));
         QString value = text(info.value_text(info.default_value, unit));
-        if (const auto* d = std::get_if<double>(&info.default_value)) value = shown_number(*d, info, unit);
+        // A round number of the other unit has digits that say nothing.
+        if (const auto* d = std::get_if<double>(&info.default_value))
+            value = text(format_number(*d / info.scale(unit), 4));
         if (!std::holds_alternative<std::string>(info.default_value) && !unit_text.isEmpty())
             value += QStringLiteral(" ") + unit_text;
         facts << QStringLiteral("Default: %1").arg(value.toHtmlEscaped());
@@ -294,9 +296,15 @@ bool ParameterForm::eventFilter(QObject* object, QEvent* event) {
 }
 
 void ParameterForm::changeEvent(QEvent* event) {
+    // The fields have their new palettes only after the form has its own.
     if (event->type() == QEvent::PaletteChange)
-        for (Row& row : rows_)
-            if (row.invalid) show_error(row, row.error->text(), true);
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                for (Row& row : rows_)
+                    if (row.invalid) show_error(row, row.error->text(), true);
+            },
+            Qt::QueuedConnection);
     QWidget::changeEvent(event);
 }
 

@@ -6,6 +6,7 @@
 #include "ui/verification_model.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QToolBar>
@@ -41,6 +42,25 @@ QString operation_label(const std::string& kind) {
     return text(kind);
 }
 
+/// Where the tree gets smaller its selection stays in sight.
+class SelectionKeeper : public QObject {
+public:
+    explicit SelectionKeeper(QTreeWidget* tree) : QObject(tree), tree_(tree) {}
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Resize)
+            QMetaObject::invokeMethod(
+                tree_,
+                [tree = tree_] {
+                    if (QTreeWidgetItem* item = tree->currentItem()) tree->scrollToItem(item);
+                },
+                Qt::QueuedConnection);
+        return false;
+    }
+
+private:
+    QTreeWidget* tree_;
+};
+
 } // namespace
 
 QString state_text(OperationState state) {
@@ -61,6 +81,7 @@ QString state_text(OperationState state) {
 
 ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
     tree_ = new QTreeWidget(this);
+    tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
     tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
