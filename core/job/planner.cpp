@@ -179,6 +179,7 @@ struct Planner::Cache {
         std::string path_key, motion_key, program_key;
         std::shared_ptr<const OperationResult> result;
         bool used = false;
+        std::size_t motions = 0; ///< number of its motions: the same ones, the same number
     };
 
     std::string load_key, part_key, stock_key; ///< stock_key: empty where its mesh is none
@@ -186,6 +187,7 @@ struct Planner::Cache {
     std::shared_ptr<const PreparedPart> part;
     ContactIndexPtr index; ///< of part->mesh, or null
     std::vector<Planned> planned;
+    std::size_t last_motions = 0;
     PlannerWork work;
 
     Planned* find(std::string Planned::*key, const std::string& value) {
@@ -193,9 +195,21 @@ struct Planner::Cache {
             if (p.*key == value) return &p;
         return nullptr;
     }
-    std::shared_ptr<const OperationResult> operation(const Project& project, const Operation& operation,
-                                                     const PlanContext& context, const Progress& progress);
+    /// `earlier`: what names the motions of the operations before, where this one asks what stands.
+    const Planned& operation(const Project& project, const Operation& operation, const PlanContext& context,
+                             std::string_view earlier, const Progress& progress);
 };
+
+/// What an operation cuts, for those after it.
+std::shared_ptr<const EarlierCuts> cuts_of(const ClProgram& program) {
+    auto cuts = std::make_shared<EarlierCuts>();
+    cuts->cutter = program.cutter;
+    const auto& motions = program.motions.motions;
+    for (std::size_t i = 1; i < motions.size(); ++i)
+        if (motions[i].kind != MotionKind::rapid)
+            cuts->motions.push_back({motions[i - 1].to.tip, motions[i].to.tip});
+    return cuts;
+}
 
 Planner::Planner() : cache_(std::make_unique<Cache>()) {}
 Planner::~Planner() = default;
@@ -245,10 +259,9 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     return c.part;
 }
 
-std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& project,
-                                                                 const Operation& operation,
-                                                                 const PlanContext& context,
-                                                                 const Progress& progress) {
+const Planner::Cache::Planned& Planner::Cache::operation(const Project& project, const Operation& operation,
+                                                         const PlanContext& context, std::string_view earlier,
+                                                         const Progress& progress) {
     const OperationCommon& common = operation.common();
     // Each key holds what its stage and all before it read.
     Key key;
@@ -266,6 +279,7 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
         for (const ManualPosture& m : by_hand->manual_postures())
             key.add(m.point).add(m.lead).add(m.yaw);
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
+    key.add(earlier);
     const std::string path_key = key.text();
     const std::string motion_key = key.add_up_to(Stage::link, operation).text();
     key.add_up_to(Stage::output, operation).add_up_to(Stage::output, context.tool, tool_parameters());
@@ -275,7 +289,7 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     if (Planned* same = find(&Planned::program_key, program_key)) {
         same->used = true;
         progress.set(1.0);
-        return same->result;
+        return *same;
     }
     auto result = std::make_shared<OperationResult>();
     result->name = common.name;
@@ -299,20 +313,16 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
 
     ClProgram& program = result->program;
     start = std::chrono::steady_clock::now();
+    std::size_t number = 0;
     if (const Planned* same = find(&Planned::motion_key, motion_key)) {
         program.motions = same->result->program.motions;
         result->seconds_link = same->result->seconds_link;
+        number = same->motions;
     } else {
-        const Progress linking = progress.part(0.85, 0.98, common.name + ": linking");
-        const LinkOptions options = default_link_options(result->path, context, common);
-        const double beside = operation.holder_clearance();
-        program.motions =
-            operation.three_axis()
-                ? link_three_axis(result->path, context, common.allowance, options, linking)
-                : link_five_axis(result->path, context,
-                                 {common.allowance + context.tessellation_tolerance[1], beside, beside},
-                                 options, linking);
+        program.motions = link_operation(operation, result->path, context,
+                                         progress.part(0.85, 0.98, common.name + ": linking"));
         result->seconds_link = seconds_since(start);
+        number = ++last_motions;
         ++work.links;
     }
     program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
@@ -333,19 +343,30 @@ std::shared_ptr<const OperationResult> Planner::Cache::operation(const Project& 
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);
-    planned.push_back({path_key, motion_key, program_key, result, true});
-    return result;
+    planned.push_back({path_key, motion_key, program_key, result, true, number});
+    return planned.back();
 }
 
 std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const std::string& only_operation,
                                                 const Progress& progress) {
     check_project(project);
-    std::vector<const Operation*> asked;
+    struct Asked {
+        const Operation* operation;
+        bool result;         ///< else only for what it leaves
+        bool leaves = false; ///< an operation after it asks what stands
+    };
+    std::vector<Asked> asked;
     std::vector<std::string> names;
     for (const auto& o : project.operations) {
         names.push_back(o->common().name);
-        if (only_operation.empty() || names.back() == only_operation) asked.push_back(o.get());
+        asked.push_back({o.get(), only_operation.empty() || names.back() == only_operation});
     }
+    bool leaves = false;
+    for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
+        a->leaves = leaves && a->operation->three_axis();
+        leaves = leaves || (a->operation->reads_stock() && (a->result || a->leaves));
+    }
+    std::erase_if(asked, [](const Asked& a) { return !a.result && !a.leaves; });
     if (names.empty())
         throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
                     "add an operation");
@@ -373,6 +394,9 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     context.contact = c.index;
     context.part_box = result->part->box;
     context.stock_box = result->stock.box;
+    context.stock = result->stock;
+    Key earlier;
+    std::vector<std::shared_ptr<const EarlierCuts>> cuts;
     context.machine = project_machine(project);
     context.tessellation_tolerance = project.part.tessellation_tolerance;
     context.unit = project.unit;
@@ -380,13 +404,22 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         p.used = false;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const double n = double(asked.size());
-        context.tool = project.tool_of(*asked[i]);
+        const Operation& operation = *asked[i].operation;
+        context.tool = project.tool_of(operation);
+        context.earlier.clear();
+        if (operation.reads_stock()) context.earlier = cuts;
         const Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
         try {
-            result->operations.push_back(c.operation(project, *asked[i], context, part));
+            const Cache::Planned& planned = c.operation(
+                project, operation, context, operation.reads_stock() ? earlier.text() : std::string(), part);
+            if (asked[i].result) result->operations.push_back(planned.result);
+            if (asked[i].leaves) {
+                earlier.add(std::to_string(planned.motions));
+                cuts.push_back(cuts_of(planned.result->program));
+            }
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
-            const std::string& name = asked[i]->common().name;
+            const std::string& name = operation.common().name;
             const std::string place = "operation '" + printable(name) + "'";
             if (e.where().starts_with("operation '")) throw;
             if (e.where() == name || e.where() == printable(name))

@@ -99,6 +99,11 @@ std::string report_json(const Project& project, const PlanResult& result) {
         entry["warnings"] = std::move(warnings);
         entry["seconds_planning"] = number(o->seconds_planning);
         entry["direction_degrees"] = number(degrees(o->path.direction));
+        if (o->path.stock_cell > 0) {
+            entry["layers"] = o->path.layers.size();
+            entry["remaining_height"] = number(o->path.cusp_max / per);
+            entry["air_length"] = number(o->program.motions.air_length / per);
+        }
         if (o->machine_run) add_machine_run(entry, *o);
         operations.push_back(std::move(entry));
     }

@@ -29,6 +29,7 @@ struct Motion {
 struct ToolMotions {
     std::vector<Motion> motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
     double clearance_z = 0;
+    double air_length = 0; ///< of roughing: of motions at feed, where nothing is cut; mm
 };
 
 struct LinkOptions {
@@ -56,6 +57,17 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// cutter, shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
                            const LinkOptions& options, const Progress& progress);
+
+/// Joins the passes of roughing over the stock as it stands at each moment: straight at feed where the way is cut
+/// already and short, else up to what stands on the way plus clearance (and never nearer to the part), over it in a
+/// rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at feed. `allowance` as
+/// above. Throws Error(out_of_range), Cancelled within 100 ms.
+ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
+                       const LinkOptions& options, const Progress& progress);
+
+/// Joins the passes of an operation in the way that suits it.
+ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,
+                           const Progress& progress);
 
 /// Throws Error(out_of_range) unless clearance and chord tolerance are above 0 and the link distance at least 0.
 void check_link_options(const LinkOptions& options);

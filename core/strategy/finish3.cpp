@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/budget.h"
+#include "core/strategy/rough.h"
 #include "core/strategy/slice.h"
 #include "core/strategy/stepover.h"
 #include "core/strategy/uncut.h"
@@ -17,6 +18,8 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
                                          [] { return std::make_unique<Finish3>(); });
 
 constexpr int direction_planes = 7;
+/// Cells of the stock, in radii of the cutter.
+constexpr double rest_cell_share = 0.04;
 constexpr std::size_t most_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
 constexpr double most_places = 2e9;
@@ -33,6 +36,7 @@ private:
     void plan_adaptive();
     void check_size() const;
     void check_uncut(const Progress& progress);
+    void leave_out_air(const Progress& progress);
     void add_warnings();
     void add_body_warning(const std::string& name, double diameter, double base);
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
@@ -109,6 +113,7 @@ StrategyResult Planner::run() {
     result_.cusp_max += chord_;
     result_.chord_tolerance = chord_;
     check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
+    if (settings_.rest_only) leave_out_air(still(1));
     add_warnings();
     return std::move(result_);
 }
@@ -289,6 +294,58 @@ void Planner::check_uncut(const Progress& progress) {
     uncut_ = find_uncut(input, progress);
 }
 
+/// Keeps what takes away more than the tolerance somewhere, and a radius before and after, so that the tool
+/// comes in where nothing stands. Gaps shorter than the tool is wide are passed at feed.
+void Planner::leave_out_air(const Progress& progress) {
+    const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
+    const StockCutter cutter(profile_);
+    const double beside = cover_.radius();
+    std::vector<Pass> kept;
+    for (const Pass& pass : result_.passes) {
+        const std::size_t n = pass.cl.size();
+        std::vector<double> arc(n, 0);
+        std::vector<Interval> busy;
+        for (std::size_t i = 1; i < n; ++i) {
+            progress.check();
+            const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
+            const double length = (b - a).norm();
+            arc[i] = arc[i - 1] + length;
+            for (const Interval& share : field.work(cutter, a, b, cusp_allowed_))
+                busy.push_back({std::max(0.0, arc[i - 1] + share.lo * length - beside),
+                                arc[i - 1] + share.hi * length + beside});
+        }
+        for (const Interval& range : joined(std::move(busy), 2 * beside)) {
+            Pass part;
+            part.drive = pass.drive;
+            part.offset = pass.offset;
+            // Moves are straight: an end may lie within one.
+            const auto add_end = [&](double at) {
+                const auto i =
+                    std::size_t(std::clamp(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin(),
+                                           std::ptrdiff_t(1), std::ptrdiff_t(n - 1)));
+                const double t =
+                    arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
+                const Vec3 tip = pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
+                part.cl.push_back({tip, pass.cl[i].axis});
+                part.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
+            };
+            add_end(range.lo);
+            for (std::size_t i = 0; i < n; ++i)
+                if (arc[i] > range.lo && arc[i] < range.hi) {
+                    part.cc.push_back(pass.cc[i]);
+                    part.cl.push_back(pass.cl[i]);
+                }
+            add_end(std::min(range.hi, arc.back()));
+            kept.push_back(std::move(part));
+        }
+    }
+    if (kept.empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "nowhere more than the tolerance stands of the stock",
+                    "leave the operation out, or cut everywhere (rest_only)");
+    result_.passes = std::move(kept);
+}
+
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
     const bool uncut = result_.cusp_max == infinity;
@@ -449,6 +506,11 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
                                  .minimum = radians(0.1),
                                  .maximum = 0.5 * pi,
                                  .advanced = true});
+        t.add(&S::rest_only, {.key = "rest_only",
+                              .label = "Rest only",
+                              .help = "Cuts only where more than the tolerance stands of the stock, as raw "
+                                      "material and the operations before left it.",
+                              .kind = K::boolean});
         return t;
     }();
     return table;

@@ -18,6 +18,10 @@
 // m_in = 0 (no gouge at all), the lowest surface that is safe, S12, is the mesh lifted by t_in; what may stay
 // above it is tau = tolerance - t_in - t_out. The cutter is kept off S12 + allowance, and cusps are held to
 // tau. That is 3.15 with the tolerances on the sides where Fig. 3-8 has them.
+//
+// As a semi-finish it keeps an allowance. Asked to, it cuts only where more than the tolerance stands of the
+// stock, as raw material and earlier operations left it (stock_field.h): the passes are those of a plan over
+// the whole part, less what would be air.
 #pragma once
 
 #include "core/strategy/operation.h"
@@ -34,6 +38,7 @@ struct Finish3Settings : OperationCommon {
     Pattern pattern = Pattern::zigzag;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: a twentieth of the tolerance
     double normal_limit = radians(5);
+    bool rest_only = false;
 };
 
 const ParameterTable<Finish3Settings>& finish3_parameters();
@@ -46,6 +51,7 @@ public:
     std::string_view kind() const override { return "finish3"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
     bool three_axis() const override { return true; }
+    bool reads_stock() const override { return settings_.rest_only; }
     const OperationCommon& common() const override { return settings_; }
     OperationCommon& common() override { return settings_; }
     const Finish3Settings& settings() const { return settings_; }

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/gouge/contact_index.h"
 #include "core/setup/machine.h"
+#include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
 #include "core/strategy/path.h"
 
@@ -21,6 +22,12 @@ namespace facetmill {
 
 struct MeshGeometry; // core/mesh/geometry.h: normals and curvature per vertex
 
+/// What an earlier operation cuts: straight motions at feed, axis +Z.
+struct EarlierCuts {
+    AptCutter cutter;
+    std::vector<std::array<Vec3, 2>> motions; ///< tip from, to
+};
+
 /// What every strategy gets to work with; all of it const and shared.
 struct PlanContext {
     MeshPtr part;
@@ -31,6 +38,11 @@ struct PlanContext {
     Machine machine;
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
     LengthUnit unit = LengthUnit::mm;                   ///< of lengths in warnings and errors, nothing else
+    /// For operations that ask what stands (Operation::reads_stock): the raw material (its box is stock_box),
+    /// and what the operations before cut from it, in their order. What cuts with a tilted axis is left out:
+    /// material is believed to stand there. A solid whose box is empty stands for the box stock_box.
+    StockSolid stock;
+    std::vector<std::shared_ptr<const EarlierCuts>> earlier;
 };
 
 /// What all operations have beside their own keys.
@@ -53,6 +65,8 @@ public:
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;
+    /// True when the plan depends on what stands of the stock: raw material and earlier operations.
+    virtual bool reads_stock() const { return false; }
     /// What shank and holder keep from the part, mm.
     virtual double holder_clearance() const { return 0; }
 

@@ -29,6 +29,10 @@ struct Pass {
     double offset = 0;    ///< its distance from the origin along the step-over direction
     std::vector<CutterContact> cc;
     std::vector<CutterLocation> cl;
+    int layer = -1; ///< of roughing, from the top
+    /// Of roughing: the way down into the material, a ramp or a helix that ends at the first CL. Above its
+    /// first place, or without one above the first CL, nothing stands.
+    std::vector<CutterLocation> entry;
 };
 
 struct StrategyResult {
@@ -46,6 +50,8 @@ struct StrategyResult {
     double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
     std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
     std::size_t rework_regions = 0; ///< regions left for a rework operation
+    std::vector<double> layers;     ///< of roughing: tip heights of the layers that are cut, from the top
+    double stock_cell = 0;          ///< of roughing: size of the cells of the stock it planned with, mm
     std::vector<std::string> warnings;
 };
 

@@ -6,6 +6,7 @@
 #include "core/cutter/cutter.h"
 #include "core/link/motion.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
 
 #include <memory>
@@ -53,16 +54,6 @@ struct MotionPlace {
     std::size_t program = std::size_t(-1), motion = std::size_t(-1);
     bool known() const { return program != std::size_t(-1); }
     bool operator==(const MotionPlace&) const = default;
-};
-
-/// Raw material.
-struct StockSolid {
-    enum class Kind : std::uint8_t { box, cylinder, mesh };
-    Kind kind = Kind::box;
-    Box3 box;          ///< of all kinds: nothing is outside
-    int axis = 2;      ///< cylinder: along this coordinate axis, about the box's middle, over its length
-    double radius = 0; ///< cylinder
-    MeshPtr mesh;      ///< closed; what is inside by the count of crossings
 };
 
 } // namespace facetmill

@@ -49,10 +49,12 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
     return {line};
 }
 
+/// Those that cut the part to their tolerance, whatever stands. What takes a stock down by layers states what
+/// it leaves, and is judged by that in test_rough_shapes.
 std::vector<std::string> three_axis_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (k.make()->three_axis()) kinds.push_back(k.kind);
+        if (const auto op = k.make(); op->three_axis() && !op->reads_stock()) kinds.push_back(k.kind);
     return kinds;
 }
 

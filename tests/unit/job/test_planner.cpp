@@ -117,6 +117,48 @@ std::vector<std::string> files_in(const fs::path& folder) {
 class TestPlanner : public QObject {
     Q_OBJECT
 private slots:
+    /// An operation that asks what stands is planned again when what is before it moves, and not for a feed.
+    void roughing_sees_what_operations_before_it_left() {
+        Workplace w;
+        w.project.stock.margin = {2, 2, 4};
+        for (std::size_t i = 0; i < 2; ++i) {
+            auto o = make_operation("rough");
+            o->common().name = i == 0 ? "First" : "Second";
+            o->common().tool = i == 0 ? 2 : 1;
+            o->common().allowance = 0.2;
+            o->common().tolerance = 3;
+            o->set("depth", 1.0);
+            w.project.operations[i] = std::move(o);
+        }
+        Planner planner;
+        const auto both = planner.plan(w.project, "", {});
+        QCOMPARE(both->operations.size(), std::size_t(2));
+        QCOMPARE(planner.work().strategies, 2);
+        // Alone it is the same, since the one before it is planned as well.
+        Planner fresh;
+        const auto alone = fresh.plan(w.project, "Second", {});
+        QCOMPARE(alone->operations.size(), std::size_t(1));
+        QCOMPARE(fresh.work().strategies, 2);
+        QVERIFY(apt_of(*alone->operations[0]) == apt_of(*both->operations[1]));
+        // Without one before it there is more to do.
+        Project lone = w.project;
+        lone.operations.erase(lone.operations.begin());
+        const auto more = Planner().plan(lone, "", {});
+        QVERIFY(more->operations[0]->totals.cut_length > both->operations[1]->totals.cut_length);
+
+        w.project.operations[0]->common().feed = 777;
+        QCOMPARE(planner.plan(w.project, "", {})->operations.size(), std::size_t(2));
+        QCOMPARE(planner.work().strategies, 2);
+        w.project.operations[0]->set("depth", 1.5);
+        const auto changed = planner.plan(w.project, "", {});
+        QCOMPARE(planner.work().strategies, 4);
+        const auto anew = Planner().plan(w.project, "", {});
+        QVERIFY(text_of(w.project, *changed) == text_of(w.project, *anew));
+        const Json report = Json::parse(report_json(w.project, *anew));
+        for (const char* key : {"layers", "remaining_height", "air_length"})
+            QVERIFY(report["operations"][0][key].is_number());
+    }
+
     void rapids_clear_every_kind_of_stock() {
         Workplace w;
         w.project.operations.resize(1);

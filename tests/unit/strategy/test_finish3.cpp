@@ -236,6 +236,44 @@ private slots:
         QVERIFY(has(planned(step(0, 12), s, tool), "holder"));
     }
 
+    /// What an earlier cut has cleared to within the tolerance is left out, and nothing else.
+    void the_rest_is_cut_where_it_stands() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() += 2;
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const StrategyResult whole = Finish3(s).plan(context, Progress());
+        s.rest_only = true;
+        QVERIFY(Finish3(s).reads_stock());
+        const StrategyResult all = Finish3(s).plan(context, Progress());
+        QCOMPARE(all.passes.size(), whole.passes.size());
+        // A flat end clears x < 4 to the surface.
+        auto cuts = std::make_shared<EarlierCuts>();
+        cuts->cutter = AptCutter::flat(10, 40);
+        const double z = whole.passes[0].cl[0].tip.z();
+        for (double y = -20; y <= 20; y += 4)
+            cuts->motions.push_back({Vec3(-30, y, z), Vec3(-1, y, z)});
+        context.earlier = {cuts};
+        const StrategyResult rest = Finish3(s).plan(context, Progress());
+        QCOMPARE(rest.passes.size(), whole.passes.size());
+        for (const Pass& p : rest.passes) {
+            double lo = infinity, hi = -infinity;
+            for (const CutterLocation& c : p.cl) {
+                lo = std::min(lo, c.tip.x());
+                hi = std::max(hi, c.tip.x());
+                QVERIFY(std::abs(c.tip.z() - z) < 1e-6);
+            }
+            QCOMPARE(p.cc.size(), p.cl.size());
+            // In by a radius before the first material, and to the end.
+            QVERIFY2(lo > -4.5 && lo < 1.5, qPrintable(QString::number(lo)));
+            QVERIFY(hi > 19);
+        }
+        for (double y = -20; y <= 20; y += 4)
+            cuts->motions.push_back({Vec3(-1, y, z), Vec3(30, y, z)});
+        QCOMPARE(code_of([&] { Finish3(s).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
     void a_solid_is_passed_once() {
         Finish3Settings s;
         s.stepover = {1.5, ""};

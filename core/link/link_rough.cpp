@@ -1,0 +1,162 @@
+#include "core/base/tolerances.h"
+#include "core/link/motion.h"
+#include "core/strategy/rough_entry.h"
+#include "core/strategy/rough_reach.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// In diameters of the cutter: passes whose ends are nearer are joined at feed where the way is free.
+constexpr double feed_link = 2;
+/// In radii: pieces of which it is asked whether they cut. Of the diameter: what counts as cutting.
+constexpr double air_piece = 0.5, least_share = 2e-3;
+
+class Linker {
+public:
+    Linker(const StrategyResult& path, const PlanContext& context, double allowance,
+           const LinkOptions& options, const Progress& progress)
+        : path_(path), options_(options), progress_(progress), profile_(context.tool.cutter()),
+          cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
+          field_(stock_before(context, path.stock_cell, progress.part(0, 0.1))),
+          // Links keep from the part what cuts keep.
+          reach_(context.contact, context, allowance + context.tessellation_tolerance[1],
+                 std::max(path.chord_tolerance, tolerance::smallest_chord), -infinity) {
+        const double top =
+            std::max({context.part_box.hi.z() + allowance, context.stock_box.hi.z(), field_.highest()});
+        result_.clearance_z = top + options.clearance;
+    }
+
+    ToolMotions run() {
+        for (std::size_t i = 0; i < path_.passes.size(); ++i) {
+            progress_.part(0.1, 1).set(double(i) / double(path_.passes.size()));
+            if (path_.passes[i].cl.empty()) continue;
+            if (i == 0 || path_.passes[i].layer != path_.passes[i - 1].layer) field_.refresh();
+            add(path_.passes[i], Index(i));
+        }
+        if (started_) up_to(result_.clearance_z);
+        progress_.set(1);
+        return std::move(result_);
+    }
+
+private:
+    void add(const Pass& pass, Index index) {
+        const CutterLocation& first = pass.cl.front();
+        const Vec3 start = pass.entry.empty() ? first.tip : pass.entry.front().tip;
+        if (!join_at_feed(pass, start)) {
+            travel_over(start);
+            feed(MotionKind::approach, start);
+        }
+        for (std::size_t k = 1; k < pass.entry.size(); ++k)
+            feed(MotionKind::approach, pass.entry[k].tip);
+        result_.motions.back().pass = index;
+        result_.motions.back().point = 0;
+        for (std::size_t k = 1; k < pass.cl.size(); ++k) {
+            feed(MotionKind::cut, pass.cl[k].tip);
+            result_.motions.back().pass = index;
+            result_.motions.back().point = Index(k);
+        }
+    }
+
+    /// Over a short way where nothing stands any more.
+    bool join_at_feed(const Pass& pass, const Vec3& start) {
+        if (!started_ || !pass.entry.empty()) return false;
+        const Vec2 a = at_.head<2>(), b = start.head<2>();
+        if ((b - a).norm() > feed_link * 2 * profile_.max_radius()) return false;
+        const double z = std::max(at_.z(), start.z());
+        if (!(field_.stand_height(cutter_, a, b) <= z + least()) || !bodies_.clear(field_, a, b, z)
+            || !reach_.is_free(a, b, z, hints_))
+            return false;
+        if (at_.z() < z) feed(MotionKind::link, Vec3(a.x(), a.y(), z));
+        if (a != b || start.z() < z) feed(MotionKind::link, Vec3(b.x(), b.y(), z));
+        if (start.z() < z) feed(MotionKind::link, start);
+        return true;
+    }
+
+    void travel_over(const Vec3& start) {
+        const Vec2 b = start.head<2>();
+        if (!started_) {
+            rapid(Vec3(b.x(), b.y(), result_.clearance_z));
+            started_ = true;
+        } else {
+            const Vec2 a = at_.head<2>();
+            const double over = std::max(clear_height(a, b), reach_.highest(a, b, hints_));
+            const double z =
+                std::clamp(over + options_.clearance, std::max(at_.z(), start.z()), result_.clearance_z);
+            up_to(z);
+            rapid(Vec3(b.x(), b.y(), at_.z()));
+        }
+        const double down = std::max({clear_height(b, b), reach_.tip_z(b, hints_), start.z()})
+                            + std::min(options_.clearance, profile_.max_radius());
+        if (down < at_.z()) rapid(Vec3(b.x(), b.y(), down));
+    }
+
+    /// What tips must stay above on a level way, for the whole tool.
+    double clear_height(const Vec2& a, const Vec2& b) const {
+        return std::max(field_.clear_height(cutter_, a, b), bodies_.clear_height(field_, a, b));
+    }
+
+    /// Out of the cut at feed, the rest in a rapid.
+    void up_to(double z) {
+        // Where a pass is nearer to the part than links keep, on the way up too.
+        const double out = std::max(at_.z(), reach_.tip_z(at_.head<2>(), hints_))
+                           + std::min(options_.clearance, profile_.max_radius());
+        if (z > at_.z()) feed(MotionKind::retract, Vec3(at_.x(), at_.y(), std::min(z, out)));
+        if (z > at_.z()) rapid(Vec3(at_.x(), at_.y(), z));
+    }
+
+    void rapid(const Vec3& to) { put(MotionKind::rapid, to); }
+    void feed(MotionKind kind, const Vec3& to) {
+        const Vec3 way = to - at_;
+        const double n = std::max(1.0, std::ceil(way.norm() / (air_piece * profile_.max_radius())));
+        for (double k = 0; k < n; ++k) {
+            const Vec3 a = at_ + (k / n) * way, b = at_ + ((k + 1) / n) * way;
+            if (!field_.has_work(cutter_, a, b, least())) result_.air_length += (b - a).norm();
+            field_.cut(cutter_, a, b);
+        }
+        put(kind, to);
+    }
+    void put(MotionKind kind, const Vec3& to) {
+        result_.motions.push_back({kind, {to, Vec3(0, 0, 1)}, no_index, no_index});
+        at_ = to;
+    }
+    double least() const { return least_share * 2 * profile_.max_radius(); }
+
+    const StrategyResult& path_;
+    LinkOptions options_;
+    const Progress& progress_;
+    CutterProfile profile_;
+    StockCutter cutter_;
+    UprightBodies bodies_;
+    StockField field_;
+    RoughReach reach_;
+    RoughReach::Hints hints_;
+    ToolMotions result_;
+    Vec3 at_ = Vec3::Zero();
+    bool started_ = false;
+};
+
+} // namespace
+
+ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
+                       const LinkOptions& options, const Progress& progress) {
+    check_link_options(options);
+    if (path.passes.empty()) return {};
+    return Linker(path, context, allowance, options, progress).run();
+}
+
+ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,
+                           const Progress& progress) {
+    const OperationCommon& common = operation.common();
+    const LinkOptions options = default_link_options(path, context, common);
+    if (path.stock_cell > 0) return link_rough(path, context, common.allowance, options, progress);
+    if (operation.three_axis()) return link_three_axis(path, context, common.allowance, options, progress);
+    const double beside = operation.holder_clearance();
+    return link_five_axis(path, context,
+                          {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
+                          progress);
+}
+
+} // namespace facetmill

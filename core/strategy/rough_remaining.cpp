@@ -1,0 +1,106 @@
+#include "core/strategy/rough_remaining.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/cutter_cover.h"
+#include "core/strategy/up_side.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr double most_looked_at = 2e5;
+constexpr std::size_t block = 256;
+/// Where the part holds the cutter up by more than this share of what is allowed, it is out of reach.
+constexpr double reach_share = 0.05;
+/// Of the cells' size: what the field cannot tell apart along a slanting line.
+constexpr double field_noise = 1;
+/// The height over a cell says little of the distance from a steep place.
+const double flattest_normal = std::cos(75 * pi / 180);
+
+/// How far from p along n the stock reaches, in steps of half a cell.
+double height_along(const StockField& field, const Vec3& p, const Vec3& n, double most) {
+    const double step = 0.5 * field.cell();
+    for (double t = 0; t < most; t += step) {
+        const Vec3 q = p + t * n;
+        const double u = (q.x() - field.box().lo.x()) / field.cell(),
+                     v = (q.y() - field.box().lo.y()) / field.cell();
+        if (!(u >= 0 && v >= 0 && u < field.columns() && v < field.rows())) return t;
+        if (q.z() >= field.middle(int(u), int(v))) return t;
+    }
+    return most;
+}
+
+} // namespace
+
+Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
+    const StockField& field = *in.field;
+    const AxialLift needle(in.contact,
+                           CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    const AxialLift kept(in.contact,
+                         CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)),
+                         in.allowance);
+    const AxialLift lift(in.contact, *in.profile, in.allowance);
+    const CutterCover cover(*in.profile, 0.125 * in.allowed);
+    const UpSide up(*in.mesh, progress);
+    const double cells = double(field.columns()) * double(field.rows());
+    const int stride = std::max(1, int(std::ceil(std::sqrt(cells / most_looked_at))));
+    const auto columns = std::size_t((field.columns() - 1) / stride + 1),
+               rows = std::size_t((field.rows() - 1) / stride + 1);
+    return parallel_reduce(
+        columns * rows, block, Remaining(), progress,
+        [&](std::size_t begin, std::size_t end) {
+            Remaining worst;
+            for (std::size_t i = begin; i < end; ++i) {
+                const int column = int(i % columns) * stride, row = int(i / columns) * stride;
+                const double top = field.middle(column, row);
+                const Vec2 p = field.centre(column, row);
+                if (top == -infinity) continue;
+                const AxialContact seen = needle.contact(p.x(), p.y());
+                if (seen.facet == no_index) continue;
+                const Vec3 n = up.towards_tool(in.mesh->facet_normal(seen.facet));
+                if (!(n.z() > flattest_normal)) continue;
+                const Vec3 on_part(p.x(), p.y(), seen.tip_z);
+                double left = (top - seen.tip_z) * n.z() - in.allowance;
+                ++worst.places;
+                if (!(left > 0)) continue;
+                // Beside a wall the place lies in the wall's own allowance.
+                const Vec3 over = on_part + in.allowance * n;
+                if (kept.tip_z(over.x(), over.y()) > over.z() + reach_share * in.allowed) continue;
+                const Vec3 tip = over + cover.tip_offset(n);
+                if (tip.z() < in.lowest_tip) continue;
+                // Along the normal, where the stock over neighbouring cells may be higher.
+                left = height_along(field, over, n, top - in.field->box().lo.z());
+                if (left <= std::min(worst.height, in.allowed + field_noise * field.cell())) continue;
+                if (lift.tip_z(tip.x(), tip.y()) > tip.z() + reach_share * in.allowed) {
+                    if (left <= in.allowed + field_noise * field.cell()) continue;
+                    ++worst.out_of_reach;
+                    if (left > worst.beyond) {
+                        worst.beyond = left;
+                        worst.beyond_at = on_part;
+                    }
+                } else if (left > worst.height) {
+                    worst.height = left;
+                    worst.at = on_part;
+                }
+            }
+            return worst;
+        },
+        [](Remaining a, const Remaining& b) {
+            if (b.height > a.height) {
+                a.height = b.height;
+                a.at = b.at;
+            }
+            if (b.beyond > a.beyond) {
+                a.beyond = b.beyond;
+                a.beyond_at = b.beyond_at;
+            }
+            a.places += b.places;
+            a.out_of_reach += b.out_of_reach;
+            return a;
+        });
+}
+
+} // namespace facetmill
