@@ -300,10 +300,9 @@ private slots:
         QVERIFY(changed_pixels(cut, view_picture(w())) > 3000); // whole again
         bar().slider()->setValue(int(motions.size() / 2));
         QVERIFY(wait_until_settled(w()));
-        QTest::qWait(1200); // also for the finer stock
+        QTRY_VERIFY_WITH_TIMEOUT(!playback().fine_stock().empty(), 60000);
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("playback-half"));
-        QVERIFY(!playback().fine_stock().empty());
         // Hidden, the stock does not follow; the tool does.
         w().layers().set_shown(ViewLayer::stock, false);
         QVERIFY(!playback().follow());
