@@ -4,12 +4,12 @@
 #include "core/job/cspace_json.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
+#include "ui/export.h"
 #include "ui/text.h"
 
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
-#include <QSaveFile>
 #include <QToolButton>
 
 #include <algorithm>
@@ -426,28 +426,20 @@ bool CSpaceDesk::save_picture(const QString& path) {
     scene.set_title({}, utf8(tr("%1 of %2 postures free")
                                  .arg(count_text(scene.content()->free_nodes),
                                       count_text(scene.content()->block.size()))));
-    QSaveFile file(path);
-    if (picture.isNull() || !file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG")
-        || !file.commit()) {
-        emit failed(tr("%1: the picture cannot be written (%2)").arg(path, file.errorString()));
-        return false;
-    }
-    emit told(tr("Wrote %1.").arg(path));
-    return true;
+    return tell_written(path, write_picture(path, picture));
 }
 
 bool CSpaceDesk::save_table(const QString& path) {
     if (!shown_ || !study_) return false;
-    try {
-        OutputFile file(path_of(path));
-        file.write(cspace_csv(*study_, *shown_, document_.unit()));
-        file.commit();
-    } catch (const Error& e) {
-        emit failed(text(e.what()));
-        return false;
-    }
-    emit told(tr("Wrote %1.").arg(path));
-    return true;
+    return tell_written(path, write_table(path, cspace_csv(*study_, *shown_, document_.unit())));
+}
+
+bool CSpaceDesk::tell_written(const QString& path, const QString& wrong) {
+    if (wrong.isEmpty())
+        emit told(tr("Wrote %1.").arg(path));
+    else
+        emit failed(wrong);
+    return wrong.isEmpty();
 }
 
 } // namespace facetmill::ui

@@ -116,6 +116,7 @@ signals:
     void settled();
 
 private:
+    bool tell_written(const QString& path, const QString& wrong);
     void stand_at(std::size_t index);
     std::size_t nearest_point(const Vec3& place) const;
     std::vector<ManualPosture> all_kept() const;

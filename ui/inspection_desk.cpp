@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/strategy/five_axis_record.h"
 #include "ui/elided_label.h"
+#include "ui/export.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
 #include "ui/plot_view.h"
@@ -12,7 +13,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QImage>
-#include <QSaveFile>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -464,28 +464,20 @@ std::string InspectionDesk::table() const {
 
 bool InspectionDesk::save_picture(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !panel_->plot()->picture(picture_size).save(&file, "PNG")
-        || !file.commit()) {
-        emit failed(tr("%1: the picture cannot be written (%2)").arg(path, file.errorString()));
-        return false;
-    }
-    emit told(tr("Wrote %1.").arg(path));
-    return true;
+    return tell_written(path, write_picture(path, panel_->plot()->picture(picture_size)));
 }
 
 bool InspectionDesk::save_table(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    try {
-        OutputFile file(path_of(path));
-        file.write(table());
-        file.commit();
-    } catch (const Error& e) {
-        emit failed(text(e.what()));
-        return false;
-    }
-    emit told(tr("Wrote %1.").arg(path));
-    return true;
+    return tell_written(path, write_table(path, table()));
+}
+
+bool InspectionDesk::tell_written(const QString& path, const QString& wrong) {
+    if (wrong.isEmpty())
+        emit told(tr("Wrote %1.").arg(path));
+    else
+        emit failed(wrong);
+    return wrong.isEmpty();
 }
 
 } // namespace facetmill::ui

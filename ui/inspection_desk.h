@@ -82,6 +82,7 @@ signals:
     void settled();
 
 private:
+    bool tell_written(const QString& path, const QString& wrong);
     struct Place {
         std::size_t source = 0, motion = 0;
         double share = 1;

@@ -3,6 +3,7 @@
 
 #include "core/base/file.h"
 #include "core/mesh/sample.h"
+#include "ui/export.h"
 #include "ui/part_dialog.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
@@ -17,7 +18,6 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSaveFile>
 
 namespace facetmill::ui {
 
@@ -369,10 +369,8 @@ void MainWindow::picture_with_dialog() {
 }
 
 bool MainWindow::save_picture(const QString& path) {
-    const QImage picture = viewport_->full_picture();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) {
-        fail(tr("%1: the picture cannot be written (%2)").arg(path, file.errorString()));
+    if (const QString wrong = write_picture(path, viewport_->full_picture()); !wrong.isEmpty()) {
+        fail(wrong);
         return false;
     }
     tell(MessageBar::Kind::information, tr("Wrote %1.").arg(path), false);

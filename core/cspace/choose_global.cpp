@@ -12,7 +12,6 @@
 #include "core/cspace/joint_path.h"
 
 #include "core/base/parallel.h"
-#include "core/base/tolerances.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,9 +15,6 @@
 #include "core/cspace/choose.h"
 #include "core/cspace/joint_path.h"
 
-#include "core/base/parallel.h"
-#include "core/base/tolerances.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -29,11 +29,8 @@ public:
     /// Seconds between two: the slowest axis; rotary axes that may go round take the shorter way.
     double between(const Times& a, const Times& b) const {
         double slowest = 0;
-        for (std::size_t k = 0; k < 5; ++k) {
-            double d = std::abs(a[k] - b[k]);
-            if (d > half_turn_[k]) d = std::abs(2 * half_turn_[k] - d);
-            slowest = std::max(slowest, d);
-        }
+        for (const double d : difference(a, b))
+            slowest = std::max(slowest, std::abs(d));
         return slowest;
     }
 

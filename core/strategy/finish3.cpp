@@ -516,26 +516,8 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
     return table;
 }
 
-std::vector<const ParameterInfo*> Finish3::parameters() const {
-    Finish3Settings unused;
-    return ParameterView(unused, finish3_parameters()).parameters();
-}
-
-ParameterValue Finish3::get(std::string_view key) const {
-    Finish3Settings copy = settings_;
-    return ParameterView(copy, finish3_parameters()).get(key);
-}
-
-void Finish3::set(std::string_view key, const ParameterValue& value) {
-    ParameterView(settings_, finish3_parameters()).set(key, value);
-}
-
 StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
-    if (!context.part || context.part->facets.empty())
-        throw Error(ErrorCode::empty_result, settings_.name, "the part has no facets", "choose another part");
-    if (!(settings_.tolerance > 0))
-        throw Error(ErrorCode::out_of_range, "tolerance", "the tolerance is not above 0",
-                    "enter a length above 0");
+    check_plannable(context, settings_);
     return Planner(settings_, context, progress).run();
 }
 

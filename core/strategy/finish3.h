@@ -43,30 +43,19 @@ struct Finish3Settings : OperationCommon {
 
 const ParameterTable<Finish3Settings>& finish3_parameters();
 
-class Finish3 : public Operation {
+class Finish3 : public OperationWith<Finish3Settings, finish3_parameters> {
 public:
-    Finish3() = default;
-    explicit Finish3(Finish3Settings settings) : settings_(std::move(settings)) {}
+    using OperationWith::OperationWith;
 
     std::string_view kind() const override { return "finish3"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
     bool three_axis() const override { return true; }
     bool reads_stock() const override { return settings_.rest_only; }
-    const OperationCommon& common() const override { return settings_; }
-    OperationCommon& common() override { return settings_; }
-    const Finish3Settings& settings() const { return settings_; }
-
-    std::vector<const ParameterInfo*> parameters() const override;
-    ParameterValue get(std::string_view key) const override;
-    void set(std::string_view key, const ParameterValue& value) override;
 
     /// Throws Error(empty_result) when no facet faces up, Error(out_of_range) when the tessellation
     /// tolerances leave nothing of the tolerance or the cutter is impossible, Error(limit_exceeded) beyond
     /// 100 000 drive planes.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
-
-private:
-    Finish3Settings settings_;
 };
 
 /// Direction of travel, as an angle from X: as asked for, or for "auto" along x or y, whichever way normals

@@ -1,6 +1,5 @@
 #include "core/strategy/finish5.h"
 
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/cspace/choose.h"
 #include "core/strategy/five_axis_record.h"
@@ -567,23 +566,8 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
     return table;
 }
 
-std::vector<const ParameterInfo*> Finish5::parameters() const {
-    Finish5Settings unused;
-    return ParameterView(unused, finish5_parameters()).parameters();
-}
-
-ParameterValue Finish5::get(std::string_view key) const {
-    Finish5Settings copy = settings_;
-    return ParameterView(copy, finish5_parameters()).get(key);
-}
-
-void Finish5::set(std::string_view key, const ParameterValue& value) {
-    ParameterView(settings_, finish5_parameters()).set(key, value);
-}
-
 StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {
-    if (!context.part || context.part->facets.empty())
-        throw Error(ErrorCode::empty_result, settings_.name, "the part has no facets", "choose another part");
+    check_plannable(context, settings_);
     return Planner5(settings_, context, progress).run();
 }
 

@@ -43,35 +43,24 @@ struct Finish5Settings : OperationCommon {
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
-class Finish5 : public Operation, public TakesManualPostures {
+class Finish5 : public OperationWith<Finish5Settings, finish5_parameters>, public TakesManualPostures {
 public:
-    Finish5() = default;
-    explicit Finish5(Finish5Settings settings) : settings_(std::move(settings)) {}
+    using OperationWith::OperationWith;
 
     std::string_view kind() const override { return "finish5"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish5>(settings_); }
     bool three_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
     bool accelerations() const override { return settings_.accelerations; }
-    const OperationCommon& common() const override { return settings_; }
-    OperationCommon& common() override { return settings_; }
-    const Finish5Settings& settings() const { return settings_; }
     const std::vector<ManualPosture>& manual_postures() const override { return settings_.manual_postures; }
     void set_manual_postures(std::vector<ManualPosture> postures) override {
         settings_.manual_postures = std::move(postures);
     }
 
-    std::vector<const ParameterInfo*> parameters() const override;
-    ParameterValue get(std::string_view key) const override;
-    void set(std::string_view key, const ParameterValue& value) override;
-
     /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
     /// Error(out_of_range) for limits that leave nothing, Error(limit_exceeded) beyond 100 000 drive planes.
     /// Cancelled within 100 ms.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
-
-private:
-    Finish5Settings settings_;
 };
 
 } // namespace facetmill

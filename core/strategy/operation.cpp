@@ -40,4 +40,12 @@ std::unique_ptr<Operation> make_operation(std::string_view kind) {
                 "use one of: " + known);
 }
 
+void check_plannable(const PlanContext& context, const OperationCommon& settings) {
+    if (!context.part || context.part->facets.empty())
+        throw Error(ErrorCode::empty_result, settings.name, "the part has no facets", "choose another part");
+    if (!(settings.tolerance > 0))
+        throw Error(ErrorCode::out_of_range, "tolerance", "the tolerance is not above 0",
+                    "enter a length above 0");
+}
+
 } // namespace facetmill

@@ -77,6 +77,36 @@ public:
     virtual OperationCommon& common() = 0;
 };
 
+/// An operation whose settings are a struct, derived from OperationCommon, with a table of its parameters.
+template <class Settings, const ParameterTable<Settings>& (*table)()>
+class OperationWith : public Operation {
+public:
+    OperationWith() = default;
+    explicit OperationWith(Settings settings) : settings_(std::move(settings)) {}
+
+    const OperationCommon& common() const override { return settings_; }
+    OperationCommon& common() override { return settings_; }
+    const Settings& settings() const { return settings_; }
+
+    std::vector<const ParameterInfo*> parameters() const override {
+        Settings unused;
+        return ParameterView(unused, table()).parameters();
+    }
+    ParameterValue get(std::string_view key) const override {
+        Settings copy = settings_;
+        return ParameterView(copy, table()).get(key);
+    }
+    void set(std::string_view key, const ParameterValue& value) override {
+        ParameterView(settings_, table()).set(key, value);
+    }
+
+protected:
+    Settings settings_;
+};
+
+/// Throws Error(empty_result) for a part without facets, Error(out_of_range) for a tolerance that is not above 0.
+void check_plannable(const PlanContext& context, const OperationCommon& settings);
+
 struct OperationKind {
     std::string kind, label;
     std::function<std::unique_ptr<Operation>()> make;

@@ -1,10 +1,12 @@
 // What a strategy makes: passes of cutter contacts and cutter locations. Millimetres, part coordinates.
 //
-// CC  cutter contact: the point of the part's surface that the cutter is to cut, with the surface's unit normal there.
-// CL  cutter location: the tool tip and the unit tool axis (tip towards spindle) that cut it.
+// CC, cutter contact: the point of the part's surface that the cutter is to cut, with the surface's unit
+// normal there.
+// CL, cutter location: the tool tip and the unit tool axis (tip towards spindle) that cut it.
 #pragma once
 
 #include "core/base/vec.h"
+#include "core/strategy/strip.h"
 
 #include <array>
 #include <memory>
@@ -25,8 +27,8 @@ struct CutterLocation {
 
 /// One uninterrupted cut along one drive plane; cl[i] cuts cc[i].
 struct Pass {
-    int drive = 0;        ///< number of the drive plane, from 0
-    double offset = 0;    ///< its distance from the origin along the step-over direction
+    int drive = 0;     ///< number of the drive plane, from 0
+    double offset = 0; ///< its distance from the origin along the step-over direction
     std::vector<CutterContact> cc;
     std::vector<CutterLocation> cl;
     int layer = -1; ///< of roughing, from the top
@@ -36,22 +38,23 @@ struct Pass {
 };
 
 struct StrategyResult {
-    std::vector<Pass> passes;      ///< in machining order, already turned (zigzag or one way)
-    int drive_planes = 0;          ///< what reports call "passes"
+    std::vector<Pass> passes; ///< in machining order, already turned (zigzag or one way)
+    int drive_planes = 0;     ///< what reports call "passes"
     double stepover_min = 0, stepover_max = 0;
-    double direction = 0;          ///< angle of travel from X, radians
-    double cusp_max = 0;           ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
-    double chord_tolerance = 0;    ///< how far moves may run beside the exact path; 0: the strategy has none; mm
-    std::size_t cleanup_points = 0; ///< CC points left for clean-up
+    double direction = 0; ///< angle of travel from X, radians
+    double cusp_max = 0;  ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
+    double chord_tolerance = 0; ///< how far moves may run beside the exact path; 0: the strategy has none; mm
+    std::size_t cleanup_points = 0;     ///< CC points left for clean-up
     std::vector<CutterContact> cleanup; ///< those points, where the strategy knows them
     /// Of a 5-axis strategy, wall seconds: contact points and step-over, bottom and top surfaces of the
     /// configuration spaces, choosing and joining postures.
     std::array<double, 4> stage_seconds{};
     double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
     std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
-    std::size_t rework_regions = 0; ///< regions left for a rework operation
-    std::vector<double> layers;     ///< of roughing: tip heights of the layers that are cut, from the top
-    double stock_cell = 0;          ///< of roughing: size of the cells of the stock it planned with, mm
+    std::size_t rework_regions = 0;                   ///< regions left for a rework operation
+    std::vector<Strip> strips;  ///< regions that the operation found, also those switched off
+    std::vector<double> layers; ///< of roughing: tip heights of the layers that are cut, from the top
+    double stock_cell = 0;      ///< of roughing: size of the cells of the stock it planned with, mm
     std::vector<std::string> warnings;
 };
 

@@ -611,26 +611,8 @@ const ParameterTable<RoughSettings>& rough_parameters() {
     return table;
 }
 
-std::vector<const ParameterInfo*> Rough::parameters() const {
-    Rough unused;
-    return ParameterView(unused.settings_, rough_parameters()).parameters();
-}
-
-ParameterValue Rough::get(std::string_view key) const {
-    RoughSettings copy = settings_;
-    return ParameterView(copy, rough_parameters()).get(key);
-}
-
-void Rough::set(std::string_view key, const ParameterValue& value) {
-    ParameterView(settings_, rough_parameters()).set(key, value);
-}
-
 StrategyResult Rough::plan(const PlanContext& context, const Progress& progress) const {
-    if (!context.part || context.part->facets.empty())
-        throw Error(ErrorCode::empty_result, settings_.name, "the part has no facets", "choose another part");
-    if (!(settings_.tolerance > 0))
-        throw Error(ErrorCode::out_of_range, "tolerance", "the tolerance is not above 0",
-                    "enter a length above 0");
+    check_plannable(context, settings_);
     return Planner(settings_, context, progress).run();
 }
 

@@ -41,22 +41,14 @@ struct RoughSettings : OperationCommon {
 
 const ParameterTable<RoughSettings>& rough_parameters();
 
-class Rough : public Operation {
+class Rough : public OperationWith<RoughSettings, rough_parameters> {
 public:
-    Rough() = default;
-    explicit Rough(RoughSettings settings) : settings_(std::move(settings)) {}
+    using OperationWith::OperationWith;
 
     std::string_view kind() const override { return "rough"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Rough>(settings_); }
     bool three_axis() const override { return true; }
     bool reads_stock() const override { return true; }
-    const OperationCommon& common() const override { return settings_; }
-    OperationCommon& common() override { return settings_; }
-    const RoughSettings& settings() const { return settings_; }
-
-    std::vector<const ParameterInfo*> parameters() const override;
-    ParameterValue get(std::string_view key) const override;
-    void set(std::string_view key, const ParameterValue& value) override;
 
     /// The passes are level, one or more a layer, in machining order. `cusp_max` is what stays above the
     /// allowance wherever the cutter can go: what the layers leave on the slopes that the part has, or what
@@ -67,9 +59,6 @@ public:
     /// Error(empty_result) where the part has no facets or nothing of the stock can be cut, with the reason;
     /// Error(limit_exceeded) for parts that ask for more than 20 million places or 100 000 layers.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
-
-private:
-    RoughSettings settings_;
 };
 
 /// The stock as it stands before an operation. Throws what StockField does.

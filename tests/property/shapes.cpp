@@ -157,4 +157,21 @@ Tool bull_tool(double diameter, double corner) {
     return t;
 }
 
+std::vector<ShapedTool> tools_of_every_shape() {
+    Tool cone;
+    cone.diameter = cone.shank_diameter = 6;
+    cone.corner_radius = 0.5;
+    cone.taper_angle = radians(20);
+    cone.flute_length = 12;
+    return {{"ball", ball_tool(6)}, {"flat", flat_tool(6)}, {"bull", bull_tool(6, 1.5)}, {"cone", cone}};
+}
+
+Mesh mixed() {
+    const auto f = [](double x, double y) {
+        return 2 * std::sin(0.2 * x) * std::cos(0.15 * y) + (x > 8 ? 3 : 0);
+    };
+    return only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
+                [](const Vec3& p) { return std::hypot(p.x() + 8, p.y()) > 4; });
+}
+
 } // namespace facetmill::test

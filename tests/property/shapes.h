@@ -37,4 +37,14 @@ Tool ball_tool(double diameter);
 Tool flat_tool(double diameter);
 Tool bull_tool(double diameter, double corner);
 
+struct ShapedTool {
+    const char* name;
+    Tool tool;
+};
+/// Ball, flat, bull and cone (the last).
+std::vector<ShapedTool> tools_of_every_shape();
+
+/// Smooth, a wall and a hole in one part.
+Mesh mixed();
+
 } // namespace facetmill::test

@@ -8,6 +8,7 @@
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/brute_lift.h"
+#include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -15,7 +16,6 @@
 #include <QTest>
 
 #include <cmath>
-#include <thread>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -310,17 +310,9 @@ private slots:
             for (const double when : {0.0, 0.03, 0.2, 0.6, 0.95}) {
                 Job job;
                 const Finish5 op(settings(0.05, choice));
-                std::thread watcher([&] {
-                    while (job.fraction() < when)
-                        std::this_thread::yield();
-                    job.cancel();
-                });
-                const std::string code = code_of([&] {
-                    op.plan(context, Progress(job));
-                    job.raise_fraction(1);
-                });
-                watcher.join();
-                if (when < 0.9) QCOMPARE(code, std::string("cancelled"));
+                const bool cancelled =
+                    cancelled_at(job, when, [&](const Progress& p) { op.plan(context, p); });
+                if (when < 0.9) QVERIFY2(cancelled, qPrintable(QString::number(when)));
             }
     }
 

@@ -7,6 +7,7 @@
 #include "core/strategy/rough.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
+#include "tests/support/cancel_at.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -14,26 +15,18 @@
 #include <QTest>
 
 #include <cstring>
-#include <thread>
 
 using namespace facetmill;
 using namespace facetmill::test;
 
 namespace {
 
-struct Cutter {
-    const char* name;
-    Tool tool;
-};
-
-std::vector<Cutter> cutters() {
-    Tool cone;
-    cone.diameter = cone.shank_diameter = 6;
-    cone.corner_radius = 0.5;
-    cone.taper_angle = radians(20);
-    cone.flute_length = 30;
-    cone.shank_diameter = 0;
-    return {{"ball", ball_tool(6)}, {"flat", flat_tool(6)}, {"bull", bull_tool(6, 1.5)}, {"cone", cone}};
+/// The cone cuts over all its length here: flutes as long as the part is high, and no shank above them.
+std::vector<ShapedTool> cutters() {
+    std::vector<ShapedTool> tools = tools_of_every_shape();
+    tools.back().tool.flute_length = 30;
+    tools.back().tool.shank_diameter = 0;
+    return tools;
 }
 
 PlanContext raised(const Mesh& mesh, const Tool& tool) {
@@ -170,33 +163,11 @@ private slots:
         for (int point = 0; point < 10; ++point) {
             Job job;
             const double at = 0.1 * point;
-            std::atomic<bool> over{false};
-            std::thread watcher([&] {
-                while (!over && job.fraction() < at)
-                    std::this_thread::yield();
-                job.cancel();
-            });
-            bool cancelled = false;
-            try {
-                op.plan(context, Progress(job));
-            } catch (const Cancelled&) {
-                cancelled = true;
-            }
-            over = true;
-            watcher.join();
-            QVERIFY2(cancelled, qPrintable(QString::number(at)));
+            QVERIFY2(cancelled_at(job, at, [&](const Progress& p) { op.plan(context, p); }),
+                     qPrintable(QString::number(at)));
         }
         const StrategyResult again = op.plan(context, Progress());
         QVERIFY(numbers(again, link_operation(op, again, context, Progress())) == reference);
-    }
-
-private:
-    static Mesh mixed() {
-        const auto f = [](double x, double y) {
-            return 2 * std::sin(0.2 * x) * std::cos(0.15 * y) + (x > 8 ? 3 : 0);
-        };
-        return only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
-                    [](const Vec3& p) { return std::hypot(p.x() + 8, p.y()) > 4; });
     }
 };
 

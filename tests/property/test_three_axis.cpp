@@ -4,32 +4,18 @@
 #include "core/link/motion.h"
 #include "core/mesh/sample.h"
 #include "tests/property/shapes.h"
+#include "tests/support/cancel_at.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
 
 #include <cstring>
-#include <thread>
 
 using namespace facetmill;
 using namespace facetmill::test;
 
 namespace {
-
-struct Cutter {
-    const char* name;
-    Tool tool;
-};
-
-std::vector<Cutter> cutters() {
-    Tool cone;
-    cone.diameter = cone.shank_diameter = 6;
-    cone.corner_radius = 0.5;
-    cone.taper_angle = radians(20);
-    cone.flute_length = 12;
-    return {{"ball", ball_tool(6)}, {"flat", flat_tool(6)}, {"bull", bull_tool(6, 1.5)}, {"cone", cone}};
-}
 
 std::unique_ptr<Operation> operation(const std::string& kind, double tolerance) {
     auto op = make_operation(kind);
@@ -80,7 +66,7 @@ private slots:
         QTest::addColumn<int>("shape");
         QTest::addColumn<int>("cutter");
         const auto parts = shapes();
-        const auto tools = cutters();
+        const auto tools = tools_of_every_shape();
         for (const std::string& kind : three_axis_kinds())
             for (std::size_t s = 0; s < parts.size(); ++s)
                 for (std::size_t c = 0; c < tools.size(); ++c)
@@ -93,7 +79,7 @@ private slots:
         QFETCH(int, shape);
         QFETCH(int, cutter);
         const Shape part = shapes()[std::size_t(shape)];
-        const Tool tool = cutters()[std::size_t(cutter)].tool;
+        const Tool tool = tools_of_every_shape()[std::size_t(cutter)].tool;
         // Sharp rims leave so much that they are judged at a wider tolerance, to keep the number of passes
         // down.
         const double tolerance = tool.corner_radius < 1 ? 0.15 : 0.05, chord = tolerance / 20;
@@ -238,7 +224,7 @@ private slots:
     }
 
     void threads_do_not_change_a_bit() {
-        const PlanContext context = context_of(make_mixed(), ball_tool(5));
+        const PlanContext context = context_of(mixed(), ball_tool(5));
         for (const std::string& kind : three_axis_kinds()) {
             const auto op = operation(kind, 0.05);
             set_thread_count(1);
@@ -256,29 +242,15 @@ private slots:
     }
 
     void cancelling_anywhere_leaves_nothing() {
-        const PlanContext context = context_of(make_mixed(), ball_tool(5));
+        const PlanContext context = context_of(mixed(), ball_tool(5));
         for (const std::string& kind : three_axis_kinds()) {
             const auto op = operation(kind, 0.05);
             const auto reference = numbers(op->plan(context, Progress()));
             for (int point = 0; point < 10; ++point) {
                 Job job;
                 const double at = 0.1 * point;
-                // Raised as soon as the job has come so far.
-                std::atomic<bool> over{false};
-                std::thread watcher([&] {
-                    while (!over && job.fraction() < at)
-                        std::this_thread::yield();
-                    job.cancel();
-                });
-                bool cancelled = false;
-                try {
-                    op->plan(context, Progress(job));
-                } catch (const Cancelled&) {
-                    cancelled = true;
-                }
-                over = true;
-                watcher.join();
-                QVERIFY2(cancelled, qPrintable(QString::number(at)));
+                QVERIFY2(cancelled_at(job, at, [&](const Progress& p) { op->plan(context, p); }),
+                         qPrintable(QString::number(at)));
             }
             // The operation and what it shares are as before.
             QVERIFY(numbers(op->plan(context, Progress())) == reference);
@@ -333,16 +305,6 @@ private slots:
                 QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));
             }
         }
-    }
-
-private:
-    /// Smooth, a wall and a hole in one part.
-    static Mesh make_mixed() {
-        const auto f = [](double x, double y) {
-            return 2 * std::sin(0.2 * x) * std::cos(0.15 * y) + (x > 8 ? 3 : 0);
-        };
-        return only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
-                    [](const Vec3& p) { return std::hypot(p.x() + 8, p.y()) > 4; });
     }
 };
 

@@ -73,6 +73,12 @@ inline Mesh level_plane(double half) {
     return mesh;
 }
 
+inline std::shared_ptr<Mesh> hills(std::uint64_t seed) {
+    return field(
+        16, 60, [](double x, double y) { return 4 * std::sin(0.15 * x) * std::cos(0.12 * y) + 0.05 * x; },
+        0.3, seed);
+}
+
 /// Of a mesh, with a tool and a grid that goes with it.
 struct Bench {
     std::shared_ptr<const Mesh> mesh;

@@ -100,12 +100,6 @@ double best_seconds(const Kinematics& k, std::span<const ToolPose> poses, std::s
     return least;
 }
 
-std::shared_ptr<Mesh> hills(std::uint64_t seed) {
-    return field(
-        16, 60, [](double x, double y) { return 4 * std::sin(0.15 * x) * std::cos(0.12 * y) + 0.05 * x; },
-        0.3, seed);
-}
-
 /// On facets of a mesh, in the order of their x.
 std::vector<ContactFrame> along_x(const Mesh& mesh, std::size_t count, Random& rng) {
     std::vector<ContactFrame> frames;

@@ -78,12 +78,6 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-std::shared_ptr<Mesh> hills(std::uint64_t seed) {
-    return field(
-        16, 60, [](double x, double y) { return 4 * std::sin(0.15 * x) * std::cos(0.12 * y) + 0.05 * x; },
-        0.3, seed);
-}
-
 /// Contact points on facets of a mesh that points up, with curves beside them.
 struct Contacts {
     std::vector<ContactFrame> frames;

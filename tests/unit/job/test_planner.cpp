@@ -6,6 +6,7 @@
 #include "core/job/stock_solid.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
+#include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
@@ -14,7 +15,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <thread>
 
 using namespace facetmill;
 using facetmill::test::code_of;
@@ -400,15 +400,8 @@ private slots:
         int cancelled = 0;
         for (int tenth = 0; tenth < 10; ++tenth) {
             Job job;
-            std::atomic<bool> over{false};
-            std::thread canceller([&] {
-                while (!over && job.fraction() < tenth / 10.0)
-                    std::this_thread::yield();
-                job.cancel();
-            });
-            cancelled += code_of([&] { planner.plan(w.project, {}, Progress(job)); }) == "cancelled";
-            over = true;
-            canceller.join();
+            cancelled +=
+                cancelled_at(job, tenth / 10.0, [&](const Progress& p) { planner.plan(w.project, {}, p); });
         }
         QVERIFY(cancelled > 0);
         QCOMPARE(text_of(w.project, *planner.plan(w.project, {}, {})), wanted);

@@ -1,12 +1,12 @@
 // Mesh files cut at every byte, with random bytes changed, read by one and by several threads, and cancelled.
 #include "core/base/parallel.h"
+#include "tests/support/cancel_at.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
 
 #include <QTest>
 
 #include <random>
-#include <thread>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -232,26 +232,13 @@ private slots:
             // Cancelled when it has got so far; the fraction only grows, so every stage is met.
             for (const double fraction : {0.05, 0.3, 0.5, 0.7, 0.9}) {
                 Job job;
-                std::atomic<bool> done{false};
-                std::thread watcher([&] {
-                    while (!done && job.fraction() < fraction)
-                        std::this_thread::yield();
-                    job.cancel();
+                const bool cancelled = cancelled_at(job, fraction, [&](const Progress& p) {
+                    read_mesh(sample.bytes, sample.name, LengthUnit::mm, p);
                 });
-                bool cancelled = false;
-                double reached = 0.0;
-                try {
-                    read_mesh(sample.bytes, sample.name, LengthUnit::mm, Progress(job));
-                } catch (const Cancelled&) {
-                    cancelled = true;
-                    ++cancelled_count;
-                    reached = job.fraction();
-                }
-                done = true;
-                watcher.join();
+                cancelled_count += cancelled;
                 // It may have finished before the watcher ran; where it was cancelled, it had come as far as
                 // asked.
-                QVERIFY(!cancelled || reached >= fraction);
+                QVERIFY(!cancelled || job.fraction() >= fraction);
                 QVERIFY(cancelled || job.fraction() > 0.99);
             }
         }
