@@ -157,6 +157,7 @@ void InspectionDesk::set_paths(std::vector<std::shared_ptr<const OperationResult
     job_.cancel();
     results_ = std::move(results);
     figures_.clear();
+    shown_.clear();
     tint_ = nullptr;
     layers_.show_scale(nullptr);
     place_.reset();
@@ -172,6 +173,13 @@ void InspectionDesk::set_paths(std::vector<std::shared_ptr<const OperationResult
         box->setVisible(results_.size() > 1);
     }
     show_chart();
+    update();
+}
+
+void InspectionDesk::set_shown(std::vector<PathSource> shown) {
+    shown_ = std::move(shown);
+    tint_ = nullptr;
+    layers_.show_scale(nullptr);
     update();
 }
 
@@ -202,7 +210,8 @@ void InspectionDesk::update() {
     const LengthUnit unit = document_.unit();
     job_.start(
         tr("Looking at the path"),
-        [outcome, results = results_, project = document_.project(), wanted, unit](const Progress& p) {
+        [outcome, results = results_, shown = shown_, project = document_.project(), wanted,
+         unit](const Progress& p) {
             if (outcome->figures.empty())
                 for (std::size_t i = 0; i < results.size(); ++i) {
                     // A path of several axes belongs to the machine it was planned for.
@@ -212,7 +221,7 @@ void InspectionDesk::update() {
                     outcome->figures.push_back(path_figures(
                         results[i], machine, p.part(0.4 * double(i) / n, 0.4 * double(i + 1) / n)));
                 }
-            outcome->tint = prepare_tinted_path(outcome->figures, wanted, unit, p.part(0.4, 1));
+            outcome->tint = prepare_tinted_path(outcome->figures, wanted, unit, p.part(0.4, 1), shown);
         },
         [this, outcome, results = results_, wanted, unit](const JobEnd& end) {
             if (!end.done() || results != results_) return;

@@ -60,6 +60,8 @@ public:
 
     /// The paths that the scene shows from now on, in its order.
     void set_paths(std::vector<std::shared_ptr<const OperationResult>> results);
+    /// Which motions of the paths are drawn; in colours, too. As many as paths.
+    void set_shown(std::vector<PathSource> shown);
     /// Where the tool is: of path `source`, `share` of the way through a motion.
     void set_place(std::size_t source, std::size_t motion, double share = 1);
     void clear_place();
@@ -105,6 +107,7 @@ private:
     InspectionPanel* panel_ = nullptr;
     std::vector<std::shared_ptr<const OperationResult>> results_;
     std::vector<PathFiguresPtr> figures_; ///< of `results_`, or empty
+    std::vector<PathSource> shown_;       ///< empty: all of them
     TintedPathPtr tint_;                  ///< of the quantity and unit that are shown
     LengthUnit tint_unit_ = LengthUnit::mm, chart_unit_ = LengthUnit::mm;
     std::optional<Place> place_;

@@ -11,6 +11,7 @@
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
+#include "ui/rough_desk.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/text.h"
@@ -60,6 +61,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     desk_ = new VerificationDesk(document_, *viewport_, *layers_, job_, this);
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
+    rough_ = new RoughDesk(document_, *viewport_, this);
+    column->addWidget(rough_->bar());
     column->addWidget(desk_->bar());
     column->addWidget(layers_);
     setCentralWidget(centre);
@@ -90,6 +93,7 @@ MainWindow::~MainWindow() {
                               log_dock_, chart_dock_})
         delete dock;
     delete inspection_;
+    delete rough_;
     delete cspace_;
     delete desk_;
     delete takeCentralWidget();
@@ -164,6 +168,9 @@ void MainWindow::connect_parts() {
     connect(tree_, &ProjectTree::selection_changed, this, [this] {
         properties_->show_node(tree_->selected());
         report_->show_node(tree_->selected());
+        rough_->show_node(tree_->selected());
+        if (const auto node = tree_->selected(); node && node->kind == TreeNode::Kind::stock_after)
+            desk_->show_stock_after(node->index);
         update_actions();
     });
     connect(tree_, &ProjectTree::refused, this,
@@ -178,6 +185,8 @@ void MainWindow::connect_parts() {
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(properties_, &PropertiesPanel::choose_stock, this, &MainWindow::choose_stock);
+    connect(rough_, &RoughDesk::layer_changed, this, &MainWindow::redraw_paths);
+    connect(rough_, &RoughDesk::settled, this, &MainWindow::check_settled);
     connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
     connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);
     connect(desk_, &VerificationDesk::verified, this, [this] {
@@ -395,7 +404,7 @@ void MainWindow::ended(const JobEnd& end) {
 
 bool MainWindow::busy() const {
     return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy() || inspection_->busy()
-           || !viewport_->finished();
+           || rough_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

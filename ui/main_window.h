@@ -33,6 +33,7 @@ class LogView;
 class ProjectTree;
 class PropertiesPanel;
 class ReportView;
+class RoughDesk;
 class StartHint;
 class ToolDialog;
 class VerificationDesk;
@@ -78,6 +79,7 @@ public:
     VerificationDesk& verification() { return *desk_; }
     CSpaceDesk& cspace() { return *cspace_; }
     InspectionDesk& inspection() { return *inspection_; }
+    RoughDesk& roughing() { return *rough_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -147,6 +149,8 @@ private:
     void show_stock();
     void planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end);
     void refresh_paths();
+    std::vector<PathSource> path_sources() const;
+    void redraw_paths();
     void show_tool_at(const PathPick& pick);
     void show_start_of_path();
     void hide_tool();
@@ -178,6 +182,7 @@ private:
     VerificationDesk* desk_ = nullptr;
     CSpaceDesk* cspace_ = nullptr;
     InspectionDesk* inspection_ = nullptr;
+    RoughDesk* rough_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,

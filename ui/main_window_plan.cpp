@@ -7,6 +7,7 @@
 #include "ui/inspection_desk.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/rough_desk.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/verification_desk.h"
@@ -220,11 +221,8 @@ void MainWindow::refresh_paths() {
     auto display = std::make_shared<PathDisplayPtr>();
     display_job_.start(
         tr("Drawing the path"),
-        [display, results](const Progress& p) {
-            std::vector<PathSource> sources;
-            for (const auto& r : results)
-                sources.push_back(path_source(r));
-            *display = prepare_path_display(std::move(sources), p);
+        [display, sources = path_sources()](const Progress& p) {
+            *display = prepare_path_display(sources, p);
         },
         [this, display, results](const JobEnd& end) {
             if (!end.done() || results != shown_results_) return;
@@ -232,6 +230,31 @@ void MainWindow::refresh_paths() {
             viewport_->content_changed();
             inspection_->set_paths(results);
             show_start_of_path();
+        });
+}
+
+std::vector<PathSource> MainWindow::path_sources() const {
+    std::vector<PathSource> sources;
+    for (std::size_t i = 0; i < shown_results_.size(); ++i)
+        sources.push_back(path_source(shown_results_[i], rough_->layer_of(shown_ids_[i])));
+    return sources;
+}
+
+/// The same paths, of other layers.
+void MainWindow::redraw_paths() {
+    if (shown_results_.empty()) return;
+    auto display = std::make_shared<PathDisplayPtr>();
+    display_job_.start(
+        tr("Drawing the path"),
+        [display, sources = path_sources()](const Progress& p) {
+            *display = prepare_path_display(sources, p);
+        },
+        [this, display, results = shown_results_](const JobEnd& end) {
+            if (!end.done() || results != shown_results_) return;
+            viewport_->scene().set_path(*display);
+            viewport_->content_changed();
+            inspection_->set_shown((*display)->sources);
+            if (!tool_at_) show_start_of_path();
         });
 }
 

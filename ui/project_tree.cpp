@@ -1,7 +1,6 @@
 #include "ui/project_tree.h"
 
 #include "core/setup/machine.h"
-#include "ui/icons.h"
 #include "ui/text.h"
 #include "ui/verification_model.h"
 
@@ -236,15 +235,7 @@ void ProjectTree::rebuild() {
     if (document_.has_part()) {
         const Project& project = document_.project();
         const auto add = [&](QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
-                             const QString& help = {}) {
-            auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
-            item->setText(0, label);
-            item->setIcon(0, icon(which));
-            item->setToolTip(0, (help.isEmpty() ? label : help));
-            item->setData(0, kind_role, int(node.kind));
-            item->setData(0, index_role, qulonglong(node.index));
-            return item;
-        };
+                             const QString& help = {}) { return add_item(parent, node, which, label, help); };
         const LengthUnit unit = document_.unit();
         const auto file = project.part_path();
         add(nullptr, {TreeNode::Kind::part, 0}, Icon::part, path_text(file.filename()), path_text(file));
@@ -274,7 +265,22 @@ void ProjectTree::rebuild() {
     if (selected() != before || document_.has_part()) emit selection_changed();
 }
 
+QTreeWidgetItem* ProjectTree::add_item(QTreeWidgetItem* parent, TreeNode node, Icon which,
+                                       const QString& label, const QString& help) {
+    auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
+    item->setText(0, label);
+    item->setIcon(0, icon(which));
+    item->setToolTip(0, (help.isEmpty() ? label : help));
+    item->setData(0, kind_role, int(node.kind));
+    item->setData(0, index_role, qulonglong(node.index));
+    return item;
+}
+
 void ProjectTree::show_states() {
+    // What stands after an operation is known when all of them are planned: then they can be played back.
+    bool all = document_.has_stock();
+    for (std::size_t i = 0; i < document_.operation_count(); ++i)
+        all = all && document_.state(i) == OperationState::planned;
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         QTreeWidgetItem* it = item({TreeNode::Kind::operation, i});
         if (!it) continue;
@@ -286,6 +292,16 @@ void ProjectTree::show_states() {
                      operation_label(std::string(document_.operation(i).kind())), state_text(state));
         if (state == OperationState::failed) help += QStringLiteral(": ") + document_.failure(i);
         it->setToolTip(0, help);
+        QTreeWidgetItem* after = item({TreeNode::Kind::stock_after, i});
+        if (all && !after) {
+            add_item(it, {TreeNode::Kind::stock_after, i}, Icon::stock, tr("Stock after it"),
+                     tr("Shows the stock as it stands after “%1”")
+                         .arg(text(document_.operation(i).common().name)));
+            it->setExpanded(true);
+        } else if (!all && after) {
+            if (tree_->currentItem() == after) tree_->setCurrentItem(it);
+            delete after;
+        }
     }
     show_verdicts();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/document.h"
+#include "ui/icons.h"
 
 #include <QTreeWidget>
 #include <QWidget>
@@ -16,7 +17,8 @@ class QTreeWidgetItem;
 namespace facetmill::ui {
 
 struct TreeNode {
-    enum class Kind { part, stock, machine, tools, tool, operations, operation };
+    /// stock_after: what an operation leaves, below it in the tree.
+    enum class Kind { part, stock, machine, tools, tool, operations, operation, stock_after };
     Kind kind = Kind::part;
     std::size_t index = 0; ///< of the tool or operation
     bool operator==(const TreeNode&) const = default;
@@ -59,6 +61,8 @@ signals:
 private:
     void rebuild();
     void show_states();
+    QTreeWidgetItem* add_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
+                              const QString& help = {});
     void show_verdicts();
     void update_actions();
     void duplicate();

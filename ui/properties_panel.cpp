@@ -177,6 +177,10 @@ void PropertiesPanel::refresh() {
         for (const Tool& t : project.tools)
             tools.push_back({tr("T%1  %2").arg(t.number).arg(text(t.name)), t.number});
         show(operation, {{"tool", tools}});
+    } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
+        title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));
+        hint = tr("The view shows the stock as it stands when this operation has ended. The bar below the "
+                  "view plays it back.");
     } else {
         hint = node_->kind == Kind::tools
                    ? tr("Add a tool below the tree; a double click edits one.")

@@ -72,7 +72,8 @@ void ReportView::refresh() {
     if (!document_.has_part()) {
         html = note(tr("Open a mesh or a project, and this panel tells what it holds."),
                     palette().color(QPalette::PlaceholderText));
-    } else if (node_ && node_->kind == TreeNode::Kind::operation
+    } else if (node_
+               && (node_->kind == TreeNode::Kind::operation || node_->kind == TreeNode::Kind::stock_after)
                && node_->index < document_.operation_count()) {
         html = operation_html(node_->index);
     } else if (node_

@@ -21,7 +21,7 @@ namespace {
 
 /// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
 /// processor in its place does.
-constexpr double card_triangles = 1.5e6, processor_triangles = 6e4, resting_triangles = 1.5e6;
+constexpr double card_triangles = 1.5e6, processor_triangles = 3e4, resting_triangles = 1.5e6;
 constexpr std::size_t most_samples = 400'000; ///< of the deviation: what a processor can still draw
 constexpr double cutter_share = 1.0 / 20;     ///< of the smallest cutter's radius: finer shows nothing more
 
@@ -294,6 +294,17 @@ void VerificationDesk::show_stock() {
         viewport_.content_changed();
     else
         viewport_.refresh();
+}
+
+void VerificationDesk::show_stock_after(std::size_t operation) {
+    if (!playback_.loaded() || operation >= playback_.track().operation_count()) return;
+    const std::size_t motions = playback_.track().motions_of(operation);
+    if (motions == 0) return;
+    playback_.pause();
+    shown_operation_ = std::size_t(-1);
+    engaged_ = true;
+    stock_offered_ = false; // it is what was asked for
+    playback_.go_to(MotionPlace{operation, motions - 1});
 }
 
 void VerificationDesk::tool_put(std::size_t operation, std::size_t motion) {

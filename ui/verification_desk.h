@@ -44,6 +44,8 @@ public:
     bool engaged() const { return engaged_; }
     /// The tool was put somewhere on the path of an operation.
     void tool_put(std::size_t operation, std::size_t motion);
+    /// Plays back to the end of an operation, with the stock in sight.
+    void show_stock_after(std::size_t operation);
     /// Space, comma, full stop; arrows while engaged. False for all others.
     bool take_key(const QKeyEvent& event);
     /// Check marks of the layers changed.

@@ -78,9 +78,21 @@ Polylines thinned(const Polylines& lines) {
 
 } // namespace
 
-PathSource path_source(const std::shared_ptr<const OperationResult>& operation) {
+PathSource path_source(const std::shared_ptr<const OperationResult>& operation, int layer) {
     if (!operation) return {};
-    return {{operation, &operation->path}, {operation, &operation->program.motions}};
+    PathSource source{{operation, &operation->path}, {operation, &operation->program.motions}, layer, {}};
+    if (layer < 0) return source;
+    // What does not cut belongs to the next motion that does.
+    const auto& passes = operation->path.passes;
+    const auto& motions = operation->program.motions.motions;
+    std::vector<int> layers(motions.size(), -1);
+    int next = passes.empty() ? -1 : passes.back().layer;
+    for (std::size_t m = motions.size(); m-- > 0;) {
+        if (motions[m].pass < passes.size()) next = passes[motions[m].pass].layer;
+        layers[m] = next;
+    }
+    source.motion_layers = std::make_shared<const std::vector<int>>(std::move(layers));
+    return source;
 }
 
 PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress) {
@@ -124,6 +136,7 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
     for (const PathSource& s : display->sources) {
         if (s.contacts)
             for (const Pass& pass : s.contacts->passes) {
+                if (!s.shows(pass)) continue;
                 const CutterContact* before = nullptr;
                 for (const CutterContact& c : pass.cc) {
                     tick();
@@ -149,7 +162,7 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 finish(display->motions[std::size_t(from.kind)], false);
                 open = false;
             }
-            if (!from.to.tip.allFinite() || !to.to.tip.allFinite()) {
+            if (!s.shows_motion(i) || !from.to.tip.allFinite() || !to.to.tip.allFinite()) {
                 if (open) finish(line, false);
                 open = false;
                 continue;

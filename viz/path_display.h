@@ -18,10 +18,18 @@ struct OperationResult; // core/job/planner.h
 struct PathSource {
     std::shared_ptr<const StrategyResult> contacts;
     std::shared_ptr<const ToolMotions> motions;
+    /// Of roughing: only this layer is drawn and picked, with what leads to its cuts; -1: all of the path.
+    int layer = -1;
+    std::shared_ptr<const std::vector<int>> motion_layers; ///< of every motion, where `layer` is one
+
+    bool shows(const Pass& pass) const { return layer < 0 || pass.layer == layer; }
+    bool shows_motion(std::size_t motion) const {
+        return layer < 0 || !motion_layers || (*motion_layers)[motion] == layer;
+    }
 };
 
 /// Shares the operation's result.
-PathSource path_source(const std::shared_ptr<const OperationResult>& operation);
+PathSource path_source(const std::shared_ptr<const OperationResult>& operation, int layer = -1);
 
 inline constexpr std::size_t motion_kinds = 5; ///< number of MotionKind's enumerators
 

@@ -167,7 +167,8 @@ Rgb path_tint_color(double t) {
 }
 
 TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations, PathQuantity quantity,
-                                  LengthUnit unit, const Progress& progress) {
+                                  LengthUnit unit, const Progress& progress,
+                                  const std::vector<PathSource>& shown) {
     if (quantity == PathQuantity::kind) return nullptr;
     auto path = std::make_shared<TintedPath>();
     path->quantity = quantity;
@@ -215,6 +216,7 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
         const auto& motions = operations[o]->operation->program.motions.motions;
         for (std::size_t m = 1; m < motions.size(); ++m) {
             if (m % check_every == 0) here.check();
+            if (o < shown.size() && !shown[o].shows_motion(m)) continue;
             const Vec3 &from = motions[m - 1].to.tip, &to = motions[m].to.tip;
             if (motions[m].kind == MotionKind::rapid || !from.allFinite() || !to.allFinite()) continue;
             TintedPath::Lines& lines = path->lines[std::size_t(motions[m].kind)];

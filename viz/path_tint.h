@@ -58,7 +58,9 @@ using TintedPathPtr = std::shared_ptr<const TintedPath>;
 /// The scale goes from the least to the largest value, without the outermost hundredth on either side where
 /// the values within lie much closer together. Null for the quantity `kind`, and where no motion has a value.
 /// Throws Cancelled within 100 ms.
+/// `shown`, where not empty, says for each operation which of its motions are drawn.
 TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations, PathQuantity quantity,
-                                  LengthUnit unit, const Progress& progress);
+                                  LengthUnit unit, const Progress& progress,
+                                  const std::vector<PathSource>& shown = {});
 
 } // namespace facetmill

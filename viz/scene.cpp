@@ -141,6 +141,35 @@ void Scene::set_stock(const Box3& box) {
     set_stock_shape(make_stock_shape(solid, {}));
 }
 
+void Scene::set_levels(const std::optional<LevelMarks>& levels) {
+    if (levels == impl_->levels) return;
+    impl_->levels = levels;
+    for (std::size_t k = 0; k < 2; ++k) {
+        impl_->level_lines[k].clear();
+        auto& points = impl_->level_points[k];
+        auto& segments = impl_->level_segments[k];
+        points.clear();
+        segments.clear();
+        if (!levels) continue;
+        const Box3& box = levels->box;
+        const Vec3 centre = box.center();
+        for (std::size_t i = 0; i < levels->heights.size(); ++i) {
+            if ((levels->chosen == i) != (k == 1)) continue;
+            const auto first = std::int32_t(points.size() / 3);
+            for (const auto& [x, y] : {std::pair(box.lo.x(), box.lo.y()),
+                                       {box.hi.x(), box.lo.y()},
+                                       {box.hi.x(), box.hi.y()},
+                                       {box.lo.x(), box.hi.y()}})
+                for (const double v : {x - centre.x(), y - centre.y(), levels->heights[i] - centre.z()})
+                    points.push_back(float(v));
+            for (std::int32_t c = 0; c < 4; ++c)
+                segments.insert(segments.end(), {first + c, first + (c + 1) % 4});
+        }
+        if (!segments.empty()) impl_->level_lines[k].set_data(segment_data(points, segments), centre);
+    }
+    impl_->apply_visibility();
+}
+
 void Scene::set_path_tint(TintedPathPtr tint) {
     // The old arrays stay until the actors have the new ones.
     const TintedPathPtr old = std::move(impl_->tint);

@@ -70,6 +70,16 @@ std::string_view layer_label(Layer layer);
 
 enum class PartStyle { smooth, flat, wire };
 
+/// Level frames around a box, at the heights of layers.
+struct LevelMarks {
+    Box3 box;
+    std::vector<double> heights;
+    std::optional<std::size_t> chosen; ///< drawn apart from the others
+    bool operator==(const LevelMarks& o) const {
+        return box.lo == o.box.lo && box.hi == o.box.hi && heights == o.heights && chosen == o.chosen;
+    }
+};
+
 struct Marker {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero(); ///< zero: none drawn
@@ -185,6 +195,9 @@ public:
     /// What the legend says behind the word "Deviation", such as "out of date".
     void set_deviation_note(const std::string& note);
     void set_findings(const std::vector<FindingMark>& findings);
+
+    /// Layers of roughing; none: nullopt. Shown whatever the layers of the view are.
+    void set_levels(const std::optional<LevelMarks>& levels);
 
     /// Paths of one or several operations; an empty display or nullptr removes them.
     void set_path(PathDisplayPtr path);

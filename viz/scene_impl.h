@@ -113,10 +113,14 @@ struct Scene::Impl {
     std::optional<ToolShape> tool;
     std::optional<CutterLocation> pose;
     std::optional<Marker> marker;
+    std::optional<LevelMarks> levels;
+    std::array<std::vector<float>, 2> level_points; ///< behind the actors' data
+    std::array<std::vector<std::int32_t>, 2> level_segments;
 
     SceneActor part_surface, part_lines, part_edges, part_preview;
     std::vector<std::unique_ptr<SceneActor>> more_surface, more_edges; ///< further pieces of a large part
     SceneActor stock_faces, stock_lines;
+    std::array<SceneActor, 2> level_lines; ///< the others, the chosen one
     /// By the patches' numbers; null: no surface.
     std::vector<std::unique_ptr<SceneActor>> cut_patches, detail_patches;
     vtkNew<vtkProperty> cut_look;

@@ -88,6 +88,10 @@ Scene::Impl::Impl() {
     for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             renderer->AddActor(a.actor);
+    for (auto& a : level_lines) {
+        renderer->AddActor(a.actor);
+        unlit(a);
+    }
     for (std::size_t k = 0; k < 3; ++k) {
         renderer->AddActor(tool_bodies[k].actor);
         renderer->AddActor(tool_rings[k].actor);
@@ -150,6 +154,8 @@ Scene::Impl::Impl() {
     nearer(part_edges, 32);
     nearer(part_lines, 36);
     nearer(stock_lines, 36);
+    nearer(level_lines[0], 38);
+    nearer(level_lines[1], 42);
     nearer(contact_lines, 40);
     nearer(contact_preview, 40);
     nearer(contact_dots, 48);
@@ -199,6 +205,8 @@ void Scene::Impl::apply_palette() {
     set_color(part_edges, c.mesh_edges);
     set_color(stock_faces, c.stock);
     set_color(stock_lines, c.stock);
+    set_color(level_lines[0], c.stock);
+    set_color(level_lines[1], c.marker);
     cut_look->SetColor(c.cut_stock.r, c.cut_stock.g, c.cut_stock.b);
     set_color(finding_dots[std::size_t(FindingMark::Kind::gouge)], c.gouge);
     set_color(finding_dots[std::size_t(FindingMark::Kind::excess)], c.excess);
@@ -236,6 +244,8 @@ void Scene::Impl::apply_line_widths() {
     set(part_lines, 1.1);
     set(part_edges, 0.6);
     set(stock_lines, 1.4);
+    set(level_lines[0], 0.9);
+    set(level_lines[1], 2.4);
     for (auto& a : tool_rings)
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
@@ -276,6 +286,8 @@ void Scene::Impl::apply_visibility() {
         show(a, on(Layer::findings));
     show(stock_faces, on(Layer::stock) && !cut);
     show(stock_lines, on(Layer::stock) && !cut);
+    for (auto& a : level_lines)
+        show(a, true);
     show(contact_lines, on(Layer::cc) && !coarse_contacts);
     show(contact_dots, on(Layer::cc) && !coarse_contacts);
     show(contact_preview, on(Layer::cc) && coarse_contacts);
@@ -362,6 +374,8 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
         all.push_back({Sample::surface, c.cut_stock, 1, "Stock"});
     else if (on(Layer::stock) && stock_lines.filled)
         all.push_back({Sample::box, c.stock, 1, "Stock"});
+    if (level_lines[0].filled) all.push_back({Sample::line, c.stock, 1, "Layers"});
+    if (level_lines[1].filled) all.push_back({Sample::line, c.marker, 2.4, "Layer chosen"});
     const auto found = [&](FindingMark::Kind kind, const Rgb& color, const char* label) {
         if (on(Layer::findings) && finding_dots[std::size_t(kind)].filled)
             all.push_back({Sample::spot, color, 1, label});

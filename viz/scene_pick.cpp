@@ -55,13 +55,14 @@ std::optional<PathPick> Scene::pick_path(double x, double y, double radius) cons
         const PathSource& source = impl_->path->sources[s];
         if (visible(Layer::cc) && source.contacts)
             for (std::size_t p = 0; p < source.contacts->passes.size(); ++p) {
+                if (!source.shows(source.contacts->passes[p])) continue;
                 const auto& cc = source.contacts->passes[p].cc;
                 for (std::size_t i = 0; i < cc.size(); ++i)
                     consider(cc[i].point, {0, 0, s, true, p, i});
             }
         if (visible(Layer::cl) && source.motions)
             for (std::size_t i = 0; i < source.motions->motions.size(); ++i)
-                if (motion_visible(source.motions->motions[i].kind))
+                if (motion_visible(source.motions->motions[i].kind) && source.shows_motion(i))
                     consider(source.motions->motions[i].to.tip, {0, 0, s, false, 0, i});
     }
     // Within two pixels counts as equally near; then the one before the others.

@@ -211,6 +211,20 @@ std::shared_ptr<const EarlierCuts> cuts_of(const ClProgram& program) {
     return cuts;
 }
 
+/// All but tool, contact index and earlier cuts.
+PlanContext context_of(const Project& project, const PreparedPart& part, const StockSolid& stock) {
+    PlanContext context;
+    context.part = part.mesh;
+    context.geometry = part.geometry;
+    context.part_box = part.box;
+    context.stock_box = stock.box;
+    context.stock = stock;
+    context.machine = project_machine(project);
+    context.tessellation_tolerance = project.part.tessellation_tolerance;
+    context.unit = project.unit;
+    return context;
+}
+
 Planner::Planner() : cache_(std::make_unique<Cache>()) {}
 Planner::~Planner() = default;
 
@@ -388,18 +402,10 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         ++c.work.indexes;
     }
 
-    PlanContext context;
-    context.part = result->part->mesh;
-    context.geometry = result->part->geometry;
+    PlanContext context = context_of(project, *result->part, result->stock);
     context.contact = c.index;
-    context.part_box = result->part->box;
-    context.stock_box = result->stock.box;
-    context.stock = result->stock;
     Key earlier;
     std::vector<std::shared_ptr<const EarlierCuts>> cuts;
-    context.machine = project_machine(project);
-    context.tessellation_tolerance = project.part.tessellation_tolerance;
-    context.unit = project.unit;
     for (auto& p : c.planned)
         p.used = false;
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -436,6 +442,16 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     });
     progress.set(1.0);
     return result;
+}
+
+PlanContext preview_context(const Project& project, std::size_t i, const PreparedPart& part,
+                            const std::vector<std::shared_ptr<const OperationResult>>& before) {
+    PlanContext context = context_of(project, part, stock_solid(project.stock, part));
+    context.tool = project.tool_of(*project.operations.at(i));
+    if (project.operations[i]->reads_stock())
+        for (const auto& result : before)
+            if (!result->program.multi_axis) context.earlier.push_back(cuts_of(result->program));
+    return context;
 }
 
 } // namespace facetmill

@@ -90,6 +90,11 @@ private:
     std::unique_ptr<Cache> cache_;
 };
 
+/// What operation `i` of the project would be planned with, but for contact index and geometry; `before` are
+/// results of operations before it, those that are known. Throws Error(missing_reference).
+PlanContext preview_context(const Project& project, std::size_t i, const PreparedPart& part,
+                            const std::vector<std::shared_ptr<const OperationResult>>& before);
+
 /// report.json as the contract says, in the project's units: lengths in `units`, seconds.
 std::string report_json(const Project& project, const PlanResult& result);
 

@@ -39,9 +39,12 @@ class Planner {
 public:
     Planner(const RoughSettings& settings, const PlanContext& context, const Progress& progress);
     StrategyResult run();
+    RoughPreview preview();
 
 private:
+    void look_at_stock(const Progress& progress);
     void choose_heights(const Progress& progress);
+    double expected() const { return layers_.excess + 2 * margin_ + least_; }
     void plan_layers(const Progress& progress);
     void plan_layer(std::size_t layer, const Progress& progress);
     void finish(RoughWay way, double z, int layer, const LayerWays& ways, std::span<const Contour> contours);
@@ -104,7 +107,8 @@ Planner::Planner(const RoughSettings& settings, const PlanContext& context, cons
     least_ = std::min(least_, 0.1 * budget_);
 }
 
-StrategyResult Planner::run() {
+/// Depth and step-over are right, and there is something to cut.
+void Planner::look_at_stock(const Progress& progress) {
     const Box3& part = context_.part_box;
     step_ = stepover();
     if (settings_.depth.is_number()) {
@@ -118,8 +122,7 @@ StrategyResult Planner::run() {
                             + text(context_.tool.flute_length),
                         "choose a smaller depth or a longer tool");
     }
-    progress_.part(0, 0.03, "Looking at the stock").set(0);
-    field_.emplace(stock_before(context_, cell_share * diameter_, progress_.part(0, 0.03)));
+    field_.emplace(stock_before(context_, cell_share * diameter_, progress));
     const double top = field_->highest();
     low_ = std::max(field_->box().lo.z(), part.lo.z());
     if (!(top > low_))
@@ -128,7 +131,24 @@ StrategyResult Planner::run() {
                         ? "there is no stock"
                         : "the stock ends at z = " + text(top) + ", the part begins at z = " + text(low_),
                     "check the stock's size and place");
+}
 
+RoughPreview Planner::preview() {
+    look_at_stock(progress_.part(0, 0.5));
+    choose_heights(progress_.part(0.5, 1));
+    RoughPreview preview;
+    preview.heights = layers_.heights;
+    preview.depth_min = layers_.depth_min;
+    preview.depth_max = layers_.depth_max;
+    preview.stepover = step_ / divisions_;
+    preview.remaining = expected() + context_.tessellation_tolerance[1];
+    preview.stock = field_->box();
+    preview.stock.hi.z() = field_->highest();
+    return preview;
+}
+
+StrategyResult Planner::run() {
+    look_at_stock(progress_.part(0, 0.03, "Looking at the stock"));
     // Along the longer side there are fewer ends of lines.
     const Vec3 size = field_->box().size();
     const bool auto_x = size.x() >= size.y();
@@ -168,7 +188,7 @@ StrategyResult Planner::run() {
     input.lowest_tip = low_;
     // All of it above the surface that is safe to leave; the part itself lies that much lower.
     const double inner = context_.tessellation_tolerance[1];
-    const double expected = layers_.excess + 2 * margin_ + least_;
+    const double expected = this->expected();
     input.allowed = expected;
     const Remaining found = find_remaining(input, progress_.part(0.94, 1, "Looking for what stays"));
     // What the field cannot tell from it is as expected.
@@ -609,6 +629,12 @@ const ParameterTable<RoughSettings>& rough_parameters() {
         return t;
     }();
     return table;
+}
+
+RoughPreview preview_rough(const RoughSettings& settings, const PlanContext& context,
+                           const Progress& progress) {
+    check_plannable(context, settings);
+    return Planner(settings, context, progress).preview();
 }
 
 StrategyResult Rough::plan(const PlanContext& context, const Progress& progress) const {

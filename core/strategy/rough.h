@@ -61,6 +61,19 @@ public:
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
 
+/// The layers as `plan` would choose them; some of them may turn out to cut nothing.
+struct RoughPreview {
+    std::vector<double> heights;                       ///< of the tip, from the top down, mm
+    double depth_min = 0, depth_max = 0, stepover = 0; ///< between layers; between lines where a floor stays
+    double remaining = 0; ///< what they leave above the allowance on the slopes that the part has, at most
+    Box3 stock;           ///< as it stands before the operation
+};
+
+/// Needs neither contact index nor geometry in the context. Throws what `plan` does of depth, step-over,
+/// tolerance and stock; Cancelled within 100 ms.
+RoughPreview preview_rough(const RoughSettings& settings, const PlanContext& context,
+                           const Progress& progress);
+
 /// The stock as it stands before an operation. Throws what StockField does.
 StockField stock_before(const PlanContext& context, double cell, const Progress& progress);
 

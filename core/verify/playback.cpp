@@ -143,7 +143,7 @@ const std::vector<std::shared_ptr<const StockPatch>>& StockPlayback::patches(con
     }
     std::vector<std::shared_ptr<const StockPatch>> fresh(stale.size());
     parallel_for(stale.size(), 1, progress,
-                 [&](std::size_t n) { fresh[n] = s.surface.patch(s.stock, stale[n]); });
+                 [&](std::size_t n) { fresh[n] = sparse_patch(s.surface.patch(s.stock, stale[n])); });
     for (std::size_t n = 0; n < stale.size(); ++n) {
         s.patches[stale[n]] = std::move(fresh[n]);
         s.stamps[stale[n]] = stamps[stale[n]];

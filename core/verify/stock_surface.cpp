@@ -328,7 +328,9 @@ std::shared_ptr<const StockPatch> StockSurface::patch(const StockModel& stock, s
     return patch_out;
 }
 
-std::vector<std::array<std::uint32_t, 3>> sparse_triangles(const StockPatch& patch) {
+std::shared_ptr<const StockPatch> sparse_patch(std::shared_ptr<const StockPatch> whole) {
+    if (!whole || whole->points.empty()) return whole;
+    const StockPatch& patch = *whole;
     const auto& points = patch.points;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
@@ -370,13 +372,20 @@ std::vector<std::array<std::uint32_t, 3>> sparse_triangles(const StockPatch& pat
         };
         const bool turned = side(u, t[1]) * side(v, t[2]) < side(v, t[1]) * side(u, t[2]);
         if (turned) std::reverse(rim.begin(), rim.end());
-        const std::uint32_t middle = grid[n / 2 + n * (m / 2)];
-        std::vector<std::array<std::uint32_t, 3>> fan;
-        for (std::size_t i = 0; i < rim.size(); ++i)
-            fan.push_back({middle, rim[i], rim[(i + 1) % rim.size()]});
-        return fan;
+        auto sheet = std::make_shared<StockPatch>();
+        sheet->box = patch.box;
+        std::array<float, 3> outward{0, 0, 0};
+        outward[k] = turned ? -1.0f : 1.0f;
+        sheet->normals.assign(rim.size() + 1, outward); // those of the rim lean where the next block bends
+        for (const std::uint32_t corner : rim)
+            sheet->points.push_back(points[corner]);
+        sheet->points.push_back(points[grid[n / 2 + n * (m / 2)]]);
+        const auto corners = std::uint32_t(rim.size());
+        for (std::uint32_t i = 0; i < corners; ++i)
+            sheet->triangles.push_back({corners, i, (i + 1) % corners});
+        return sheet;
     }
-    return patch.triangles;
+    return whole;
 }
 
 void stock_triangles(const StockModel& stock,
@@ -384,24 +393,18 @@ void stock_triangles(const StockModel& stock,
                      const Progress& progress) {
     const StockSurface surface(stock.lattice());
     const Progress quiet = progress.part(0, 0); // cancels, and leaves the fraction alone
-    struct Piece {
-        std::shared_ptr<const StockPatch> patch;
-        std::vector<std::array<std::uint32_t, 3>> triangles;
-    };
-    std::vector<Piece> pieces(blocks_at_a_time);
+    std::vector<std::shared_ptr<const StockPatch>> pieces(blocks_at_a_time);
     for (std::size_t begin = 0; begin < surface.patch_count(); begin += blocks_at_a_time) {
         const std::size_t n = std::min(blocks_at_a_time, surface.patch_count() - begin);
-        parallel_for(n, 1, quiet, [&](std::size_t i) {
-            pieces[i].patch = surface.patch(stock, begin + i);
-            if (pieces[i].patch) pieces[i].triangles = sparse_triangles(*pieces[i].patch);
-        });
+        parallel_for(n, 1, quiet,
+                     [&](std::size_t i) { pieces[i] = sparse_patch(surface.patch(stock, begin + i)); });
         for (std::size_t i = 0; i < n; ++i) {
-            if (!pieces[i].patch) continue;
+            if (!pieces[i]) continue;
             const auto at = [&](std::uint32_t corner) {
-                const auto& p = pieces[i].patch->points[corner];
+                const auto& p = pieces[i]->points[corner];
                 return Vec3(p[0], p[1], p[2]);
             };
-            for (const auto& t : pieces[i].triangles)
+            for (const auto& t : pieces[i]->triangles)
                 take(at(t[0]), at(t[1]), at(t[2]));
         }
         progress.set(double(begin + n) / double(surface.patch_count()));

@@ -33,8 +33,8 @@ private:
 };
 
 /// A flat sheet, which is most of an uncut stock, in few triangles: the corners on its rim stay, so that it
-/// fits its neighbours, and all but one within go. Any other patch as it is.
-std::vector<std::array<std::uint32_t, 3>> sparse_triangles(const StockPatch& patch);
+/// fits its neighbours, and all but one within go. Any other patch, null too, as it is.
+std::shared_ptr<const StockPatch> sparse_patch(std::shared_ptr<const StockPatch> patch);
 
 /// The whole surface, block by block: take(a, b, c) for each triangle, counter-clockwise seen from outside,
 /// in a fixed order on the calling thread. Corners that blocks have in common are the same numbers in both.

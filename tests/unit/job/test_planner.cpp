@@ -17,6 +17,7 @@
 #include <fstream>
 
 using namespace facetmill;
+using facetmill::test::cancelled_at;
 using facetmill::test::code_of;
 namespace fs = std::filesystem;
 

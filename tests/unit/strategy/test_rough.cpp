@@ -280,6 +280,35 @@ private slots:
         QVERIFY(!warns(Rough(s).plan(plane, Progress()), "offset by vertices"));
     }
 
+    /// What the form shows is what the plan does.
+    void the_preview_has_the_layers_of_the_plan() {
+        const Tool tool = flat_tool(6);
+        const PlanContext c = context(pocket(true), tool, 3.3);
+        RoughSettings s = settings(2);
+        RoughPreview preview = preview_rough(s, c, Progress());
+        StrategyResult r = Rough(s).plan(c, Progress());
+        // All of them but the floor at the part's lowest place, where the layer above has left the allowance.
+        QVERIFY(preview.heights.size() == r.layers.size() + 1 && preview.heights.back() == 0);
+        QVERIFY(std::equal(r.layers.begin(), r.layers.end(), preview.heights.begin()));
+        QVERIFY(std::abs(preview.remaining - r.cusp_max) < 1e-9);
+        QVERIFY(preview.depth_max <= 2 + 1e-9 && preview.depth_min > 0);
+        QVERIFY(std::abs(preview.stock.hi.z() - c.stock_box.hi.z()) < 1e-6);
+        // Over what an operation before has left.
+        PlanContext later = c;
+        later.earlier.push_back(cuts_of(r, tool));
+        RoughSettings finer = settings(1);
+        finer.allowance = 0.1;
+        preview = preview_rough(finer, later, Progress());
+        r = Rough(finer).plan(later, Progress());
+        for (const double z : r.layers)
+            QVERIFY(std::find(preview.heights.begin(), preview.heights.end(), z) != preview.heights.end());
+        s.stepover = {6.1, {}};
+        QCOMPARE(code_of([&] { preview_rough(s, c, Progress()); }), std::string("out_of_range"));
+        Job job;
+        job.cancel();
+        QVERIFY_EXCEPTION_THROWN(preview_rough(settings(2), c, Progress(job)), Cancelled);
+    }
+
     void bad_values_are_refused() {
         const Tool tool = flat_tool(6);
         const PlanContext c = context(pocket(), tool, 0.5);

@@ -422,6 +422,23 @@ private slots:
         for (std::size_t f = 0; f < m.facet_count(); ++f)
             if (m.facet_normal(f).z() < -0.999999) area += 0.5 * m.facet_cross(f).norm();
         QVERIFY2(std::abs(area / 3000 - 1) < 1e-3, qPrintable(QString::number(area)));
+        // Normals look where the triangles do, and a sheet's are the same all over.
+        std::size_t sheets = 0;
+        for (std::size_t k = 0; k < surface.patch_count(); ++k) {
+            const auto whole = surface.patch(stock, k), patch = sparse_patch(whole);
+            if (patch == whole) continue;
+            ++sheets;
+            QVERIFY(patch->triangles.size() < whole->triangles.size());
+            const auto at = [](const std::array<float, 3>& a) { return Vec3(a[0], a[1], a[2]); };
+            for (const auto& t : patch->triangles) {
+                const Vec3 a = at(patch->points[t[0]]),
+                           cross = (at(patch->points[t[1]]) - a).cross(at(patch->points[t[2]]) - a);
+                for (const std::uint32_t corner : t)
+                    QVERIFY((cross.normalized() - at(patch->normals[corner])).norm() < 1e-6);
+            }
+        }
+        QVERIFY(sheets > 10);
+        QVERIFY(!sparse_patch(nullptr));
     }
 
     void playback_goes_both_ways() {

@@ -1,0 +1,142 @@
+// Roughing in the window: layers that follow the form, the path of one layer, the stock afterwards.
+#include "core/job/planner.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/elided_label.h"
+#include "ui/layer_bar.h"
+#include "ui/project_tree.h"
+#include "ui/rough_desk.h"
+#include "ui/verification_desk.h"
+#include "ui/viewport.h"
+
+#include <QSlider>
+#include <QTest>
+#include <QTreeWidget>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using namespace facetmill::ui;
+
+class TestWindowRough : public QObject, public WindowFixture {
+    Q_OBJECT
+
+    RoughDesk& desk() { return w().roughing(); }
+    QSlider* slider() { return desk().bar()->slider(); }
+    QString readout() { return desk().bar()->readout()->text(); }
+    /// The default operation, and roughing before it, selected.
+    bool add_rough() {
+        if (!w().document().has_part() && !open_part()) return false;
+        w().document().add_operation("rough");
+        w().document().move_operation(1, -1);
+        w().tree().select({TreeNode::Kind::operation, 0});
+        return wait_until_settled(w());
+    }
+    bool plan_all() {
+        w().document().change(QStringLiteral("coarse"), [](Project& p) {
+            p.operations[1]->common().tolerance = 0.5; // mm
+        });
+        w().plan();
+        if (!wait_until_settled(w())) return false;
+        w().tree().select({TreeNode::Kind::operation, 0});
+        return wait_until_settled(w()) && w().last_failure().isEmpty();
+    }
+
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void layers_follow_the_form() {
+        QVERIFY(open_part());
+        QVERIFY(!desk().bar()->isVisible());
+        QVERIFY(add_rough());
+        QVERIFY(desk().bar()->isVisible());
+        QVERIFY2(readout().startsWith(QStringLiteral("Preview")), qPrintable(readout()));
+        const std::size_t before = desk().heights().size();
+        QVERIFY(before > 0);
+        const QImage few = view_picture(w());
+        enter(w(), "depth", QStringLiteral("0.05"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(desk().heights().size() > before, qPrintable(readout()));
+        QVERIFY(changed_pixels(few, view_picture(w())) > 300);
+        // Every layer is at most that deep, and a layer can be looked for before there is a path.
+        for (std::size_t i = 1; i < desk().heights().size(); ++i)
+            QVERIFY(desk().heights()[i - 1] - desk().heights()[i] <= 0.05 * 25.4 + 1e-9);
+        slider()->setValue(2);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(readout().contains(QStringLiteral("Layer 2 of")) && readout().contains("preview"),
+                 qPrintable(readout()));
+        shot(w(), QStringLiteral("rough-preview"));
+        // What cannot be is said where the layers would be.
+        enter(w(), "depth", QStringLiteral("50"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(readout().contains(QStringLiteral("flutes")), qPrintable(readout()));
+        QVERIFY(desk().heights().empty() && !slider()->isEnabled());
+        enter(w(), "depth", QStringLiteral("0.1"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!desk().heights().empty());
+        w().tree().select({TreeNode::Kind::operation, 1});
+        QVERIFY(!desk().bar()->isVisible());
+    }
+
+    void one_layer_alone() {
+        QVERIFY(add_rough());
+        enter(w(), "depth", QStringLiteral("0.1"));
+        QVERIFY2(plan_all(), qPrintable(w().last_failure()));
+        const auto& path = w().document().result(0)->path;
+        QCOMPARE(desk().heights(), path.layers);
+        QCOMPARE(slider()->maximum(), int(path.layers.size()));
+        QVERIFY(path.layers.size() > 2);
+        QVERIFY2(!readout().contains(QStringLiteral("Preview")), qPrintable(readout()));
+        w().layers().set_shown(ViewLayer::part, false);
+        emit w().layers().toggled();
+        const QImage all = view_picture(w());
+        slider()->setValue(1);
+        QVERIFY(wait_until_settled(w()));
+        const QImage first = view_picture(w());
+        QVERIFY(changed_pixels(all, first) > 1000);
+        slider()->setValue(slider()->maximum());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(changed_pixels(first, view_picture(w())) > 500);
+        shot(w(), QStringLiteral("rough-layer"));
+        slider()->setValue(0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(changed_pixels(all, view_picture(w())) < 200);
+        // Elsewhere the whole path is there again.
+        slider()->setValue(1);
+        QVERIFY(wait_until_settled(w()));
+        w().tree().select({TreeNode::Kind::part, 0});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(changed_pixels(first, view_picture(w())) > 500);
+        QCOMPARE(desk().layer_of(w().document().operation_id(0)), -1);
+    }
+
+    void the_stock_after_it() {
+        QVERIFY(add_rough());
+        enter(w(), "depth", QStringLiteral("0.1"));
+        QVERIFY(!w().tree().item({TreeNode::Kind::stock_after, 0}));
+        QVERIFY2(plan_all(), qPrintable(w().last_failure()));
+        auto* after = w().tree().item({TreeNode::Kind::stock_after, 0});
+        QVERIFY(after);
+        QCOMPARE(after->parent(), w().tree().item({TreeNode::Kind::operation, 0}));
+        w().tree().select({TreeNode::Kind::stock_after, 0});
+        QVERIFY(wait_until_settled(w()));
+        PlaybackController& playback = w().verification().playback();
+        const std::size_t motions = w().document().result(0)->program.motions.motions.size();
+        QCOMPARE(playback.position(), double(motions));
+        QVERIFY(!playback.stock().empty());
+        QVERIFY(w().layers().shown(ViewLayer::stock));
+        const QImage rough = view_picture(w());
+        shot(w(), QStringLiteral("rough-stock-after"));
+        w().tree().select({TreeNode::Kind::stock_after, 1});
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(playback.position(), double(playback.track().motion_count()));
+        QVERIFY(changed_pixels(rough, view_picture(w())) > 1000);
+        // Gone with the plan.
+        w().document().change(QStringLiteral("depth"),
+                              [](Project& p) { p.operations[0]->common().allowance = 1; });
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!w().tree().item({TreeNode::Kind::stock_after, 0}));
+    }
+};
+
+FACETMILL_TEST(TestWindowRough)
+#include "test_window_rough.moc"

@@ -1,0 +1,79 @@
+// Layers of a roughing operation in the window: as its parameters would make them, while they are edited, and
+// as they were planned; and the path of one layer alone.
+#pragma once
+
+#include "core/strategy/rough.h"
+#include "ui/background_job.h"
+#include "ui/document.h"
+#include "ui/project_tree.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+class QLabel;
+class QSlider;
+
+namespace facetmill::ui {
+
+class ElidedLabel;
+class Viewport;
+
+/// Choice of a layer, below the view.
+class RoughBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit RoughBar(QWidget* parent = nullptr);
+    QSlider* slider() { return slider_; }
+    ElidedLabel* readout() { return readout_; }
+
+private:
+    QSlider* slider_ = nullptr;
+    ElidedLabel* readout_ = nullptr;
+};
+
+class RoughDesk : public QObject {
+    Q_OBJECT
+public:
+    RoughDesk(Document& document, Viewport& viewport, QWidget* window);
+
+    RoughBar* bar() { return bar_; }
+    /// What is selected in the tree; layers are shown of a roughing operation.
+    void show_node(const std::optional<TreeNode>& node);
+    /// Of an operation's path: the layer that is to be drawn alone, or -1.
+    int layer_of(int operation_id) const;
+    /// Heights of the tip, from the top down, that are shown; mm.
+    const std::vector<double>& heights() const { return heights_; }
+    bool busy() const { return timer_.isActive() || job_.running(); }
+
+signals:
+    /// Another layer is to be drawn alone.
+    void layer_changed();
+    void settled();
+
+private:
+    void refresh();
+    void start_preview(std::size_t i);
+    void take(std::vector<double> heights, const Box3& box, const QString& all);
+    void show_levels();
+    void clear();
+
+    Document& document_;
+    Viewport& viewport_;
+    RoughBar* bar_ = nullptr;
+    std::optional<TreeNode> node_;
+    int id_ = 0;              ///< of the operation; 0: none
+    bool planned_ = false;    ///< the heights are those of its path
+    std::string fingerprint_; ///< of what the heights were found from
+    std::vector<double> heights_;
+    Box3 box_;
+    QString all_; ///< what the bar says of all layers
+    int chosen_ = -1;
+    QTimer timer_;      ///< waits for the next key
+    BackgroundJob job_; // last: it ends first
+};
+
+} // namespace facetmill::ui
