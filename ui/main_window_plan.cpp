@@ -254,15 +254,23 @@ void MainWindow::redraw_paths() {
             viewport_->scene().set_path(*display);
             viewport_->content_changed();
             inspection_->set_shown((*display)->sources);
-            if (!tool_at_) show_start_of_path();
+            show_start_of_path();
         });
 }
 
 void MainWindow::show_start_of_path() {
-    for (std::size_t source = 0; source < shown_results_.size(); ++source) {
+    std::vector<PathSource> sources = path_sources();
+    // That of a layer that is drawn alone goes before the others.
+    std::size_t source = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        if (sources[i].layer >= 0) source = i;
+    for (; source < shown_results_.size(); ++source) {
         const auto& motions = shown_results_[source]->program.motions.motions;
-        const auto first = std::find_if(motions.begin(), motions.end(),
-                                        [](const Motion& m) { return m.kind == MotionKind::cut; });
+        auto first = motions.begin();
+        while (first != motions.end()
+               && !(first->kind == MotionKind::cut
+                    && sources[source].shows_motion(std::size_t(first - motions.begin()))))
+            ++first;
         if (first == motions.end()) continue;
         PathPick pick;
         pick.source = source;

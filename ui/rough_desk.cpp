@@ -56,8 +56,8 @@ RoughBar::RoughBar(QWidget* parent) : QWidget(parent) {
     readout_->setObjectName(QStringLiteral("layer_readout"));
     readout_->setMinimumWidth(40);
     row->addWidget(name);
-    row->addWidget(slider_, 1);
-    row->addWidget(readout_, 1);
+    row->addWidget(slider_, 2);
+    row->addWidget(readout_, 3);
 }
 
 RoughDesk::RoughDesk(Document& document, Viewport& viewport, QWidget* window)
@@ -205,13 +205,12 @@ void RoughDesk::show_levels() {
     if (chosen_ >= 0 && std::size_t(chosen_) < heights_.size()) {
         const auto k = std::size_t(chosen_);
         marks.chosen = k;
-        line = tr("Layer %1 of %2, tip at z %3")
+        line = tr("Layer %1 of %2, z %3")
                    .arg(k + 1)
                    .arg(heights_.size())
                    .arg(shown_length(heights_[k], document_.unit(), 5));
         if (k > 0)
-            line += tr(", %1 below the one before")
-                        .arg(shown_length(heights_[k - 1] - heights_[k], document_.unit(), 3));
+            line += tr(", %1 deep").arg(shown_length(heights_[k - 1] - heights_[k], document_.unit(), 3));
         if (!planned_) line += tr(" (preview)");
     }
     bar_->readout()->set_text(line);

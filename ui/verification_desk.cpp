@@ -297,14 +297,17 @@ void VerificationDesk::show_stock() {
 }
 
 void VerificationDesk::show_stock_after(std::size_t operation) {
-    if (!playback_.loaded() || operation >= playback_.track().operation_count()) return;
-    const std::size_t motions = playback_.track().motions_of(operation);
-    if (motions == 0) return;
+    if (!playback_.loaded() || operation >= document_.operation_count()) return;
+    const PlaybackTrack& track = playback_.track();
+    std::size_t last = track.operation_count();
+    for (std::size_t i = 0; i < track.operation_count(); ++i)
+        if (track.operation(i).id == document_.operation_id(operation) && track.motions_of(i) > 0) last = i;
+    if (last == track.operation_count()) return;
     playback_.pause();
     shown_operation_ = std::size_t(-1);
     engaged_ = true;
     stock_offered_ = false; // it is what was asked for
-    playback_.go_to(MotionPlace{operation, motions - 1});
+    playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
 }
 
 void VerificationDesk::tool_put(std::size_t operation, std::size_t motion) {
