@@ -33,7 +33,6 @@ public:
         for (std::size_t i = 0; i < path_.passes.size(); ++i) {
             progress_.part(0.1, 1).set(double(i) / double(path_.passes.size()));
             if (path_.passes[i].cl.empty()) continue;
-            if (i == 0 || path_.passes[i].layer != path_.passes[i - 1].layer) field_.refresh();
             add(path_.passes[i], Index(i));
         }
         if (started_) up_to(result_.clearance_z);

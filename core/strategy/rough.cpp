@@ -283,7 +283,6 @@ void Planner::plan_layers(const Progress& progress) {
 
 void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     const double z = layers_.heights[layer];
-    field_->refresh();
     highest_ = field_->highest();
     const std::optional<double> next =
         layer + 1 < layers_.heights.size() ? std::optional(layers_.heights[layer + 1]) : std::nullopt;

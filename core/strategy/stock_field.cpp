@@ -24,6 +24,15 @@ StockCutter::StockCutter(const CutterProfile& profile)
         table_[i] = profile.height_at(radius_ * (i == pieces ? 1 - 1e-15 : 1 - rest * rest));
     }
     table_[pieces + 1] = table_[pieces];
+    std::size_t flat = 0; // knots 0 to flat are 0
+    while (flat <= pieces && table_[flat] == 0)
+        ++flat;
+    if (flat > 1) {
+        const double rest = 1 - double(flat - 1) / double(pieces);
+        flat_radius_ = radius_ * (1 - rest * rest) * (1 - 1e-12);
+        while (flat_radius_ > 0 && above(flat_radius_) != 0)
+            flat_radius_ *= 1 - 1e-4;
+    }
 }
 
 StockField::StockField(const StockSolid& solid, double cell, const Progress& progress) : box_(solid.box) {
@@ -47,7 +56,7 @@ StockField::StockField(const StockSolid& solid, double cell, const Progress& pro
         fill_round(solid);
     else if (solid.kind == StockSolid::Kind::mesh)
         fill_mesh(solid, progress);
-    refresh();
+    find_run_tops();
     progress.set(1);
 }
 
@@ -89,25 +98,27 @@ void StockField::fill_mesh(const StockSolid& solid, const Progress& progress) {
 
 double StockField::highest() const {
     double most = -infinity;
-    for (const Cell& c : cells_)
-        most = std::max(most, c.top);
+    for (const double top : run_tops_)
+        most = std::max(most, top);
     return most;
 }
 
-void StockField::refresh() {
-    block_columns_ = (columns_ + block - 1) / block;
-    block_tops_.assign(std::size_t(block_columns_) * std::size_t((rows_ + block - 1) / block), -infinity);
-    for (int row = 0; row < rows_; ++row) {
-        double* tops = block_tops_.data() + std::ptrdiff_t(row / block) * block_columns_;
-        for (int column = 0; column < columns_; ++column)
-            tops[column / block] = std::max(tops[column / block], cells_[at(column, row)].top);
-    }
+void StockField::find_run_tops() {
+    run_columns_ = (columns_ + run - 1) / run;
+    run_tops_.assign(std::size_t(run_columns_) * std::size_t(rows_), -infinity);
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            double& top = run_tops_[std::size_t(row) * std::size_t(run_columns_) + std::size_t(column / run)];
+            top = std::max(top, cells_[at(column, row)].top);
+        }
 }
 
-template <class Cells, class Visit>
-void StockField::near_way(Cells& cells, const Vec2& a, const Vec2& b, double reach, double floor,
-                          Visit&& visit) const {
-    if (cells.empty()) return;
+template <class Field, class Wanted, class Visit>
+void StockField::near_way(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                          Wanted&& wanted, Visit&& visit) {
+    if (field.cells_.empty()) return;
+    const double cell_ = field.cell_;
+    const Box3& box_ = field.box_;
     const Vec2 way = b - a;
     const double square = way.squaredNorm();
     const auto first = [&](double x, double lo) {
@@ -117,21 +128,31 @@ void StockField::near_way(Cells& cells, const Vec2& a, const Vec2& b, double rea
         return int(std::clamp(std::ceil((x + reach - lo) / cell_ - 0.5), -1.0, double(n - 1)));
     };
     const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
-    const int row1 = last(std::max(a.y(), b.y()), box_.lo.y(), rows_);
-    const int column0 = first(x0, box_.lo.x()), column1 = last(x1, box_.lo.x(), columns_);
+    const int row1 = last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_);
+    const int column0 = first(x0, box_.lo.x()), column1 = last(x1, box_.lo.x(), field.columns_);
     const double reach_square = reach * reach;
     for (int row = first(std::min(a.y(), b.y()), box_.lo.y()); row <= row1; ++row) {
-        const double* tops = block_tops_.data() + std::ptrdiff_t(row / block) * block_columns_;
+        auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
+        auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
         for (int begin = column0; begin <= column1;) {
-            const int end = std::min(column1, begin / block * block + block - 1);
-            if (tops[begin / block] > floor)
+            const int start = begin / run * run, end = std::min(column1, start + run - 1);
+            if (tops[begin / run] > floor) {
                 for (int column = begin; column <= end; ++column) {
-                    const Vec2 p = centre(column, row) - a;
+                    auto& cell = cells[column];
+                    if (!wanted(cell)) continue;
+                    const Vec2 p = field.centre(column, row) - a;
                     const double t = square > 0 ? std::clamp(p.dot(way) / square, 0.0, 1.0) : 0;
                     const double d2 = (p - t * way).squaredNorm();
                     if (d2 > reach_square) continue;
-                    if (!visit(cells[at(column, row)], std::sqrt(d2), t)) return;
+                    if (!visit(cell, d2, t)) return;
                 }
+                if constexpr (!std::is_const_v<Field>) {
+                    double top = -infinity;
+                    for (int column = start; column < std::min(field.columns_, start + run); ++column)
+                        top = std::max(top, cells[column].top);
+                    tops[begin / run] = top;
+                }
+            }
             begin = end + 1;
         }
     }
@@ -149,6 +170,51 @@ void short_pieces(double length, double longest, Piece&& piece) {
 
 } // namespace
 
+void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
+    const Vec2 way = b - a;
+    const double length = way.norm();
+    const Vec2 side = length > 0 ? Vec2(Vec2(-way.y(), way.x()) * (radius / length)) : Vec2(0, radius);
+    const double low = std::min(a.y(), b.y()) - radius, high = std::max(a.y(), b.y()) + radius;
+    const int row0 = std::max(0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)));
+    const int row1 = std::min(rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)));
+    for (int row = row0; row <= row1; ++row) {
+        // The place is convex: a disc at either end, and what is between the two sides.
+        const double y = box_.lo.y() + (row + 0.5) * cell_;
+        double from = infinity, to = -infinity;
+        for (const Vec2& end : {a, b}) {
+            const double rest = radius * radius - (y - end.y()) * (y - end.y());
+            if (rest < 0) continue;
+            from = std::min(from, end.x() - std::sqrt(rest));
+            to = std::max(to, end.x() + std::sqrt(rest));
+        }
+        for (const double s : {-1.0, 1.0}) {
+            const Vec2 p = a + s * side, q = b + s * side;
+            if ((p.y() - y) * (q.y() - y) > 0 || p.y() == q.y()) continue;
+            const double x = p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+            from = std::min(from, x);
+            to = std::max(to, x);
+        }
+        if (!(from <= to)) continue;
+        const int column0 = std::max(0, int(std::ceil((from - box_.lo.x()) / cell_ - 0.5)));
+        const int column1 = std::min(columns_ - 1, int(std::floor((to - box_.lo.x()) / cell_ - 0.5)));
+        Cell* cells = cells_.data() + std::ptrdiff_t(row) * columns_;
+        double* tops = run_tops_.data() + std::ptrdiff_t(row) * run_columns_;
+        for (int begin = column0; begin <= column1;) {
+            const int start = begin / run * run, end = std::min(column1, start + run - 1);
+            if (tops[begin / run] > z) {
+                for (int column = begin; column <= end; ++column)
+                    for (double* height : {&cells[column].top, &cells[column].middle})
+                        if (*height > z && *height <= top) *height = z;
+                double most = -infinity;
+                for (int column = start; column < std::min(columns_, start + run); ++column)
+                    most = std::max(most, cells[column].top);
+                tops[begin / run] = most;
+            }
+            begin = end + 1;
+        }
+    }
+}
+
 void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
     const Vec3 way = b - a;
     short_pieces(way.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
@@ -156,8 +222,13 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
         // Any place of the piece gives a height that is not too low; the nearest is the best on a level one,
         // the lower end where it goes down steeply.
         const Vec3& low = p.z() < q.z() ? p : q;
-        near_way(cells_, p.head<2>(), q.head<2>(), cutter.radius(), low.z(),
-                 [&](Cell& cell, double d, double t) {
+        if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
+            cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
+                      p.z() + cutter.height());
+        const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
+        near_way(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
+                 [&](Cell& cell, double square, double t) {
+                     const double d = std::sqrt(square);
                      const double z = p.z() + t * (q.z() - p.z());
                      const auto lower = [&](double& height, double slack) {
                          if (height <= low.z() || height > z + cutter.height()) return;
@@ -168,8 +239,9 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
                      return true;
                  });
         if (p.z() != q.z())
-            near_way(cells_, low.head<2>(), low.head<2>(), cutter.radius(), low.z(),
-                     [&](Cell& cell, double d, double) {
+            near_way(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
+                     [&](Cell& cell, double square, double) {
+                         const double d = std::sqrt(square);
                          const auto lower = [&](double& height, double slack) {
                              if (height <= low.z() || height > low.z() + cutter.height()) return;
                              height = std::min(height, low.z() + cutter.above(d + slack));
@@ -186,13 +258,14 @@ double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const 
     double height = -infinity;
     const Vec2 way = b - a;
     short_pieces(way.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_way(cells_, a + from * way, a + to * way, cutter.radius() + half_diagonal_, height,
-                 [&](const Cell& cell, double d, double) {
-                     if (cell.top > height)
-                         height =
-                             std::max(height, cell.top - cutter.below(std::max(0.0, d - half_diagonal_)));
-                     return true;
-                 });
+        near_way(
+            *this, a + from * way, a + to * way, cutter.radius() + half_diagonal_, height,
+            [&](const Cell& cell) { return cell.top > height; },
+            [&](const Cell& cell, double square, double) {
+                const double d = std::sqrt(square);
+                height = std::max(height, cell.top - cutter.below(std::max(0.0, d - half_diagonal_)));
+                return true;
+            });
         return true;
     });
     return height;
@@ -202,11 +275,14 @@ double StockField::stand_height(const StockCutter& cutter, const Vec2& a, const 
     double height = -infinity;
     const Vec2 way = b - a;
     short_pieces(way.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_way(cells_, a + from * way, a + to * way, cutter.radius(), height,
-                 [&](const Cell& cell, double d, double) {
-                     if (cell.middle > height) height = std::max(height, cell.middle - cutter.below(d));
-                     return true;
-                 });
+        near_way(
+            *this, a + from * way, a + to * way, cutter.radius(), height,
+            [&](const Cell& cell) { return cell.middle > height; },
+            [&](const Cell& cell, double square, double) {
+                const double d = std::sqrt(square);
+                height = std::max(height, cell.middle - cutter.below(d));
+                return true;
+            });
         return true;
     });
     return height;
@@ -216,11 +292,13 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
     double height = floor;
     const Vec2 way = b - a;
     short_pieces(way.norm(), piece_radii * std::max(radius, cell_), [&](double from, double to) {
-        near_way(cells_, a + from * way, a + to * way, radius + half_diagonal_, height,
-                 [&](const Cell& cell, double, double) {
-                     height = std::max(height, cell.top);
-                     return true;
-                 });
+        near_way(
+            *this, a + from * way, a + to * way, radius + half_diagonal_, height,
+            [&](const Cell& cell) { return cell.top > height; },
+            [&](const Cell& cell, double, double) {
+                height = std::max(height, cell.top);
+                return true;
+            });
         return true;
     });
     return height;
@@ -236,15 +314,19 @@ std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a,
     std::vector<char> busy(bins, 0);
     short_pieces(length, piece_radii * cutter.radius(), [&](double from, double to) {
         const Vec3 p = a + from * way, q = a + to * way;
-        near_way(cells_, p.head<2>(), q.head<2>(), cutter.radius(), std::min(p.z(), q.z()) + least,
-                 [&](const Cell& cell, double d, double t) {
-                     // Of an upright way the lower end says it.
-                     const double z = length > 0 ? p.z() + t * (q.z() - p.z()) : std::min(a.z(), b.z());
-                     if (!(cell.middle - (z + cutter.above(d)) > least)) return true;
-                     const double share = from + t * (to - from);
-                     busy[std::min(bins - 1, std::size_t(share * double(bins)))] = 1;
-                     return true;
-                 });
+        const double floor = std::min(p.z(), q.z()) + least;
+        near_way(
+            *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
+            [&](const Cell& cell) { return cell.middle > floor; },
+            [&](const Cell& cell, double square, double t) {
+                const double share = from + t * (to - from);
+                char& bin = busy[std::min(bins - 1, std::size_t(share * double(bins)))];
+                if (bin) return true;
+                // Of an upright way the lower end says it.
+                const double z = length > 0 ? p.z() + t * (q.z() - p.z()) : std::min(a.z(), b.z());
+                if (cell.middle - (z + cutter.above(std::sqrt(square))) > least) bin = 1;
+                return true;
+            });
         return true;
     });
     for (std::size_t i = 0; i < bins; ++i) {
@@ -262,11 +344,15 @@ bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& 
     bool found = false;
     const Vec3 way = b - a;
     const auto look = [&](const Vec3& p, const Vec3& q) {
-        near_way(cells_, p.head<2>(), q.head<2>(), cutter.radius(), std::min(p.z(), q.z()) + least,
-                 [&](const Cell& cell, double d, double t) {
-                     found = cell.middle - (p.z() + t * (q.z() - p.z()) + cutter.above(d)) > least;
-                     return !found;
-                 });
+        const double floor = std::min(p.z(), q.z()) + least;
+        near_way(
+            *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
+            [&](const Cell& cell) { return cell.middle > floor; },
+            [&](const Cell& cell, double square, double t) {
+                const double d = std::sqrt(square);
+                found = cell.middle - (p.z() + t * (q.z() - p.z()) + cutter.above(d)) > least;
+                return !found;
+            });
         return !found;
     };
     short_pieces(way.head<2>().norm(), piece_radii * cutter.radius(),

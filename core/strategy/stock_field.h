@@ -28,6 +28,8 @@ public:
 
     double radius() const { return radius_; }
     double height() const { return height_; }
+    /// Within this distance from the axis the lower surface is flat, for `above` too; 0 where it is not.
+    double flat_radius() const { return flat_radius_; }
     /// Not below, and not above, the height of the lower surface over the tip at distance rho from the axis;
     /// infinite beyond the radius.
     double above(double rho) const { return rho > radius_ ? infinity : table_[knot(rho) + 1]; }
@@ -39,7 +41,7 @@ private:
     std::size_t knot(double rho) const {
         return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
     }
-    double radius_, height_;
+    double radius_, height_, flat_radius_ = 0;
     std::vector<double> table_;
 };
 
@@ -62,9 +64,6 @@ public:
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
     double highest() const; ///< of all tops
-    /// Makes questions cheap again where much was cut since; they have the same answers without.
-    void refresh();
-
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
     /// The lowest tip height at which the cutter, moved level and straight from a to b, touches nothing; -inf
@@ -87,22 +86,27 @@ private:
     std::size_t at(int column, int row) const {
         return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
     }
+    void find_run_tops();
+    /// What stands over cells whose centre is within `radius` of the way from a to b, but not above `top`, is
+    /// cut down to z.
+    void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top);
     void fill_round(const StockSolid& solid);
     void fill_mesh(const StockSolid& solid, const Progress& progress);
-    /// visit(cell, distance of its centre from the way, share of the way nearest to it) for cells whose
-    /// centre is within `reach`, but for those that surely have no top above `floor`; ends when visit returns
-    /// false.
-    template <class Cells, class Visit>
-    void near_way(Cells& cells, const Vec2& a, const Vec2& b, double reach, double floor,
-                  Visit&& visit) const;
+    /// visit(cell, square of its centre's distance from the way, share of the way nearest to it) for cells
+    /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
+    /// `floor`; ends when visit returns false. Most cells near a way are cut already: `wanted` is asked
+    /// first.
+    template <class Field, class Wanted, class Visit>
+    static void near_way(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                         Wanted&& wanted, Visit&& visit);
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;
     int columns_ = 0, rows_ = 0;
     std::vector<Cell> cells_;
-    static constexpr int block = 16; ///< cells along its side
-    int block_columns_ = 0;
-    std::vector<double> block_tops_; ///< of blocks of cells; not below any top in them
+    static constexpr int run = 8; ///< cells of a row
+    int run_columns_ = 0;
+    std::vector<double> run_tops_; ///< the highest top of each run
 };
 
 } // namespace facetmill
