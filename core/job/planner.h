@@ -102,9 +102,12 @@ std::string report_json(const Project& project, const PlanResult& result);
 /// systems or shells might stumble over.
 std::string program_file_name(std::size_t place, const std::string& operation_name);
 
-/// Writes NN-NAME.apt per operation and report.json into `folder` (made if missing): all of them or none.
-/// Returns the paths. Throws Error(unwritable, what write_apt throws) or Cancelled; nothing is left then, not
-/// even a new folder.
+/// "01-Rough-pass-01.txt", "02-Finish.txt" (pass -1): the table of positions of a turning part.
+std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass);
+
+/// Writes NN-NAME.apt per operation, the tables of positions of those that turn the part (turning_table.h),
+/// and report.json into `folder` (made if missing): all of them or none. Returns the paths. Throws
+/// Error(unwritable, what write_apt throws) or Cancelled; nothing is left then, not even a new folder.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress);
 

@@ -360,4 +360,32 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     return p;
 }
 
+Project default_turned_project(const fs::path& part_file, LengthUnit unit, const Box3& part_box) {
+    Project p = default_project(part_file, unit, part_box);
+    const OperationCommon finish = p.operations.front()->common();
+    p.machine = "lathe-mill";
+    p.stock.kind = StockSpec::Kind::cylinder;
+    p.stock.axis = StockSpec::Axis::x;
+    p.stock.margin[0] = 0; // it is held at its ends
+    p.operations.clear();
+    for (const char* kind : {"lathe_rough", "lathe_finish"}) {
+        auto operation = make_operation(kind);
+        OperationCommon& common = operation->common();
+        const bool rough = operation->kind() == "lathe_rough";
+        common.name = rough ? "Rough" : "Finish";
+        common.tool = finish.tool;
+        common.tolerance = rough ? 10 * finish.tolerance : finish.tolerance;
+        common.feed = finish.feed;
+        common.spindle = finish.spindle;
+        common.clearance = finish.clearance;
+        if (rough) {
+            const double diameter = p.tools.front().diameter;
+            operation->set("depth_of_cut", diameter / 4);
+            operation->set("finishing_allowance", diameter / 20);
+        }
+        p.operations.push_back(std::move(operation));
+    }
+    return p;
+}
+
 } // namespace facetmill

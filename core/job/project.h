@@ -83,5 +83,7 @@ void apply_setting(Project& project, std::string_view setting);
 
 /// A new project around a part with one sensible tool and one finish3 operation for its size.
 Project default_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);
+/// The same for a part that turns about X: a lathe-mill, round stock, roughing and finishing.
+Project default_turned_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);
 
 } // namespace facetmill

@@ -4,6 +4,8 @@
 #include "core/job/new_folder.h"
 #include "core/job/planner.h"
 #include "core/output/apt.h"
+#include "core/output/turning_table.h"
+#include "core/strategy/lathe.h"
 
 #include <system_error>
 
@@ -33,10 +35,11 @@ void add_machine_run(Json& entry, const OperationResult& o) {
     };
     const MachineRun& run = *o.machine_run;
     const auto& seconds = o.path.stage_seconds;
-    entry["seconds_by_stage"] = Json{{"cc", number(seconds[0])},
-                                     {"bottom", number(seconds[1])},
-                                     {"top", number(seconds[2])},
-                                     {"choose", number(seconds[3])}};
+    if (!o.path.turned)
+        entry["seconds_by_stage"] = Json{{"cc", number(seconds[0])},
+                                         {"bottom", number(seconds[1])},
+                                         {"top", number(seconds[2])},
+                                         {"choose", number(seconds[3])}};
     if (o.path.lead_min <= o.path.lead_max)
         entry["lead_degrees"] =
             Json::array({number(degrees(o.path.lead_min)), number(degrees(o.path.lead_max))});
@@ -104,6 +107,16 @@ std::string report_json(const Project& project, const PlanResult& result) {
             entry["remaining_height"] = number(o->path.cusp_max / per);
             entry["air_length"] = number(o->program.motions.air_length / per);
         }
+        if (o->path.turned) {
+            const TurnedPath& t = *o->path.turned;
+            if (!o->path.layers.empty()) entry["layers"] = o->path.layers.size();
+            entry["turning"] = Json{{"axis_point", numbers(t.axis.point, per)},
+                                    {"axis_direction", numbers(t.axis.direction, 1)},
+                                    {"part_diameter", number(2 * t.part_radius / per)},
+                                    {"stock_diameter", number(2 * t.stock_radius / per)},
+                                    {"from", number(t.from / per)},
+                                    {"to", number(t.to / per)}};
+        }
         if (o->machine_run) add_machine_run(entry, *o);
         operations.push_back(std::move(entry));
     }
@@ -143,6 +156,13 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
     return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
 }
 
+std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass) {
+    std::string name = program_file_name(place, operation_name);
+    name.resize(name.size() - 4);
+    if (pass >= 0) name += (pass < 9 ? "-pass-0" : "-pass-") + std::to_string(pass + 1);
+    return name + ".txt";
+}
+
 std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
                                  const Progress& progress) {
     if (result.operations.empty())
@@ -157,8 +177,20 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         while (place < project.operations.size() && project.operations[place]->common().name != o.name)
             ++place;
         paths.push_back(folder / program_file_name(place + 1, o.name));
-        write_apt(o.program, files.add(paths.back()),
-                  progress.part(double(i) / n, double(i + 1) / n, "Writing"));
+        const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
+        write_apt(o.program, files.add(paths.back()), part);
+        if (o.path.turned) {
+            const auto* turns = place < project.operations.size()
+                                    ? dynamic_cast<const TurnsPart*>(project.operations[place].get())
+                                    : nullptr;
+            const bool modulo = turns && turns->lathe().winding == LatheCommon::Winding::modulo;
+            for (const TurningTableRange& range : turning_table_ranges(o.program, o.path)) {
+                paths.push_back(folder / turning_table_name(place + 1, o.name, range.pass));
+                write_turning_table(o.program, *o.path.turned, range,
+                                    modulo ? AngleWinding::modulo : AngleWinding::unwound,
+                                    files.add(paths.back()), part);
+            }
+        }
     }
     paths.push_back(folder / "report.json");
     files.add(paths.back()).write(report_json(project, result));

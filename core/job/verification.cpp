@@ -3,6 +3,7 @@
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
+#include "core/strategy/lathe_rough.h"
 
 #include <array>
 
@@ -102,7 +103,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == o->program.tool_number; });
         VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : VerifyTool(o->program.cutter);
-        programs.push_back({o->name, std::move(used), {o, &o->program.motions}, std::nullopt});
+        programs.push_back({o->name, std::move(used), {o, &o->program.motions}, o->program.motions.turning});
     }
     return programs;
 }
@@ -156,17 +157,20 @@ ClFileProgram read_verify_program(const Project& project, const fs::path& path, 
 
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     VerifySettings settings;
-    const OperationCommon* last = nullptr;
+    const Operation* last = nullptr;
     for (const auto& o : project.operations) {
         const bool planned = !plan
                              || std::any_of(plan->operations.begin(), plan->operations.end(),
                                             [&](const auto& r) { return r->name == o->common().name; });
-        if (planned) last = &o->common();
+        if (planned) last = o.get();
     }
     if (last) {
-        settings.tolerance = last->tolerance;
-        settings.allowance = last->allowance;
-        settings.gouge_limit = chord_share * last->tolerance;
+        const OperationCommon& common = last->common();
+        settings.tolerance = common.tolerance;
+        settings.allowance = common.allowance;
+        settings.gouge_limit = chord_share * common.tolerance;
+        if (const auto* rough = dynamic_cast<const LatheRough*>(last))
+            settings.allowance += rough->settings().finishing_allowance;
     }
     if (plan && !plan->operations.empty()) {
         settings.gouge_limit = 0;

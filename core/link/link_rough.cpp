@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/motion.h"
+#include "core/strategy/lathe.h"
 #include "core/strategy/rough_entry.h"
 #include "core/strategy/rough_reach.h"
 
@@ -150,6 +151,8 @@ ToolMotions link_operation(const Operation& operation, const StrategyResult& pat
                            const Progress& progress) {
     const OperationCommon& common = operation.common();
     const LinkOptions options = default_link_options(path, context, common);
+    if (const auto* turns = dynamic_cast<const TurnsPart*>(&operation))
+        return link_lathe(path, context, turns->lathe(), options, progress);
     if (path.stock_cell > 0) return link_rough(path, context, common.allowance, options, progress);
     if (operation.three_axis()) return link_three_axis(path, context, common.allowance, options, progress);
     const double beside = operation.holder_clearance();

@@ -4,12 +4,16 @@
 
 #include "core/base/progress.h"
 #include "core/gouge/tool_lift.h"
+#include "core/setup/turning_axis.h"
 #include "core/strategy/operation.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace facetmill {
+
+struct LatheCommon; // core/strategy/lathe.h
 
 enum class MotionKind : std::uint8_t {
     rapid,    ///< clearance move, never in contact
@@ -30,6 +34,9 @@ struct ToolMotions {
     std::vector<Motion> motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
     double clearance_z = 0;
     double air_length = 0; ///< of roughing: of motions at feed, where nothing is cut; mm
+    /// Of a part that turns: motions between locations whose axes differ run as TurningAxis says. Else the tip
+    /// moves straight and the axis turns in one plane.
+    std::optional<TurningAxis> turning;
 };
 
 struct LinkOptions {
@@ -63,6 +70,14 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
 /// rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at feed. `allowance` as
 /// above. Throws Error(out_of_range), Cancelled within 100 ms.
 ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
+                       const LinkOptions& options, const Progress& progress);
+
+/// Joins the passes of an operation on a turning part: on along the path where a pass begins where the one before ended,
+/// else out along the tool axis, at feed until it is clear and then in a rapid, to a radius beyond stock, chuck and
+/// tailstock; there round and along the part in rapids; in to the clearance over the raw material in a rapid, and by the
+/// pass's entry at feed. Rapids that turn the part are divided, so that they stay out there whether the tip runs on the arc
+/// or on its chords. Throws Error(out_of_range), Cancelled within 100 ms.
+ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
                        const LinkOptions& options, const Progress& progress);
 
 /// Joins the passes of an operation in the way that suits it.

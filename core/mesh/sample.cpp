@@ -19,10 +19,14 @@ const std::vector<SampleKind>& sample_kinds() {
          inch},
         {"shell", "Body shell", "A car body with four steep concave scoops, 12 × 6 in.", inch},
         {"square-prism", "Square prism", "Jasra's turned prism: side 50 mm, 40 mm long, about the X axis.",
-         mm},
-        {"cylinder", "Cylinder", "Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.", mm},
+         mm, true},
+        {"cylinder", "Cylinder", "Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.", mm, true},
         {"twisted-prism", "Twisted prism",
-         "A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.", mm},
+         "A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.", mm, true},
+        {"extruded-pattern", "Extruded pattern",
+         "Raised pads on a cylinder Ø40 mm, 54 mm long, about the X axis.", mm, true},
+        {"swept-pattern", "Swept pattern",
+         "Ribs swept around a cylinder Ø40 mm, 54 mm long, about the X axis.", mm, true},
     };
     return kinds;
 }
@@ -47,6 +51,8 @@ std::shared_ptr<const Mesh> make_sample(std::string_view name, double chord_tole
         if (name == "shell") return sample::shell(chord_tolerance_mm, progress);
         if (name == "square-prism") return sample::square_prism();
         if (name == "cylinder") return sample::cylinder(chord_tolerance_mm);
+        if (name == "extruded-pattern") return sample::extruded_pattern(chord_tolerance_mm, progress);
+        if (name == "swept-pattern") return sample::swept_pattern(chord_tolerance_mm, progress);
         if (name == "twisted-prism") return sample::twisted_prism(chord_tolerance_mm, progress);
         return sample::lu(name, chord_tolerance_mm, progress);
     };

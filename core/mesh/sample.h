@@ -15,10 +15,11 @@ namespace facetmill {
 struct SampleKind {
     std::string name, label, help;
     LengthUnit natural_unit = LengthUnit::inch; ///< the unit its source gives it in
+    bool turned = false;                        ///< made to turn about the X axis
 };
 
 /// concave, convex, complex (Lu, Appendix A), pillar, gap, shell (stand-ins), square-prism, cylinder,
-/// twisted-prism (Jasra).
+/// twisted-prism (Jasra), extruded-pattern, swept-pattern (stand-ins for his patterns).
 const std::vector<SampleKind>& sample_kinds();
 
 inline constexpr double default_sample_tolerance = 0.002 * 25.4; ///< mm

@@ -22,5 +22,8 @@ Mesh shell(double tolerance, const Progress& progress);
 Mesh square_prism();
 Mesh cylinder(double tolerance);
 Mesh twisted_prism(double tolerance, const Progress& progress);
+/// Cylinders with raised patterns, as Jasra's figure 4.14.
+Mesh extruded_pattern(double tolerance, const Progress& progress);
+Mesh swept_pattern(double tolerance, const Progress& progress);
 
 } // namespace facetmill::sample

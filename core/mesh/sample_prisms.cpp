@@ -1,11 +1,13 @@
 // Jasra's lathe-mill parts. The square prism has the 50 mm side of his validation and the 40 mm length of the
 // block he cut; the cylinder is his Ø40 x 25. He gives no size for the twisted prism: side 45 mm as his cut
-// prism, 60 mm long, a quarter turn.
+// prism, 60 mm long, a quarter turn. The patterns on a cylinder (his figure 4.14, 1 mm high) are stand-ins.
 #include "core/base/error.h"
 #include "core/mesh/sample_parts.h"
 #include "core/mesh/sample_tessellate.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -92,6 +94,62 @@ Mesh twisted_prism(double tolerance, const Progress& progress) {
     Mesh mesh = tessellate_patch(side, grid, tolerance, "twisted-prism", progress);
     close_ends(mesh, {0.0, length});
     return mesh;
+}
+
+namespace {
+
+/// A cylinder about X whose radius is radius(angle, x), of the given cells around and along.
+Mesh turned(const std::function<double(double, double)>& radius, double length, int around, int along,
+            double tolerance, const std::string& what, const Progress& progress) {
+    const PatchFunction side = [&](double a, double b) {
+        const double angle = 2.0 * pi * a / around;
+        const double r = radius(angle, b);
+        return Vec3(b, r * std::cos(angle), r * std::sin(angle));
+    };
+    PatchGrid grid;
+    grid.closed_a = true;
+    for (int i = 0; i <= around; ++i)
+        grid.a.push_back(i);
+    for (int i = 0; i <= along; ++i)
+        grid.b.push_back(length * i / along);
+    Mesh mesh = tessellate_patch(side, grid, tolerance, what, progress);
+    close_ends(mesh, {0.0, length});
+    return mesh;
+}
+
+/// From 0 to 1 over 0 <= t <= 1, level at both ends.
+double eased(double t) {
+    return 0.5 - 0.5 * std::cos(pi * std::clamp(t, 0.0, 1.0));
+}
+
+} // namespace
+
+Mesh extruded_pattern(double tolerance, const Progress& progress) {
+    // Six pads around and three along, raised by 1 mm; flanks 4 mm wide, so that a ball of radius 1.5875 mm
+    // reaches their feet.
+    constexpr double base = 20.0, length = 54.0, raised = 1.0, flank = 4.0;
+    constexpr int around = 6, along = 3;
+    const auto pad = [](double at, double cell) { // across one cell, 0 at its borders
+        const double inside = std::min(at, cell - at) - 1.0;
+        return eased(inside / flank);
+    };
+    const auto radius = [&](double angle, double x) {
+        const double cell_a = 2.0 * pi * base / around, cell_x = length / along;
+        const double a = base * angle, in_a = a - cell_a * std::floor(a / cell_a),
+                     in_x = x - cell_x * std::min(std::floor(x / cell_x), along - 1.0);
+        return base + raised * pad(in_a, cell_a) * pad(in_x, cell_x);
+    };
+    return turned(radius, length, 4 * around, 4 * along, tolerance, "extruded-pattern", progress);
+}
+
+Mesh swept_pattern(double tolerance, const Progress& progress) {
+    // Three round ribs that wind around the cylinder once in 54 mm.
+    constexpr double base = 20.0, length = 54.0, raised = 1.5, strands = 3.0;
+    const auto radius = [&](double angle, double x) {
+        const double rib = 0.5 + 0.5 * std::cos(strands * (angle - 2.0 * pi * x / length));
+        return base + raised * rib * rib;
+    };
+    return turned(radius, length, 24, 12, tolerance, "swept-pattern", progress);
 }
 
 } // namespace facetmill::sample

@@ -15,6 +15,9 @@ Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionT
     if (box.empty())
         for (const Motion& m : program.motions.motions)
             box.add(m.to.tip);
+    if (const auto& turning = program.motions.turning; turning && !box.empty())
+        if (const int table = turning_table(machine, turning->direction); table >= 0)
+            return turning_part_origin(machine, table, turning->point, box);
     return box.empty() ? machine.table : default_part_origin(machine, box);
 }
 

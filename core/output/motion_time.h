@@ -26,7 +26,8 @@ struct MotionTimeOptions {
     /// from rest to rest a trapezoid and straight runs free; never more than that trapezoid.
     bool accelerations = false;
     /// Where the part's origin lies in the frame of the machine. Default: default_part_origin for the
-    /// program's part_box, or for the box of its tips where it knows no part.
+    /// program's part_box, or for the box of its tips where it knows no part; for a part that turns, with its
+    /// axis in the line of a table that can turn it.
     std::optional<Vec3> part_origin;
     /// How far the tool axis may stray, on a motion at feed, from the middle between its ends before it is a
     /// finding, beyond half the angle between the ends; radians. Axes stray where they rewind or go round a

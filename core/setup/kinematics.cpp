@@ -51,6 +51,23 @@ Vec3 default_part_origin(const Machine& machine, const Box3& part_box) {
     return machine.table - Vec3(middle.x(), middle.y(), part_box.lo.z());
 }
 
+int turning_table(const Machine& machine, const Vec3& direction) {
+    // Of tables on tables only the one at the bed keeps its direction whatever the other does.
+    for (std::size_t i = 0; i < machine.rotary.size(); ++i)
+        if (const RotaryAxis& r = machine.rotary[i];
+            r.carries == RotaryAxis::Carries::table
+            && r.direction.cross(direction).norm() <= tolerance::level_angle)
+            return int(i);
+    return -1;
+}
+
+Vec3 turning_part_origin(const Machine& machine, int table, const Vec3& point, const Box3& part_box) {
+    const RotaryAxis& r = machine.rotary.at(std::size_t(table));
+    const Vec3 origin = default_part_origin(machine, part_box);
+    const Vec3 off = r.point - (point + origin);
+    return origin + off - off.dot(r.direction) * r.direction;
+}
+
 double gauge_length(const Tool& tool) {
     double length = tool.flute_length + tool.shank_length;
     for (const HolderSection& s : tool.holder)

@@ -34,6 +34,13 @@ struct Joints {
 /// Throws Error(out_of_range) for an empty box.
 Vec3 default_part_origin(const Machine& machine, const Box3& part_box);
 
+/// Number in Machine::rotary of a table that turns a part about a line with this direction, either way round;
+/// -1 where the machine has none.
+int turning_table(const Machine& machine, const Vec3& direction);
+/// Where the part's origin lies when its turning axis runs in the line of that table (`point`: any of the
+/// axis), and along it where default_part_origin puts it.
+Vec3 turning_part_origin(const Machine& machine, int table, const Vec3& point, const Box3& part_box);
+
 /// Tip to spindle nose: flutes, shank and holder, mm.
 double gauge_length(const Tool& tool);
 

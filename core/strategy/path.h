@@ -6,10 +6,12 @@
 #pragma once
 
 #include "core/base/vec.h"
+#include "core/setup/turning_axis.h"
 #include "core/strategy/strip.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,18 @@ struct Pass {
     std::vector<CutterLocation> entry;
 };
 
+/// Of a part that turns about an axis (lathe-mill): what its path is measured in. Angle 0 is at `zero`,
+/// angles turn it by the right hand about the axis; lengths along the axis count from its point.
+struct TurnedPath {
+    TurningAxis axis;
+    Vec3 zero = Vec3::UnitZ(); ///< unit vector across the axis
+    double part_radius = 0;    ///< largest distance of the part from the axis
+    double stock_radius = 0;   ///< of the stock
+    double from = 0, to = 0;   ///< places along the axis that the path begins and ends at
+    double side_feed_most = 0; ///< largest advance in a turn, mm; of lengthwise lines the largest angle
+    std::size_t at_core = 0;   ///< CL points where nothing but the core radius holds the tool
+};
+
 struct StrategyResult {
     std::vector<Pass> passes; ///< in machining order, already turned (zigzag or one way)
     int drive_planes = 0;     ///< what reports call "passes"
@@ -52,9 +66,10 @@ struct StrategyResult {
     double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
     std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
     std::size_t rework_regions = 0;                   ///< regions left for a rework operation
-    std::vector<Strip> strips;  ///< regions that the operation found, also those switched off
-    std::vector<double> layers; ///< of roughing: tip heights of the layers that are cut, from the top
-    double stock_cell = 0;      ///< of roughing: size of the cells of the stock it planned with, mm
+    std::vector<Strip> strips;        ///< regions that the operation found, also those switched off
+    std::vector<double> layers;       ///< of roughing: tip heights of the layers that are cut, from the top
+    double stock_cell = 0;            ///< of roughing: size of the cells of the stock it planned with, mm
+    std::optional<TurnedPath> turned; ///< of a turning part only
     std::vector<std::string> warnings;
 };
 

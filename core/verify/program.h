@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.h"
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
+#include "core/setup/turning_axis.h"
 
 #include <memory>
 #include <optional>
@@ -30,11 +31,6 @@ struct VerifyTool {
     explicit VerifyTool(const Tool& tool);
     /// Of a CL file, which knows of no shank and no holder.
     explicit VerifyTool(const AptCutter& apt) : cutter(apt) {}
-};
-
-/// How the tool moves from one CL to the next where its axis turns.
-struct TurningAxis {
-    Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
 };
 
 /// One operation, in machining order. Motion i goes from the location of motion i - 1 to its own; of the

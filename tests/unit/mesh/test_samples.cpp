@@ -398,7 +398,21 @@ private slots:
                     nearest = std::min(nearest, distance_to_facet(p, *twisted, f));
                 QVERIFY(nearest <= default_sample_tolerance);
             }
-        for (const char* name : {"square-prism", "cylinder", "twisted-prism"}) {
+        // Raised by no more than said, on a cylinder of radius 20; flanks and hollows rounder than the ball
+        // of radius 1.5875 that cuts them.
+        for (const auto& [name, raised] :
+             {std::pair("extruded-pattern", 1.0), std::pair("swept-pattern", 1.5)}) {
+            const auto mesh = make_sample(name, default_sample_tolerance, {});
+            double least = infinity, most = 0;
+            for (const Vec3& p : mesh->vertices) {
+                const double r = std::hypot(p.y(), p.z());
+                if (r > 0) least = std::min(least, r);
+                most = std::max(most, r);
+            }
+            QVERIFY(std::abs(least - 20) < 1e-9 && most <= 20 + raised + 1e-9 && most > 20 + 0.98 * raised);
+        }
+        for (const char* name :
+             {"square-prism", "cylinder", "twisted-prism", "extruded-pattern", "swept-pattern"}) {
             const auto mesh = make_sample(name, default_sample_tolerance, {});
             int euler = 0;
             QVERIFY(border(*mesh, euler).empty());
@@ -418,11 +432,13 @@ private slots:
             const auto mesh = make_sample(k.name, 1.0, {});
             QVERIFY(mesh->facet_count() > 0);
             QCOMPARE(k.natural_unit, k.name.find("prism") != std::string::npos || k.name == "cylinder"
+                                             || k.name.find("pattern") != std::string::npos
                                          ? LengthUnit::mm
                                          : LengthUnit::inch);
         }
         QCOMPARE(names, (std::set<std::string>{"concave", "convex", "complex", "pillar", "gap", "shell",
-                                               "square-prism", "cylinder", "twisted-prism"}));
+                                               "square-prism", "cylinder", "twisted-prism",
+                                               "extruded-pattern", "swept-pattern"}));
     }
 
     void bad_requests_are_refused() {

@@ -41,7 +41,7 @@ Machine nutating(const std::string& carries, bool outer_first) {
 /// An axis that the machine can hold at some angles.
 Vec3 held_axis(const std::string& name, std::mt19937_64& rng) {
     if (name == "generic-3-axis") return Vec3::UnitZ();
-    if (name == "generic-4-axis-a") {
+    if (name == "generic-4-axis-a" || name == "lathe-mill") {
         const double a = uniform(rng, -pi, pi);
         return {0, std::sin(a), std::cos(a)};
     }
@@ -365,6 +365,41 @@ private slots:
                 if (nearest) QVERIFY((k.forward(*nearest).tip - pose.tip).norm() < 1e-9);
             }
             QVERIFY2(missing < 3000, name.c_str());
+        }
+    }
+
+    void a_turning_part_lies_in_the_tables_axis() {
+        QCOMPARE(turning_table(find_machine("generic-3-axis"), Vec3::UnitX()), -1);
+        QCOMPARE(turning_table(find_machine("generic-4-axis-a"), Vec3::UnitX()), 0);
+        QCOMPARE(turning_table(find_machine("generic-4-axis-a"), Vec3(-1, 0, 0)), 0);
+        QCOMPARE(turning_table(find_machine("generic-4-axis-a"), Vec3::UnitZ()), -1);
+        QCOMPARE(turning_table(find_machine("tarus-tpi-2000"), Vec3::UnitZ()), -1); // C carries the tool
+        Box3 box;
+        box.add(Vec3(10, 20, 30));
+        box.add(Vec3(30, 60, 90));
+        for (const char* name : {"generic-4-axis-a", "lathe-mill"}) {
+            const Machine& m = find_machine(name);
+            const Vec3 point(-5, 40, 60); // on the part's axis
+            const Vec3 origin = turning_part_origin(m, 0, point, box);
+            const Vec3 off = point + origin - m.rotary[0].point;
+            QVERIFY(off.cross(m.rotary[0].direction).norm() < 1e-12);
+            QCOMPARE(origin.x(), default_part_origin(m, box).x());
+            // So a radial tool stands over the axis all round: only A turns.
+            const Kinematics k(m, 150, origin);
+            Joints from;
+            for (const double angle : {0.0, 1.0, 2.5, -2.0}) {
+                const Vec3 out(0, -std::sin(angle), std::cos(angle));
+                const auto at = k.nearest({point + 25 * Vec3::UnitX() + 30 * out, out}, from);
+                QVERIFY2(at.has_value(), name);
+                QVERIFY(std::abs(at->linear.y() - m.rotary[0].point.y()) < 1e-9);
+                QVERIFY(std::abs(at->linear.z() - (m.rotary[0].point.z() + 30 + 150)) < 1e-9);
+                // Either way round, by whole turns.
+                const auto astray = [&](double turned) {
+                    return std::abs(std::remainder(at->rotary[0] - turned, 2 * pi));
+                };
+                QVERIFY(std::min(astray(angle), astray(-angle)) < 1e-9);
+                from = *at;
+            }
         }
     }
 

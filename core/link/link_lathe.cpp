@@ -1,0 +1,150 @@
+#include "core/base/tolerances.h"
+#include "core/link/motion.h"
+#include "core/strategy/lathe_field.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Of the clearance: what chords of rapids may lie nearer to the axis than their ends, and what the tool
+/// stands back from the material where it goes on at feed.
+constexpr double chord_share = 0.25;
+
+/// How far below the tip's distance from the axis a tilted tool reaches: its lower rims.
+double reach_in(const Tool& tool, double cutter_radius, double tilt) {
+    const double sine = std::abs(std::sin(tilt)), cosine = std::cos(tilt);
+    double reach = std::max(cutter_radius, 0.5 * tool.diameter) * sine;
+    double height = tool.flute_length;
+    const auto body = [&](double diameter, double length) {
+        reach = std::max(reach, 0.5 * diameter * sine - height * cosine);
+        height += length;
+    };
+    body(tool.shank_diameter, tool.shank_length);
+    for (const HolderSection& section : tool.holder)
+        body(section.diameter, section.length);
+    return reach;
+}
+
+class Linker {
+public:
+    Linker(const LatheCommon& settings, const PlanContext& context, const TurnedPath& turned,
+           const LinkOptions& options, const Progress& progress)
+        : frame_(settings, context), stock_(frame_, context, LatheStock::Of::whole_tool, progress),
+          clearance_(options.clearance) {
+        const Mesh stock = lathe_stock_mesh(context.stock, context.stock_box);
+        const double zones =
+            radius_about(frame_, lathe_zone_mesh(settings, frame_, stock, options.clearance));
+        const double material = std::max({turned.stock_radius, turned.part_radius, zones});
+        const double radius = CutterProfile(context.tool.cutter()).max_radius();
+        out_ = (material + options.clearance + reach_in(context.tool, radius, settings.tilt))
+               / std::cos(settings.tilt);
+        result_.clearance_z = out_;
+        result_.turning = frame_.axis();
+    }
+
+    void add(const Pass& pass, Index index) {
+        const bool ramps = !pass.entry.empty();
+        const CutterLocation& start = ramps ? pass.entry.front() : pass.cl.front();
+        const bool goes_on = at_ && !ramps && at_->tip == start.tip && at_->axis == start.axis;
+        if (!goes_on) {
+            travel_to(start);
+            put(MotionKind::approach, start);
+            for (std::size_t k = 1; k < pass.entry.size(); ++k)
+                put(MotionKind::approach, pass.entry[k]);
+            // The ramp ends where the pass begins.
+            const bool there = ramps && (at_->tip - pass.cl.front().tip).norm() < tolerance::smallest_chord;
+            if (ramps && !there) put(MotionKind::approach, pass.cl.front());
+        }
+        result_.motions.back().pass = index;
+        result_.motions.back().point = 0;
+        for (std::size_t k = 1; k < pass.cl.size(); ++k) {
+            put(MotionKind::cut, pass.cl[k]);
+            result_.motions.back().pass = index;
+            result_.motions.back().point = Index(k);
+        }
+    }
+
+    ToolMotions finish() {
+        if (at_) retract();
+        return std::move(result_);
+    }
+
+private:
+    LathePlace place_of(const CutterLocation& c) const {
+        const Vec3 r = c.axis - c.axis.dot(frame_.axis().direction) * frame_.axis().direction;
+        const Vec3& z = frame_.zero();
+        const double angle = std::atan2(frame_.axis().direction.cross(z).dot(r), z.dot(r));
+        return {angle, frame_.along(c.tip) - height(c, angle) * std::sin(frame_.tilt())};
+    }
+    double height(const CutterLocation& c, double angle) const { return frame_.height(c.tip, angle); }
+
+    /// Tip height at which the tool is clear of the raw material at a place.
+    double clear_of_stock(const LathePlace& place, double u) {
+        return std::min(out_, std::max(stock_.u(place, hint_), u) + clearance_);
+    }
+
+    /// Out of the cut at feed, the rest in a rapid.
+    void retract() {
+        const LathePlace place = place_of(*at_);
+        const double u = height(*at_, place.angle);
+        // Nothing stands above a place that the tool came down to, but sides of the cut touch it.
+        const double free = std::min(out_, u + clearance_);
+        move_out(MotionKind::retract, u, free);
+        move_out(MotionKind::rapid, free, out_);
+    }
+    void move_out(MotionKind kind, double from, double to) {
+        if (!(to > from)) return;
+        put(kind, {at_->tip + (to - from) * at_->axis, at_->axis});
+    }
+
+    void travel_to(const CutterLocation& start) {
+        const LathePlace to = place_of(start);
+        const double u = height(start, to.angle);
+        const CutterLocation above{start.tip + (out_ - u) * start.axis, start.axis};
+        if (at_) {
+            retract();
+            const LathePlace from = place_of(*at_);
+            const double turn = std::remainder(to.angle - from.angle, 2 * pi);
+            const double most = std::acos(std::max(0.0, 1 - chord_share * clearance_ / out_));
+            const double parts = std::ceil(std::abs(turn) / std::min(2 * most, 0.25 * pi));
+            for (double k = 1; k < parts; ++k)
+                put(MotionKind::rapid,
+                    frame_.at({from.angle + turn * k / parts, from.y + (to.y - from.y) * k / parts}, out_));
+        }
+        put(MotionKind::rapid, above);
+        const double down = clear_of_stock(to, u);
+        if (down < out_) put(MotionKind::rapid, {start.tip + (down - u) * start.axis, start.axis});
+    }
+
+    void put(MotionKind kind, const CutterLocation& to) {
+        result_.motions.push_back({kind, to, no_index, no_index});
+        at_ = to;
+    }
+
+    LatheFrame frame_;
+    LatheStock stock_;
+    ToolLift::Hint hint_;
+    double clearance_, out_ = 0;
+    std::optional<CutterLocation> at_;
+    ToolMotions result_;
+};
+
+} // namespace
+
+ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
+                       const LinkOptions& options, const Progress& progress) {
+    check_link_options(options);
+    if (!path.turned)
+        throw Error(ErrorCode::internal, "link", "the path of a turning part knows no axis", "report this");
+    Linker linker(settings, context, *path.turned, options, progress.part(0, 0.1));
+    for (std::size_t i = 0; i < path.passes.size(); ++i) {
+        progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
+        if (!path.passes[i].cl.empty()) linker.add(path.passes[i], Index(i));
+    }
+    progress.set(1);
+    return linker.finish();
+}
+
+} // namespace facetmill
