@@ -14,8 +14,9 @@ namespace {
 
 /// Lines of the surface lie on a lattice of this share of the cutter's radius.
 constexpr double lattice_share = 1.0 / 64;
-/// Of the radius: how far along the travel a line is looked at, and continued beyond the part's border.
-constexpr double reach_share = 1.25, extension_share = 1.5;
+/// Of the radius: how far along the travel a contact point's own line is looked at, and lines are continued
+/// beyond the part's border.
+constexpr double own_reach = 0.25, extension_share = 1.5;
 /// Of the diameter: neighbouring contact points are no farther apart.
 constexpr double longest_share = 0.2;
 /// Of the tolerance: a line may be simplified by this.
@@ -77,14 +78,15 @@ ContactPlace FiveAxisField::place(const SurfaceLine& line, double s, double v, i
     return p;
 }
 
-bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve) const {
+bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
+                                double along) const {
     const double raise = allowance_ + cusp_ - chord_;
     const auto slope = [&] { return std::max(std::abs(drive_.v(place.frame.left)), 0.1); };
     const auto at = [&](long k) {
         // Steep across the travel the line beside is farther away than its plane.
         const double aside = std::abs(lines_->v(k) - place.v);
         return lines_->slice(k)->near(place.surface, place.frame.normal, place.u,
-                                      reach_share * radius_ + aside / slope(), raise, curve);
+                                      along * radius_ + aside / slope(), raise, curve);
     };
     if (at(plane)) return true;
     // The surface ends somewhere between this plane and the one before it: that one's line, moved here.
@@ -99,7 +101,7 @@ bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCur
 std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) const {
     const long own = lines_->beyond(place.v, place.v);
     const long lo = lines_->beyond(place.v_lo, place.v), hi = lines_->beyond(place.v_hi, place.v);
-    std::vector<long> planes{own};
+    std::vector<long> planes;
     RaisedCurve unused;
     for (long end : {lo, hi}) {
         if (end == own) continue;
@@ -117,10 +119,16 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
         if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
     }
     std::vector<RaisedCurve> curves;
-    for (const long plane : planes) {
+    const auto add = [&](long plane, double along) {
         RaisedCurve curve;
-        if (raised_line(place, plane, curve)) curves.push_back(std::move(curve));
-    }
+        if (raised_line(place, plane, curve, along)) curves.push_back(std::move(curve));
+    };
+    // Of its own line every pose holds a place near its contact point. Any place would not do: lifted off a
+    // bend that is hollow along the travel, a flat end may hold one with its heel at one pose and with its
+    // toe at the next, and what lies between is left.
+    add(own, own_reach);
+    for (const long plane : planes)
+        add(plane, whole_reach);
     return curves;
 }
 

