@@ -292,6 +292,11 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
         for (const ManualPosture& m : by_hand->manual_postures())
             key.add(m.point).add(m.lead).add(m.yaw);
+    for (const Tool& t : context.further_tools) {
+        key.add_up_to(Stage::output, t, tool_parameters());
+        for (const HolderSection& s : t.holder)
+            key.add(s.diameter).add(s.length);
+    }
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     key.add(earlier);
     const std::string path_key = key.text();
@@ -412,6 +417,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         const double n = double(asked.size());
         const Operation& operation = *asked[i].operation;
         context.tool = project.tool_of(operation);
+        context.further_tools = project.further_tools_of(operation);
         context.earlier.clear();
         if (operation.reads_stock()) context.earlier = cuts;
         const Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);

@@ -117,8 +117,9 @@ Machine project_machine(const Project& project) {
                                             : find_machine(project.machine);
 }
 
-const Tool& Project::tool_of(const Operation& operation) const {
-    const long number = operation.common().tool;
+namespace {
+
+const Tool& tool_by_number(const std::vector<Tool>& tools, long number, const Operation& operation) {
     std::string known;
     for (const Tool& t : tools) {
         if (t.number == number) return t;
@@ -127,6 +128,19 @@ const Tool& Project::tool_of(const Operation& operation) const {
     throw Error(ErrorCode::missing_reference, "operation '" + printable(operation.common().name) + "'",
                 "there is no tool " + std::to_string(number),
                 known.empty() ? "the project has no tools: add one" : "tools there are: " + known);
+}
+
+} // namespace
+
+const Tool& Project::tool_of(const Operation& operation) const {
+    return tool_by_number(tools, operation.common().tool, operation);
+}
+
+std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
+    std::vector<Tool> further;
+    for (const long number : operation.further_tools())
+        further.push_back(tool_by_number(tools, number, operation));
+    return further;
 }
 
 void move_project(Project& project, const fs::path& path) {
@@ -235,6 +249,11 @@ void check_operations(const Project& p) {
             p.tool_of(operation);
         } catch (const Error& e) {
             throw Error(e.code(), place + ".tool", e.message(), e.remedy());
+        }
+        try {
+            p.further_tools_of(operation);
+        } catch (const Error& e) {
+            throw Error(e.code(), place, e.message(), e.remedy());
         }
     }
 }

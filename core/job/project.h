@@ -49,6 +49,8 @@ struct Project {
     std::filesystem::path machine_path() const;
     /// Throws Error(missing_reference) that names the operation.
     const Tool& tool_of(const Operation& operation) const;
+    /// Those of Operation::further_tools. Throws likewise.
+    std::vector<Tool> further_tools_of(const Operation& operation) const;
 };
 
 /// Strict: every key is known, no key occurs twice, every value has its type and range, references lead

@@ -18,6 +18,8 @@ const std::vector<SampleKind>& sample_kinds() {
         {"gap", "Surface with a gap", "A domed surface with a winding gap between two walls, 6 × 5 in.",
          inch},
         {"shell", "Body shell", "A car body with four steep concave scoops, 12 × 6 in.", inch},
+        {"mould", "Mould cavity",
+         "A pocket with walls at 3° of draft, sharp inner corners and a boss on its floor, 100 × 80 mm.", mm},
         {"square-prism", "Square prism", "Jasra's turned prism: side 50 mm, 40 mm long, about the X axis.",
          mm, true},
         {"cylinder", "Cylinder", "Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.", mm, true},
@@ -49,6 +51,7 @@ std::shared_ptr<const Mesh> make_sample(std::string_view name, double chord_tole
         if (name == "pillar") return sample::pillar(chord_tolerance_mm, progress);
         if (name == "gap") return sample::gap(chord_tolerance_mm, progress);
         if (name == "shell") return sample::shell(chord_tolerance_mm, progress);
+        if (name == "mould") return sample::mould(chord_tolerance_mm);
         if (name == "square-prism") return sample::square_prism();
         if (name == "cylinder") return sample::cylinder(chord_tolerance_mm);
         if (name == "extruded-pattern") return sample::extruded_pattern(chord_tolerance_mm, progress);

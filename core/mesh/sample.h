@@ -18,7 +18,7 @@ struct SampleKind {
     bool turned = false;                        ///< made to turn about the X axis
 };
 
-/// concave, convex, complex (Lu, Appendix A), pillar, gap, shell (stand-ins), square-prism, cylinder,
+/// concave, convex, complex (Lu, Appendix A), pillar, gap, shell (stand-ins), mould, square-prism, cylinder,
 /// twisted-prism (Jasra), extruded-pattern, swept-pattern (stand-ins for his patterns).
 const std::vector<SampleKind>& sample_kinds();
 

@@ -175,6 +175,17 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
     return high;
 }
 
+double CutterCover::distance(const Vec3& rel) const {
+    const Vec2 q(std::hypot(rel.x(), rel.y()), rel.z());
+    if (q.y() >= shoulder_) return std::max(q.x() - radius_, 0.0); // beside the shaft
+    if (ball_) return std::max((q - Vec2(0, radius_)).norm() - radius_, 0.0);
+    if (q.x() <= radius_ && q.y() >= profile_.height_at(q.x())) return 0;
+    double best = (q - Vec2(radius_, shoulder_)).norm();
+    for (const ProfilePiece& piece : profile_.lower_pieces())
+        best = std::min(best, nearest(piece, q).distance);
+    return best;
+}
+
 std::optional<Vec3> CutterCover::contact_normal(const Vec3& rel) const {
     const double rho = std::hypot(rel.x(), rel.y());
     const Vec2 q(rho, rel.z());

@@ -28,6 +28,9 @@ public:
     /// the same direction).
     double ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const;
 
+    /// Distance of a point, given from the tip, to the cutter, taken endless upward; 0 inside.
+    double distance(const Vec3& rel) const;
+
     /// Unit normal of the surface that the cutter touches at `rel` (contact minus tip), pointing into the
     /// cutter; nothing at a corner of the profile, where the cutter leaves it open.
     std::optional<Vec3> contact_normal(const Vec3& rel) const;

@@ -43,6 +43,8 @@ struct PlanContext {
     /// material is believed to stand there. A solid whose box is empty stands for the box stock_box.
     StockSolid stock;
     std::vector<std::shared_ptr<const EarlierCuts>> earlier;
+    /// Those of Operation::further_tools, in their order.
+    std::vector<Tool> further_tools;
 };
 
 /// What all operations have beside their own keys.
@@ -67,6 +69,8 @@ public:
     virtual bool three_axis() const = 0;
     /// True when the plan depends on what stands of the stock: raw material and earlier operations.
     virtual bool reads_stock() const { return false; }
+    /// Numbers of the tools that the operation uses or asks about, beside its own.
+    virtual std::vector<long> further_tools() const { return {}; }
     /// What shank and holder keep from the part, mm.
     virtual double holder_clearance() const { return 0; }
 

@@ -18,6 +18,7 @@
 namespace facetmill {
 
 struct FiveAxisRecord; // five_axis_record.h
+struct CleanupRecord;  // cleanup.h
 
 struct CutterContact {
     Vec3 point, normal;
@@ -66,7 +67,8 @@ struct StrategyResult {
     double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
     std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
     std::size_t rework_regions = 0;                   ///< regions left for a rework operation
-    std::vector<Strip> strips;        ///< regions that the operation found, also those switched off
+    std::vector<Strip> strips; ///< regions that the operation found, also those switched off
+    std::shared_ptr<const CleanupRecord> cleanup_record; ///< of clean-up: how the previous tool stands
     std::vector<double> layers;       ///< of roughing: tip heights of the layers that are cut, from the top
     double stock_cell = 0;            ///< of roughing: size of the cells of the stock it planned with, mm
     std::optional<TurnedPath> turned; ///< of a turning part only

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/facet_rows.h"
 #include "core/strategy/lift_line.h"
 #include "core/strategy/up_side.h"
 
@@ -32,47 +33,6 @@ public:
 private:
     const Mesh& mesh_;
     UpSide side_;
-};
-
-/// Samples in the middles of even pieces of a facet: rows along its longest edge.
-class FacetRows {
-public:
-    FacetRows(const Mesh& mesh, std::size_t f, double spacing) {
-        int longest = 0;
-        double edge[3];
-        for (int k = 0; k < 3; ++k) {
-            edge[k] = (mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k)).norm();
-            if (edge[k] > edge[longest]) longest = k;
-        }
-        origin_ = mesh.corner(f, longest);
-        along_ = mesh.corner(f, (longest + 1) % 3) - origin_;
-        up_ = mesh.corner(f, (longest + 2) % 3) - origin_;
-        area_ = 0.5 * along_.cross(up_).norm();
-        base_ = edge[longest];
-        rows_ = std::size_t(2 * area_ / base_ / spacing) + 1;
-        spacing_ = spacing;
-    }
-    double area() const { return area_; }
-    std::size_t rows() const { return rows_; }
-    std::size_t columns(std::size_t row) const { return std::size_t(base_ * (1 - t(row)) / spacing_) + 1; }
-    Vec3 point(std::size_t row, std::size_t column) const {
-        const double s = (double(column) + 0.5) / double(columns(row));
-        return origin_ + t(row) * up_ + s * (1 - t(row)) * along_;
-    }
-    /// Of one sample of a row.
-    double weight(std::size_t row) const {
-        const double row_area = rows_ == 1 ? area_ : 2 * area_ * (1 - t(row)) / double(rows_);
-        return row_area / double(columns(row));
-    }
-
-private:
-    double t(std::size_t row) const {
-        // A single row runs through the facet's middle.
-        return rows_ == 1 ? 1.0 / 3 : (double(row) + 0.5) / double(rows_);
-    }
-    Vec3 origin_, along_, up_;
-    double area_, base_, spacing_;
-    std::size_t rows_;
 };
 
 /// The passes of one drive plane.

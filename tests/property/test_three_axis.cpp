@@ -36,11 +36,13 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
 }
 
 /// Those that cut the part to their tolerance, whatever stands. What takes a stock down by layers states what
-/// it leaves, and is judged by that in test_rough_shapes.
+/// it leaves, and is judged by that in test_rough_shapes; what cuts only what another tool left, in
+/// test_cleanup.
 std::vector<std::string> three_axis_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (const auto op = k.make(); op->three_axis() && !op->reads_stock()) kinds.push_back(k.kind);
+        if (const auto op = k.make(); op->three_axis() && !op->reads_stock() && op->further_tools().empty())
+            kinds.push_back(k.kind);
     return kinds;
 }
 

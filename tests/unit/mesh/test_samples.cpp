@@ -3,6 +3,7 @@
 #include "core/mesh/bspline.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
+#include "core/mesh/sample_mould.h"
 #include "core/mesh/sample_surface.h"
 #include "core/mesh/sample_tessellate.h"
 #include "core/mesh/topology.h"
@@ -13,6 +14,7 @@
 
 #include <QTest>
 
+#include <map>
 #include <set>
 
 using namespace facetmill;
@@ -424,6 +426,41 @@ private slots:
         }
     }
 
+    void the_mould_has_the_valleys_that_it_names() {
+        const auto mesh = make_sample("mould", 0.1, {});
+        int euler = 0;
+        border(*mesh, euler);
+        QCOMPARE(euler, 1);
+        // Every edge that two facets make a valley of lies on one of them, and they are covered by such
+        // edges.
+        std::map<std::array<Index, 2>, Index> over;
+        for (std::size_t f = 0; f < mesh->facet_count(); ++f)
+            for (std::size_t k = 0; k < 3; ++k)
+                over[{mesh->facets[f][k], mesh->facets[f][(k + 1) % 3]}] = Index(f);
+        double named = 0, found = 0;
+        for (const auto& valley : sample::mould_valleys())
+            for (std::size_t i = 1; i < valley.size(); ++i)
+                named += (valley[i] - valley[i - 1]).norm();
+        for (const auto& [edge, f] : over) {
+            const auto other = over.find({edge[1], edge[0]});
+            if (other == over.end() || edge[0] > edge[1]) continue;
+            const Vec3 &a = mesh->vertices[edge[0]], &b = mesh->vertices[edge[1]];
+            const Vec3 n = mesh->facet_normal(f), m = mesh->facet_normal(other->second);
+            if (n.cross(m).dot(b - a) >= 0 || n.dot(m) > 0.999) continue; // ridge, or flat
+            double nearest = infinity;
+            const Vec3 mid = 0.5 * (a + b);
+            for (const auto& valley : sample::mould_valleys())
+                for (std::size_t i = 1; i < valley.size(); ++i) {
+                    const Vec3 d = valley[i] - valley[i - 1];
+                    const double t = std::clamp((mid - valley[i - 1]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                    nearest = std::min(nearest, (mid - valley[i - 1] - t * d).norm());
+                }
+            QVERIFY2(nearest < 1e-9, qPrintable(QString::number(nearest)));
+            found += (b - a).norm();
+        }
+        QVERIFY2(std::abs(found - named) < 1e-6, qPrintable(QString("%1 of %2").arg(found).arg(named)));
+    }
+
     void kinds_can_all_be_made() {
         std::set<std::string> names;
         for (const SampleKind& k : sample_kinds()) {
@@ -432,12 +469,13 @@ private slots:
             const auto mesh = make_sample(k.name, 1.0, {});
             QVERIFY(mesh->facet_count() > 0);
             QCOMPARE(k.natural_unit, k.name.find("prism") != std::string::npos || k.name == "cylinder"
+                                             || k.name == "mould"
                                              || k.name.find("pattern") != std::string::npos
                                          ? LengthUnit::mm
                                          : LengthUnit::inch);
         }
         QCOMPARE(names, (std::set<std::string>{"concave", "convex", "complex", "pillar", "gap", "shell",
-                                               "square-prism", "cylinder", "twisted-prism",
+                                               "mould", "square-prism", "cylinder", "twisted-prism",
                                                "extruded-pattern", "swept-pattern"}));
     }
 

@@ -1,0 +1,657 @@
+#include "core/strategy/strip_passes.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/gouge/vector_lift.h"
+#include "core/strategy/lift_line.h"
+#include "core/strategy/place_hash.h"
+
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+/// Facets that lift the cutter are looked for along this many radii of the curve at once.
+constexpr double chunk_radii = 4;
+/// ... and face along the fitted vector by more than this cosine.
+constexpr double facing = 0.01;
+/// A tip that the part holds up by more than this many radii above where it should be has no place there.
+constexpr double most_raise = 1.5, most_raise_z = 4;
+/// Against the fitted vector it goes no deeper than this, in radii, beyond the plane across it.
+constexpr double most_sink = 0.25;
+/// The first pass is looked for so far beside the centre, in radii.
+constexpr double aside_share = 0.3;
+constexpr int most_passes = 400, most_tries = 8;
+/// Step-overs are no smaller, in radii of the cutter.
+constexpr double smallest_step = 0.01;
+/// The step-over suits this share of the places along a pass; elsewhere passes are put in, halving so often.
+constexpr double usual_share = 0.85;
+constexpr int most_fills = 4;
+constexpr int ridge_angles = 241;
+constexpr double ridge_tilt = 1.4; ///< radians, to either side
+constexpr int lead_points = 6;
+constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
+
+/// Largest d . p over the cutter with its tip at the origin.
+double support(const CutterProfile& profile, const Vec3& d) {
+    const double out = std::hypot(d.x(), d.y());
+    double best = std::max(0.0, d.z() * profile.height());
+    for (const ProfilePiece& p : profile.pieces()) {
+        best = std::max({best, out * p.from.x() + d.z() * p.from.y(), out * p.to.x() + d.z() * p.to.y()});
+        if (p.kind != ProfilePiece::Kind::arc) continue;
+        const Vec2 q = p.centre + p.radius * Vec2(out, d.z()).normalized();
+        if (q.y() >= std::min(p.from.y(), p.to.y()) && q.y() <= std::max(p.from.y(), p.to.y())
+            && q.x() >= std::min(p.from.x(), p.to.x()))
+            best = std::max(best, out * q.x() + d.z() * q.y());
+    }
+    return best;
+}
+
+/// A cutter at a place of a pass.
+struct Spot {
+    bool free = false;
+    Vec3 tip = Vec3::Zero(), touch = Vec3::Zero(), normal = Vec3::UnitZ();
+};
+
+class ValleyCutter {
+public:
+    ValleyCutter(const StripCutting& with, const ValleyCurve& curve, const RestBand& band)
+        : with_(with), curve_(curve), band_(band), along_(tangents(curve)), radius_(with.cover->radius()),
+          count_(curve.points.size()) {}
+
+    StripCut run(const Progress& progress) {
+        if (count_ < 2) return {};
+        make_lifts(progress.part(0, 0.2));
+        std::vector<char> all(count_, 1);
+        const std::vector<Spot> pencil = spots(0, all, progress);
+        add_passes(pencil, all, 0, 0);
+        for (const int side : {1, -1})
+            beside(side, pencil, progress.part(side > 0 ? 0.2 : 0.6, side > 0 ? 0.6 : 1));
+        return std::move(cut_);
+    }
+
+private:
+    const PencilPoint& at(std::size_t i) const { return curve_.points[i]; }
+    double spacing(std::size_t i, std::size_t k) const { return (at(k).center - at(i).center).norm(); }
+
+    /// Every stretch of the curve gets the facets around it.
+    void make_lifts(const Progress& progress) {
+        lift_of_.resize(count_);
+        double widest = 0;
+        for (const auto& r : band_.reach)
+            widest = std::max({widest, r[0], r[1]});
+        const double about = widest + with_.overlap + 2.5 * radius_;
+        const CutterProfile& profile = with_.cover->profile();
+        for (std::size_t first = 0; first < count_;) {
+            progress.set(double(first) / double(count_));
+            std::size_t last = first;
+            double way = 0;
+            Vec3 up = at(first).up;
+            while (last + 1 < count_ && way < chunk_radii * radius_) {
+                way += spacing(last, last + 1);
+                ++last;
+                up += at(last).up;
+            }
+            up.normalize();
+            std::vector<Index> facets;
+            for (std::size_t i = first; i <= last; ++i) {
+                if (i > first && i < last && (i - first) % 4 != 0) continue;
+                const Vec3 c = at(i).center;
+                with_.grid->near(c.head<2>(), about, [&](Index f) {
+                    const Mesh& m = *with_.mesh;
+                    const Vec3 &a = m.corner(f, 0), &b = m.corner(f, 1), &d = m.corner(f, 2);
+                    const Vec3 lo = a.cwiseMin(b).cwiseMin(d), hi = a.cwiseMax(b).cwiseMax(d);
+                    if ((lo - c).maxCoeff() > about || (c - hi).maxCoeff() > about) return;
+                    if (with_.side->towards_tool(m.facet_normal(f)).dot(up) > facing) facets.push_back(f);
+                });
+            }
+            std::sort(facets.begin(), facets.end());
+            facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+            std::shared_ptr<const VectorLift> lift;
+            if (!facets.empty()) {
+                auto part = std::make_shared<Mesh>();
+                for (const Index f : facets) {
+                    const auto v = Index(part->vertices.size());
+                    for (int k = 0; k < 3; ++k)
+                        part->vertices.push_back(with_.mesh->corner(f, k));
+                    part->facets.push_back({v, v + 1, v + 2});
+                }
+                lift = std::make_shared<VectorLift>(
+                    std::make_shared<ContactIndex>(std::move(part), progress.part(0, 0)), profile,
+                    std::span<const ToolSection>(), with_.allowance);
+            }
+            for (std::size_t i = first; i <= last; ++i)
+                lift_of_[i] = lift;
+            first = last + 1;
+        }
+    }
+
+    /// The cutter at `offset` to the left of point i of the curve.
+    Spot spot(std::size_t i, double offset) const {
+        Spot s;
+        const PencilPoint& p = at(i);
+        const Vec3 left = left_of(along_[i], p.up);
+        if (left == Vec3::Zero() || !lift_of_[i]) return s;
+        const Vec3 base = p.center + offset * left;
+        if (with_.along_z) {
+            if (!place_along_z(p, base, offset, s)) return s;
+        } else {
+            Vec3 tip = base + with_.cover->tip_offset(p.up);
+            if (offset == 0) tip += lowest(i, tip, left) * left;
+            const VectorContact c = lift_of_[i]->contact({tip, Vec3::UnitZ(), p.up});
+            // Past the end of the flanks it would slide on to whatever comes.
+            if (!(c.lift > -most_sink * radius_)) return s;
+            s.touch = c.point;
+            // A hair off what it touches: an upright wall would hold it up to its top else.
+            s.tip = tip + (c.lift + tolerance::contact_distance) * p.up;
+        }
+        const double free = with_.lift->tip_z(s.tip.x(), s.tip.y());
+        const double raise = free - s.tip.z();
+        if (raise > (with_.along_z ? most_raise_z : most_raise) * radius_) return s;
+        if (raise > 0 || with_.along_z) {
+            const AxialContact c = with_.lift->contact(s.tip.x(), s.tip.y());
+            if (!(c.tip_z > -infinity)) return s;
+            s.touch = c.point;
+            s.tip.z() = c.tip_z;
+        }
+        s.normal = with_.cover->contact_normal(s.touch - s.tip).value_or(p.up);
+        s.free = true;
+        return s;
+    }
+
+    /// How far to the left the cutter comes lowest against the fitted vector: there it touches both flanks,
+    /// though noise has moved the centre. The lift has one low place, as the valley has.
+    double lowest(std::size_t i, const Vec3& tip, const Vec3& left) const {
+        const auto height = [&](double x) {
+            return lift_of_[i]->lift({tip + x * left, Vec3::UnitZ(), at(i).up});
+        };
+        constexpr double golden = 0.6180339887498949;
+        double lo = -aside_share * radius_, hi = aside_share * radius_;
+        double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo), ha = height(a), hb = height(b);
+        for (int k = 0; k < 14; ++k) {
+            if (ha < hb) {
+                hi = b;
+                b = a;
+                hb = ha;
+                a = hi - golden * (hi - lo);
+                ha = height(a);
+            } else {
+                lo = a;
+                a = b;
+                ha = hb;
+                b = lo + golden * (hi - lo);
+                hb = height(b);
+            }
+        }
+        const double best = 0.5 * (lo + hi);
+        return height(best) < height(0) ? best : 0;
+    }
+
+    /// Touching both flanks, or the flank at the place beside the centre.
+    bool place_along_z(const PencilPoint& p, const Vec3& base, double offset, Spot& s) const {
+        const auto lack = [&](const Vec3& n) { return with_.cover->tip_offset(n).dot(n) + with_.allowance; };
+        if (offset == 0) {
+            double k = 0;
+            for (const Vec3& n : p.normal)
+                if (const double c = p.up.dot(n); c > facing && n.z() >= 0) k = std::max(k, lack(n) / c);
+            s.tip = p.center + (k + tolerance::contact_distance) * p.up;
+            return true;
+        }
+        const Vec3 from = base + (p.from - p.center).dot(p.up) * p.up;
+        const auto hit = with_.grid->first_hit(from, -p.up, 4 * (p.from - p.center).norm() + 4 * radius_);
+        if (!hit) return false;
+        const Vec3 on = from - hit->distance * p.up;
+        const Vec3 n = with_.side->towards_tool(with_.mesh->facet_normal(hit->facet));
+        if (!(n.z() >= 0)) return false;
+        s.tip = on + with_.cover->tip_offset(n) + (with_.allowance + tolerance::contact_distance) * n;
+        return true;
+    }
+
+    std::vector<Spot> spots(double offset, const std::vector<char>& which, const Progress& progress) const {
+        std::vector<Spot> result(count_);
+        parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
+            if (which[i]) result[i] = spot(i, offset);
+        });
+        return result;
+    }
+
+    /// Where the band ends, a little smoothed.
+    std::vector<double> needed(int side) const {
+        std::vector<double> result(count_);
+        const auto n = std::ptrdiff_t(count_);
+        for (std::ptrdiff_t i = 0; i < n; ++i)
+            for (std::ptrdiff_t k = i - 2; k <= i + 2; ++k) {
+                if (!curve_.closed && (k < 0 || k >= n)) continue;
+                const auto j = std::size_t(((k % n) + n) % n);
+                result[std::size_t(i)] = std::max(result[std::size_t(i)], band_.reach[j][side > 0 ? 0 : 1]);
+            }
+        return result;
+    }
+
+    void beside(int side, const std::vector<Spot>& pencil, const Progress& progress) {
+        const std::vector<double> need = needed(side);
+        std::vector<double> got(count_, 0);
+        std::vector<Spot> last = pencil;
+        // On a flank that leans by 45 degrees.
+        double step = std::sqrt(4 * std::max(with_.cover->profile().cutter().r, 0.1 * radius_) * with_.cusp);
+        double offset = 0;
+        for (int number = 1; number <= most_passes; ++number) {
+            std::vector<char> todo(count_, 0);
+            std::size_t left = 0;
+            for (std::size_t i = 0; i < count_; ++i)
+                if (last[i].free && got[i] < need[i]) {
+                    todo[i] = 1;
+                    ++left;
+                }
+            if (left == 0) break;
+            progress.set(std::min(1.0, number / 50.0));
+            std::vector<Spot> next;
+            double cusp = 0;
+            step = std::max(step, smallest_step * radius_);
+            for (int tries = 0; tries < most_tries; ++tries) {
+                next = spots(side * (offset + step), todo, progress);
+                // Of most places; further passes are put in at the others.
+                std::vector<double> all = ridges(last, next, progress);
+                std::sort(all.begin(), all.end());
+                cusp = all.empty() ? 0 : all[std::size_t(usual_share * double(all.size() - 1))];
+                if (cusp <= with_.cusp || step <= smallest_step * radius_) break;
+                step = std::max(step * std::max(0.3, 0.93 * std::sqrt(with_.cusp / cusp)),
+                                smallest_step * radius_);
+            }
+            fill(side * offset, last, side * (offset + step), next, most_fills, progress);
+            offset += step;
+            for (std::size_t i = 0; i < count_; ++i) {
+                if (!todo[i]) continue;
+                if (!next[i].free) {
+                    got[i] = infinity;
+                    continue;
+                }
+                const Vec3 left_side = left_of(along_[i], at(i).up);
+                got[i] = std::max(got[i], side * (next[i].touch - at(i).center).dot(left_side));
+                // Over the shoulder: nothing more of this flank is touched farther out.
+                if (offset > need[i] + radius_) got[i] = infinity;
+            }
+            cut_.cusp_max = std::max(cut_.cusp_max, cusp);
+            cut_.stepover_min = std::min(cut_.stepover_min, step);
+            cut_.stepover_max = std::max(cut_.stepover_max, step);
+            std::vector<char> longer = extended(todo);
+            for (std::size_t i = 0; i < count_; ++i)
+                longer[i] = longer[i] && !todo[i];
+            const std::vector<Spot> more = spots(side * offset, longer, progress);
+            std::vector<Spot> pass = next;
+            for (std::size_t i = 0; i < count_; ++i)
+                if (longer[i]) pass[i] = more[i];
+            add_passes(pass, todo, ++number_, side * offset);
+            last = std::move(next);
+            if (cusp > 0 && cusp < with_.cusp) step *= std::min(1.8, 0.95 * std::sqrt(with_.cusp / cusp));
+        }
+    }
+
+    /// What stays between two passes, where both have a place.
+    std::vector<double> ridges(const std::vector<Spot>& a, const std::vector<Spot>& b,
+                               const Progress& progress) const {
+        std::vector<double> all(count_, 0);
+        parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
+            if (a[i].free && b[i].free)
+                all[i] = ridge(with_.cover->profile(), b[i].tip - a[i].tip, along_[i]);
+        });
+        std::erase(all, 0);
+        return all;
+    }
+
+    /// Short passes between two where too much stays.
+    void fill(double from, const std::vector<Spot>& a, double to, const std::vector<Spot>& b, int depth,
+              const Progress& progress) {
+        if (depth == 0) return;
+        std::vector<char> which(count_, 0);
+        bool any = false;
+        for (std::size_t i = 0; i < count_; ++i)
+            if (a[i].free && b[i].free
+                && ridge(with_.cover->profile(), b[i].tip - a[i].tip, along_[i]) > with_.cusp) {
+                any = true;
+                for (const std::size_t k : {i > 0 ? i - 1 : i, i, i + 1 < count_ ? i + 1 : i})
+                    which[k] = 1;
+            }
+        progress.check();
+        if (!any) return;
+        const double mid = 0.5 * (from + to);
+        const std::vector<Spot> middle = spots(mid, which, progress);
+        fill(from, a, mid, middle, depth - 1, progress);
+        add_passes(middle, which, ++number_, mid);
+        fill(mid, middle, to, b, depth - 1, progress);
+    }
+
+    /// With the overlap before and after.
+    std::vector<char> extended(const std::vector<char>& which) const {
+        std::vector<char> result = which;
+        const auto n = std::ptrdiff_t(count_);
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            if (!which[std::size_t(i)]) continue;
+            for (const std::ptrdiff_t step : {-1, 1}) {
+                double way = 0;
+                std::ptrdiff_t k = i;
+                while (way < with_.overlap) {
+                    std::ptrdiff_t next = k + step;
+                    if (curve_.closed) next = (next + n) % n;
+                    if (next < 0 || next >= n || which[std::size_t(next)] || next == i) break;
+                    way += spacing(std::size_t(k), std::size_t(next));
+                    k = next;
+                    result[std::size_t(k)] = 1;
+                }
+            }
+        }
+        return result;
+    }
+
+    void add_passes(const std::vector<Spot>& spots, const std::vector<char>& wanted, int number,
+                    double offset) {
+        // A closed pass begins where one is missing, if any is.
+        std::size_t first = 0;
+        bool whole = true;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (spots[i].free) continue;
+            if (wanted[i] && at(i).on_part && i + 1 < count_) cut_.blocked += spacing(i, i + 1);
+            if (whole) first = i;
+            whole = false;
+        }
+        std::vector<std::size_t> run;
+        std::vector<std::vector<std::size_t>> runs;
+        const std::size_t start = curve_.closed ? first : 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const std::size_t i = (start + k) % count_;
+            if (spots[i].free) run.push_back(i);
+            if (!run.empty() && (!spots[i].free || k + 1 == count_)) {
+                runs.push_back(run);
+                run.clear();
+            }
+        }
+        const bool backwards = !with_.one_way && number % 2 != 0;
+        if (backwards) std::reverse(runs.begin(), runs.end());
+        for (auto& r : runs) {
+            if (r.size() < 2) continue;
+            if (curve_.closed && whole) {
+                // Once around, and the overlap.
+                double way = 0;
+                const std::size_t n = r.size();
+                for (std::size_t k = 0; k < n && (k == 0 || way < with_.overlap); ++k) {
+                    r.push_back(r[k]);
+                    way += spacing(r[k], r[(k + 1) % n]);
+                }
+            }
+            if (backwards) std::reverse(r.begin(), r.end());
+            Pass pass;
+            pass.drive = number;
+            pass.offset = offset;
+            for (const std::size_t i : r) {
+                pass.cl.push_back({spots[i].tip, Vec3::UnitZ()});
+                pass.cc.push_back({spots[i].touch, spots[i].normal});
+            }
+            add_leads(pass, at(r.front()).up, at(r.back()).up);
+            cut_.passes.push_back(std::move(pass));
+        }
+    }
+
+    /// Smooth ways in and out: an arc that leaves along the pass and turns upwards; where the part is in its
+    /// way, out along the fitted vector.
+    void add_leads(Pass& pass, const Vec3& up_front, const Vec3& up_back) const {
+        const std::size_t n = pass.cl.size();
+        const auto front = lead(pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
+        const auto back = lead(pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
+        std::vector<CutterLocation> cl;
+        std::vector<CutterContact> cc;
+        for (std::size_t k = front.size(); k-- > 0;) {
+            cl.push_back({front[k], Vec3::UnitZ()});
+            cc.push_back(pass.cc.front());
+        }
+        pass.cl.insert(pass.cl.begin(), cl.begin(), cl.end());
+        pass.cc.insert(pass.cc.begin(), cc.begin(), cc.end());
+        for (const Vec3& tip : back) {
+            pass.cl.push_back({tip, Vec3::UnitZ()});
+            pass.cc.push_back(pass.cc.back());
+        }
+    }
+
+    std::vector<Vec3> lead(const Vec3& tip, const Vec3& way, const Vec3& up) const {
+        const double r = lead_share * radius_;
+        Vec3 ahead(way.x(), way.y(), std::max(way.z(), 0.0));
+        std::vector<Vec3> points;
+        if (ahead.norm() > 0) {
+            ahead.normalize();
+            Vec3 over = Vec3::UnitZ() - ahead.z() * ahead;
+            if (over.norm() > 0.1) {
+                over.normalize();
+                bool free = true;
+                for (int k = 1; k <= lead_points && free; ++k) {
+                    const double a = 0.5 * pi * k / lead_points;
+                    const Vec3 p = tip + r * std::sin(a) * ahead + r * (1 - std::cos(a)) * over;
+                    free = with_.lift->tip_z(p.x(), p.y()) <= p.z();
+                    points.push_back(p);
+                }
+                if (free) return points;
+            }
+        }
+        points.clear();
+        const Vec3 p = tip + r * up;
+        if (with_.lift->tip_z(p.x(), p.y()) <= p.z()) points.push_back(p);
+        return points;
+    }
+
+    const StripCutting& with_;
+    const ValleyCurve& curve_;
+    const RestBand& band_;
+    std::vector<Vec3> along_;
+    double radius_;
+    std::size_t count_;
+    std::vector<std::shared_ptr<const VectorLift>> lift_of_;
+    StripCut cut_;
+    int number_ = 0; ///< of passes, for turning every other one
+};
+
+/// Puts in what straight moves need to stay clear of the part, out of the valley where that helps, else up.
+class Clearing {
+public:
+    Clearing(const StripCutting& with)
+        : with_(with), spacing_(safe_spacing(with.cover->profile(), 0.5 * with.chord)) {}
+
+    void apply(Pass& pass, const Progress& progress) const {
+        Pass result = pass;
+        result.cl.clear();
+        result.cc.clear();
+        LiftHint hint;
+        for (std::size_t i = 0; i < pass.cl.size(); ++i) {
+            progress.check();
+            if (i > 0) between(pass.cl[i - 1].tip, pass.cl[i].tip, pass.cc[i], result, hint, 0);
+            result.cl.push_back(pass.cl[i]);
+            result.cc.push_back(pass.cc[i]);
+        }
+        pass = std::move(result);
+    }
+
+private:
+    double below(const Vec3& tip, LiftHint& hint) const {
+        return with_.lift->tip_z(tip.x(), tip.y(), hint) - tip.z();
+    }
+    void between(const Vec3& a, const Vec3& b, const CutterContact& cc, Pass& out, LiftHint& hint,
+                 int depth) const {
+        const double length = (b - a).norm();
+        const auto parts = std::max<std::size_t>(2, std::size_t(std::ceil(length / spacing_)));
+        double worst = 0.5 * with_.chord;
+        std::size_t where = 0;
+        for (std::size_t k = 1; k < parts; ++k) {
+            const double x = double(k) / double(parts);
+            if (const double d = below(a + x * (b - a), hint); d > worst) {
+                worst = d;
+                where = k;
+            }
+        }
+        if (where == 0 || depth > 30 || length < 0.1 * with_.chord) return;
+        Vec3 mid = a + (double(where) / double(parts)) * (b - a);
+        // Away from what it would cut: a little sideways is enough on steep flanks.
+        Vec3 out_of = cc.normal;
+        out_of.z() = std::max(out_of.z(), 0.0);
+        bool free = false;
+        for (double x = 0.25 * with_.chord; x <= 4 * with_.chord && !free; x *= 2) {
+            const Vec3 aside = mid + x * out_of;
+            if (below(aside, hint) > 0) continue;
+            mid = aside;
+            free = true;
+        }
+        if (!free) mid.z() += worst;
+        between(a, mid, cc, out, hint, depth + 1);
+        out.cl.push_back({mid, Vec3::UnitZ()});
+        out.cc.push_back(cc);
+        between(mid, b, cc, out, hint, depth + 1);
+    }
+
+    const StripCutting& with_;
+    double spacing_;
+};
+
+void clear(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress) {
+    const Clearing clearing(with);
+    parallel_for(passes.size(), 1, progress, [&](std::size_t i) { clearing.apply(passes[i], progress); });
+}
+
+} // namespace
+
+double ridge(const CutterProfile& profile, const Vec3& apart, const Vec3& travel) {
+    const Vec3 across = apart - apart.dot(travel) * travel;
+    const double width = across.norm();
+    if (width == 0) return 0;
+    const AptCutter& c = profile.cutter();
+    const Vec3 x = across / width;
+    Vec3 m = travel.cross(x);
+    if (m.z() < 0) m = -m;
+    if (c.r == profile.max_radius()) {
+        // A ball touches wherever it is asked to.
+        const double half = 0.5 * width;
+        return half < c.r ? c.r - std::sqrt(c.r * c.r - half * half) : c.r;
+    }
+    // The outline across the travel: what it reaches down to at a distance from where the tip is.
+    std::array<double, ridge_angles> tangent{}, reach{};
+    for (std::size_t k = 0; k < ridge_angles; ++k) {
+        const double a = ridge_tilt * (2.0 * double(k) / (ridge_angles - 1) - 1);
+        tangent[k] = std::tan(a);
+        reach[k] = support(profile, std::sin(a) * x - std::cos(a) * m) / std::cos(a);
+    }
+    const auto low = [&](double at) {
+        double y = -infinity;
+        for (std::size_t k = 0; k < ridge_angles; ++k)
+            y = std::max(y, at * tangent[k] - reach[k]);
+        return y;
+    };
+    // The crossing of both outlines: the near one rises, the other falls.
+    double lo = -4 * profile.max_radius(), hi = 4 * profile.max_radius() + width;
+    for (int i = 0; i < 60; ++i) {
+        const double mid = 0.5 * (lo + hi);
+        (low(mid) < low(mid - width) ? lo : hi) = mid;
+    }
+    return std::max(0.0, low(hi) + support(profile, -m));
+}
+
+namespace {
+
+/// Beyond its ends, where it meets no other curve: as far as the cutter overlaps, and past a border until
+/// what is beside the valley is cut too.
+void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
+    auto& p = curve.points;
+    if (curve.closed || p.size() < 3) return;
+    const double way = with.overlap + with.cover->radius();
+    for (const std::size_t side : {0, 1}) {
+        if (curve.node[side] >= 0) continue;
+        const PencilPoint end = side == 0 ? p.front() : p.back();
+        const Vec3 before = side == 0 ? p[2].center : p[p.size() - 3].center;
+        const double step = 0.5 * (end.center - before).norm();
+        if (step <= 0) continue;
+        const Vec3 ahead = (end.center - before).normalized();
+        const auto reach = side == 0 ? band.reach.front() : band.reach.back();
+        for (int k = 1; k * step <= way + step; ++k) {
+            PencilPoint q = end;
+            q.on_part = false;
+            for (Vec3* v : {&q.tip, &q.touch[0], &q.touch[1], &q.from, &q.center})
+                *v += k * step * ahead;
+            p.insert(side == 0 ? p.begin() : p.end(), q);
+            band.reach.insert(side == 0 ? band.reach.begin() : band.reach.end(), reach);
+        }
+    }
+}
+
+} // namespace
+
+StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const RestBand& band,
+                    const Progress& progress) {
+    ValleyCurve longer = curve;
+    RestBand wider;
+    wider.reach = band.reach;
+    run_out(with, longer, wider);
+    StripCut cut = ValleyCutter(with, longer, wider).run(progress.part(0, 0.8));
+    clear(with, cut.passes, progress.part(0.8, 1));
+    return cut;
+}
+
+StripCut cut_hollow(const StripCutting& with, const RestBand& band, const Progress& progress) {
+    StripCut cut;
+    const double radius = with.cover->radius();
+    Box3 box;
+    for (const auto& t : band.band)
+        for (const Vec3& p : t)
+            box.add(p);
+    // Lines along the longer side; how close follows from a level floor.
+    const bool along_x = box.size().x() >= box.size().y();
+    const Vec3 u = along_x ? Vec3::UnitX() : Vec3::UnitY(), v = along_x ? Vec3::UnitY() : Vec3::UnitX();
+    double step = 1.9 * radius;
+    while (step > smallest_step * radius && ridge(with.cover->profile(), step * v, u) > with.cusp)
+        step *= 0.9;
+    step *= 0.7; // of what a floor that leans by 45 degrees asks for
+    PlaceHash hollow(0.5 * radius);
+    for (const auto& t : band.band) {
+        progress.check();
+        for (const Vec3& p : t)
+            hollow.add_first(Vec3(p.x(), p.y(), 0), 1);
+    }
+    const auto wanted = [&](const Vec3& p) {
+        bool is = false;
+        hollow.near(Vec3(p.x(), p.y(), 0), 0.5 * radius, [&](Index) { is = true; });
+        return is;
+    };
+    const double v0 = box.lo.dot(v), v1 = box.hi.dot(v), u0 = box.lo.dot(u), u1 = box.hi.dot(u);
+    const int lines = std::max(1, int(std::ceil((v1 - v0) / step)));
+    const double spacing = 0.1 * radius;
+    for (int i = 0; i <= lines; ++i) {
+        progress.set(double(i) / double(lines + 1));
+        const double at = v0 + (v1 - v0) * i / lines;
+        Pass pass;
+        pass.drive = i;
+        pass.offset = at;
+        const auto finish = [&] {
+            if (pass.cl.size() > 1) {
+                if (i % 2 != 0 && !with.one_way) {
+                    std::reverse(pass.cl.begin(), pass.cl.end());
+                    std::reverse(pass.cc.begin(), pass.cc.end());
+                }
+                cut.passes.push_back(pass);
+            }
+            pass.cl.clear();
+            pass.cc.clear();
+        };
+        const int points = int(std::ceil((u1 - u0 + 2 * with.overlap) / spacing));
+        for (int k = 0; k <= points; ++k) {
+            const Vec3 place = (u0 - with.overlap + (u1 - u0 + 2 * with.overlap) * k / points) * u + at * v;
+            const AxialContact c = with.lift->contact(place.x(), place.y());
+            if (!(c.tip_z > -infinity) || !wanted(place)) {
+                finish();
+                continue;
+            }
+            const Vec3 tip(place.x(), place.y(), c.tip_z);
+            pass.cl.push_back({tip, Vec3::UnitZ()});
+            pass.cc.push_back({c.point, with.cover->contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
+        }
+        finish();
+    }
+    cut.stepover_min = cut.stepover_max = lines > 0 ? (v1 - v0) / lines : 0;
+    clear(with, cut.passes, progress.part(0.9, 1));
+    return cut;
+}
+
+} // namespace facetmill

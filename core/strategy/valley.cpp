@@ -1,0 +1,683 @@
+#include "core/strategy/valley.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/facet_rows.h"
+#include "core/strategy/place_hash.h"
+
+#include <numeric>
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block_facets = 256;
+constexpr double most_samples = 4e6;
+/// Steps along a curve, in radii of the cutter.
+constexpr double step_share = 0.08;
+/// Of the cutter's radius: touched points nearer to each other are the same flank's. More than noise lets a
+/// touched point jump about on one flank, less than the width of any valley that leaves something.
+constexpr double least_jump = 0.12;
+/// By more the touched points do not move, in radii, between two steps on the same two flanks.
+constexpr double most_move = 0.45;
+/// By more, in radii, the tip falls only beside an upright wall.
+constexpr double fall_share = 0.02;
+/// Of an arc on which the next point is looked for.
+constexpr int arc_samples = 13, ring_samples = 24;
+constexpr int halvings = 30, arc_halvings = 16;
+/// The end of a curve is found to this share of a step.
+constexpr double end_share = 1.0 / 32;
+/// After so many steps beyond a place where it was lost a curve has not ended.
+constexpr int steps_to_go_on = 4;
+constexpr std::size_t most_steps = 200000;
+/// The fitted vector is an average over this many radii along the curve, to either side.
+constexpr double fit_share = 0.25;
+/// Cosine, and share of the way, by which a centre runs back against the tip.
+constexpr double back_share = 0.1;
+/// Planes whose normals span less than this meet in no one place.
+constexpr double flat_corner = 1e-3;
+/// Ends nearer to each other than this many steps meet.
+constexpr double node_steps = 2;
+
+/// The cutter let down at a place.
+struct Touch {
+    bool valid = false; ///< false: it meets nothing
+    Vec3 tip, point, normal;
+    Vec3 feature; ///< the touched point from the tip, in radii
+};
+
+class Finder {
+public:
+    Finder(const ValleyInput& input, Valleys& result)
+        : in_(input), out_(result), radius_(input.cover->radius()), reach_(input.mesh->box().diagonal()),
+          step_(step_share * radius_), done_(step_) {
+        out_.step = step_;
+    }
+
+    void run(const Progress& progress) {
+        sample(progress.part(0, 0.5, "Looking where the previous cutter left something"));
+        const auto seeds = converged(progress.part(0.5, 0.75));
+        follow(seeds, progress.part(0.75, 0.95, "Following valleys"));
+        measure(progress.part(0.95, 1));
+    }
+
+private:
+    enum class End { lost, joined, off };
+    struct Traced {
+        std::vector<PencilPoint> points;
+        bool closed = false;
+        End end = End::lost;
+    };
+    struct Found {
+        double angle = 0;
+        PencilPoint point;
+    };
+
+    Touch touch_at(const Vec2& at) const {
+        Touch t;
+        const AxialContact c = in_.lift->contact(at.x(), at.y());
+        if (!(c.tip_z > -infinity)) return t;
+        t.valid = true;
+        t.tip = Vec3(at.x(), at.y(), c.tip_z);
+        t.point = c.point;
+        const Vec3 rel = c.point - t.tip;
+        const Vec3 facet = in_.side->towards_tool(in_.mesh->facet_normal(c.facet));
+        t.normal = in_.cover->contact_normal(rel).value_or(facet);
+        t.feature = rel / radius_;
+        // All places of a flat bottom are one.
+        if (in_.cover->has_flat_bottom() && rel.z() <= in_.tolerance
+            && (t.normal.z() > 0.98 || facet.z() > 0.98))
+            t.feature = Vec3::Zero();
+        return t;
+    }
+
+    static double apart(const Touch& a, const Touch& b) { return (a.feature - b.feature).norm(); }
+
+    PencilPoint pencil(const Touch& left, const Touch& right) const {
+        PencilPoint p;
+        p.touch = {left.point, right.point};
+        p.normal = {left.normal, right.normal};
+        p.tip = left.tip.z() > right.tip.z() ? left.tip : right.tip;
+        const double fall = left.tip.z() - right.tip.z();
+        if (std::abs(fall) > fall_share * radius_) {
+            // An upright wall: the lower one passes along it, the higher one stands on its top.
+            const Touch& low = fall > 0 ? right : left;
+            const Touch& high = fall > 0 ? left : right;
+            p.tip = low.tip;
+            Vec3 out(high.point.x() - low.tip.x(), high.point.y() - low.tip.y(), 0);
+            if (out.norm() > 0) out.normalize();
+            const std::size_t side = fall > 0 ? 0 : 1;
+            p.touch[side] = low.tip + radius_ * out + Vec3(0, 0, in_.cover->shoulder());
+            p.normal[side] = -out;
+        }
+        return p;
+    }
+    Vec3 feature(const PencilPoint& p, int side) const {
+        return (p.touch[std::size_t(side)] - p.tip) / radius_;
+    }
+    double moved(const PencilPoint& a, const PencilPoint& b) const {
+        return std::max((feature(a, 0) - feature(b, 0)).norm(), (feature(a, 1) - feature(b, 1)).norm());
+    }
+
+    /// Halves [a, b] until the jump between both is known to rounding; false where there is none left.
+    template <class At>
+    bool halve(At&& at, double lo, double hi, Touch& a, Touch& b, int times) const {
+        for (int i = 0; i < times; ++i) {
+            const double mid = 0.5 * (lo + hi);
+            const Touch t = at(mid);
+            if (!t.valid) return false;
+            if (apart(t, a) <= apart(t, b)) {
+                a = t;
+                lo = mid;
+            } else {
+                b = t;
+                hi = mid;
+            }
+            if (apart(a, b) < least_jump) return false;
+        }
+        return true;
+    }
+
+    void sample(const Progress& progress) {
+        const Mesh& mesh = *in_.mesh;
+        double spacing =
+            std::clamp(0.7 * std::sqrt(2 * radius_ * in_.tolerance), 0.05 * radius_, 0.25 * radius_);
+        double area = 0;
+        for (std::size_t f = 0; f < mesh.facet_count(); ++f)
+            area += 0.5 * mesh.facet_cross(f).norm();
+        spacing = std::max(spacing, std::sqrt(area / most_samples));
+        using Samples = std::vector<RestSample>;
+        out_.samples = parallel_reduce(
+            mesh.facet_count(), block_facets, Samples(), progress,
+            [&](std::size_t begin, std::size_t end) {
+                Samples found;
+                LiftHint hint;
+                for (std::size_t f = begin; f < end; ++f) {
+                    const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
+                    if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
+                    const FacetRows rows(mesh, f, spacing);
+                    for (std::size_t r = 0; r < rows.rows(); ++r)
+                        for (std::size_t c = 0; c < rows.columns(r); ++c) {
+                            if (c % 512 == 0) progress.check();
+                            RestSample s = nearest_touch(in_, rows.point(r, c), n, hint);
+                            if (s.gap <= in_.tolerance) continue;
+                            s.area = rows.weight(r);
+                            found.push_back(s);
+                        }
+                }
+                return found;
+            },
+            [](Samples a, const Samples& b) {
+                a.insert(a.end(), b.begin(), b.end());
+                return a;
+            });
+    }
+
+    /// Moves the tip from a sample's until another flank holds it.
+    std::optional<PencilPoint> converge(const RestSample& s) const {
+        const Vec2 at = s.tip.head<2>();
+        Touch last = touch_at(at);
+        if (!last.valid) return std::nullopt;
+        Vec2 way = (last.normal - s.normal).head<2>();
+        if (way.norm() < tolerance::level_angle) way = -s.normal.head<2>();
+        if (way.norm() < tolerance::level_angle) return std::nullopt;
+        way.normalize();
+        const auto on_way = [&](double x) { return touch_at(at + x * way); };
+        const double stride = 0.15 * radius_;
+        for (double x = 0; x < 2.2 * radius_; x += stride) {
+            Touch next = on_way(x + stride);
+            if (!next.valid) return std::nullopt;
+            Touch a = last, b = next;
+            if (apart(a, b) >= least_jump && halve(on_way, x, x + stride, a, b, halvings))
+                return pencil(a, b);
+            last = next;
+        }
+        return std::nullopt;
+    }
+
+    std::vector<PencilPoint> converged(const Progress& progress) const {
+        // One sample a cell is enough to meet every curve many times.
+        PlaceHash seen(2 * step_);
+        std::vector<std::size_t> chosen;
+        for (std::size_t i = 0; i < out_.samples.size(); ++i)
+            if (seen.add_first(out_.samples[i].point, Index(i))) chosen.push_back(i);
+        std::vector<std::optional<PencilPoint>> found(chosen.size());
+        parallel_for(chosen.size(), 32, progress,
+                     [&](std::size_t i) { found[i] = converge(out_.samples[chosen[i]]); });
+        std::vector<PencilPoint> seeds;
+        for (const auto& f : found)
+            if (f) seeds.push_back(*f);
+        return seeds;
+    }
+
+    /// All jumps on an arc about a place, counter-clockwise.
+    std::vector<Found> jumps(const Vec2& about, double rho, double from, double to, int samples) const {
+        const auto on_arc = [&](double angle) {
+            return touch_at(about + rho * Vec2(std::cos(angle), std::sin(angle)));
+        };
+        std::vector<Found> found;
+        Touch last = on_arc(from);
+        double angle = from;
+        for (int k = 1; k < samples; ++k) {
+            const double next_angle = from + (to - from) * k / (samples - 1);
+            const Touch next = on_arc(next_angle);
+            Touch a = last, b = next;
+            if (a.valid && b.valid && apart(a, b) >= least_jump
+                && halve(on_arc, angle, next_angle, a, b, arc_halvings)) {
+                // Going on along the arc's radius, what comes later is on the left.
+                Found f;
+                f.point = pencil(b, a);
+                const Vec2 d = f.point.tip.head<2>() - about;
+                f.angle = std::atan2(d.y(), d.x());
+                found.push_back(f);
+            }
+            last = next;
+            angle = next_angle;
+        }
+        return found;
+    }
+
+    /// Follows the curve from `start`, whose left and right are those of going along `heading`.
+    Traced trace(const PencilPoint& start, double heading, const Progress& progress) const {
+        Traced t;
+        t.points.push_back(start);
+        double rho = step_, stop = 0;
+        bool ending = false;
+        int passed = 0; // steps since the curve was lost
+        while (t.points.size() < most_steps) {
+            progress.check();
+            const PencilPoint& last = t.points.back();
+            const auto found =
+                jumps(last.tip.head<2>(), rho, heading - 0.5 * pi, heading + 0.5 * pi, arc_samples);
+            const Found* best = nullptr;
+            double least = most_move;
+            for (const Found& f : found)
+                if (const double m = moved(f.point, last); m <= least) {
+                    least = m;
+                    best = &f;
+                }
+            if (!best) {
+                // Steps become shorter from here on, until it is clear that the curve goes on.
+                if (!ending) stop = end_share * rho;
+                ending = true;
+                passed = 0;
+                rho *= 0.5;
+                if (rho < stop) return t;
+                continue;
+            }
+            const double way = (best->point.tip - last.tip).norm();
+            if (way > 1.6 * step_ && rho > tolerance::lift_accuracy * radius_) {
+                rho *= 0.5;
+                continue;
+            }
+            if (ending && ++passed == steps_to_go_on) ending = false;
+            heading = best->angle;
+            if (joins(best->point)) {
+                t.points.push_back(best->point);
+                t.end = End::joined;
+                return t;
+            }
+            t.points.push_back(best->point);
+            if (t.points.size() > 8 && (best->point.tip - start.tip).norm() < 0.75 * step_
+                && moved(best->point, start) < most_move) {
+                t.closed = true;
+                t.points.pop_back();
+                return t;
+            }
+            if (!is_on_part(t.points.back())) {
+                t.end = End::off;
+                return t;
+            }
+            if (!ending && way < 0.6 * step_) rho = std::min(1.5 * rho, step_);
+        }
+        return t;
+    }
+
+    /// A first look, without the fit.
+    bool is_on_part(const PencilPoint& p) const {
+        const Vec3 up = p.normal[0] + p.normal[1];
+        if (up.norm() < tolerance::level_angle) return true;
+        return in_.grid->first_hit(0.5 * (p.touch[0] + p.touch[1]), -up.normalized(), reach_).has_value();
+    }
+
+    bool joins(const PencilPoint& p) const { return near_done(p, 0.5 * step_); }
+    bool near_done(const PencilPoint& p, double within) const {
+        bool is = false;
+        done_.near(p.tip, within, [&](Index i) {
+            const PencilPoint& q = all_[i];
+            if ((q.tip - p.tip).norm() > within) return;
+            PencilPoint turned = q;
+            std::swap(turned.touch[0], turned.touch[1]);
+            is = is || moved(p, q) < most_move || moved(p, turned) < most_move;
+        });
+        return is;
+    }
+
+    void follow(const std::vector<PencilPoint>& seeds, const Progress& progress) {
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            progress.set(double(i) / double(seeds.size()));
+            const PencilPoint& seed = seeds[i];
+            if (near_done(seed, 1.2 * step_)) continue;
+            PencilPoint turned = seed;
+            std::swap(turned.touch[0], turned.touch[1]);
+            std::swap(turned.normal[0], turned.normal[1]);
+            Traced parts[2];
+            bool started = false;
+            // A ring about it crosses the curve twice.
+            for (double rho = step_; rho > end_share * step_ && !started; rho *= 0.5) {
+                const Found* ahead = nullptr;
+                const Found* behind = nullptr;
+                double least[2] = {most_move, most_move};
+                const auto ring = jumps(seed.tip.head<2>(), rho, -pi, pi, ring_samples);
+                for (const Found& f : ring) {
+                    if (const double m = moved(f.point, seed); m < least[0]) {
+                        least[0] = m;
+                        ahead = &f;
+                    }
+                    if (const double m = moved(f.point, turned); m < least[1]) {
+                        least[1] = m;
+                        behind = &f;
+                    }
+                }
+                if (!ahead && !behind) continue;
+                started = true;
+                if (ahead) parts[0] = trace(seed, ahead->angle, progress);
+                if (behind && !parts[0].closed) parts[1] = trace(turned, behind->angle, progress);
+            }
+            if (!started) continue;
+            ValleyCurve curve;
+            if (parts[0].closed) {
+                curve.closed = true;
+                curve.points = std::move(parts[0].points);
+            } else {
+                for (std::size_t k = parts[1].points.size(); k-- > 1;) {
+                    PencilPoint p = parts[1].points[k];
+                    std::swap(p.touch[0], p.touch[1]);
+                    std::swap(p.normal[0], p.normal[1]);
+                    curve.points.push_back(p);
+                }
+                if (parts[0].points.empty()) parts[0].points.push_back(seed);
+                curve.points.insert(curve.points.end(), parts[0].points.begin(), parts[0].points.end());
+            }
+            ends_.push_back({parts[1].end, parts[0].end});
+            for (const PencilPoint& p : curve.points) {
+                done_.add(p.tip, Index(all_.size()));
+                all_.push_back(p);
+            }
+            out_.curves.push_back(std::move(curve));
+        }
+    }
+
+    /// Fitted vectors, centres, gaps; curves cut down to where more than the tolerance is left; nodes.
+    void measure(const Progress& progress) {
+        std::vector<ValleyCurve> runs;
+        std::vector<std::array<bool, 2>> open; // ends that a third flank made
+        for (std::size_t c = 0; c < out_.curves.size(); ++c) {
+            ValleyCurve& curve = out_.curves[c];
+            fit(curve);
+            parallel_for(curve.points.size(), 64, progress.part(0, 0),
+                         [&](std::size_t i) { place(curve.points[i]); });
+            add_runs(curve, ends_[c], runs, open);
+            progress.check();
+        }
+        leave_out_doubles(runs, open);
+        out_.curves = std::move(runs);
+        join(open);
+        progress.set(1);
+    }
+
+    void fit(ValleyCurve& curve) const {
+        auto& p = curve.points;
+        const auto n = std::ptrdiff_t(p.size());
+        const double window = fit_share * radius_;
+        std::vector<Vec3> up(p.size());
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            Vec3 sum = p[std::size_t(i)].normal[0] + p[std::size_t(i)].normal[1];
+            for (const std::ptrdiff_t step : {-1, 1}) {
+                double way = 0;
+                std::ptrdiff_t k = i;
+                for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
+                    std::ptrdiff_t next = k + step;
+                    if (curve.closed) next = (next + n) % n;
+                    if (next < 0 || next >= n) break;
+                    way += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
+                    if (way > window) break;
+                    k = next;
+                    sum += (1 - way / window) * (p[std::size_t(k)].normal[0] + p[std::size_t(k)].normal[1]);
+                }
+            }
+            // A 3-axis cutter is never moved downwards out of a valley.
+            sum.z() = std::max(sum.z(), 0.0);
+            up[std::size_t(i)] = sum.norm() > tolerance::level_angle ? Vec3(sum.normalized()) : Vec3::UnitZ();
+        }
+        for (std::size_t i = 0; i < p.size(); ++i)
+            p[i].up = up[i];
+    }
+
+    void place(PencilPoint& p) const {
+        p.from = 0.5 * (p.touch[0] + p.touch[1]);
+        const auto hit = in_.grid->first_hit(p.from, -p.up, reach_);
+        p.on_part = hit.has_value();
+        if (!hit) return;
+        p.center = p.from - hit->distance * p.up;
+        p.gap = in_.cover->distance(p.center - p.tip);
+    }
+
+    void add_runs(const ValleyCurve& curve, const std::array<End, 2>& ends, std::vector<ValleyCurve>& runs,
+                  std::vector<std::array<bool, 2>>& open) const {
+        const auto& p = curve.points;
+        const std::size_t n = p.size();
+        std::vector<char> good(n);
+        for (std::size_t i = 0; i < n; ++i)
+            good[i] = p[i].on_part && p[i].gap > in_.tolerance;
+        // Where the cutter rolls out of a valley's end over its rim, the centre runs back into the valley.
+        for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
+            const PencilPoint &a = p[i > 0 ? i - 1 : n - 1], &b = p[i];
+            const Vec3 center = b.center - a.center, tip = b.tip - a.tip;
+            if (a.on_part && b.on_part && center.dot(tip) < -back_share * center.norm() * tip.norm()
+                && center.norm() > back_share * tip.norm())
+                good[i] = good[i > 0 ? i - 1 : n - 1] = 0;
+        }
+        // A closed curve is opened at its first bad place.
+        std::size_t first = 0;
+        bool closed = curve.closed;
+        if (closed) {
+            const auto bad = std::find(good.begin(), good.end(), 0);
+            if (bad != good.end()) first = std::size_t(bad - good.begin());
+        }
+        const auto at = [&](std::size_t i) { return (first + i) % n; };
+        const auto way = [&](std::size_t a, std::size_t b) {
+            double sum = 0;
+            for (std::size_t i = a; i < b; ++i)
+                sum += (p[at(i + 1)].center - p[at(i)].center).norm();
+            return sum;
+        };
+        // [from, to) ranges, short interruptions bridged.
+        std::vector<std::array<std::size_t, 2>> ranges;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!good[at(i)]) continue;
+            bool bridge = !ranges.empty() && way(ranges.back()[1] - 1, i) <= in_.ripple;
+            for (std::size_t k = bridge ? ranges.back()[1] : i; k < i; ++k)
+                bridge = bridge && p[at(k)].on_part;
+            if (bridge || (!ranges.empty() && ranges.back()[1] == i))
+                ranges.back()[1] = i + 1;
+            else
+                ranges.push_back({i, i + 1});
+        }
+        for (const auto& [a, b] : ranges) {
+            const bool whole = b - a == n;
+            if (way(a, b - 1) < in_.ripple && !(whole && closed)) continue;
+            ValleyCurve run;
+            run.closed = whole && closed;
+            for (std::size_t i = a; i < b; ++i)
+                run.points.push_back(p[at(i)]);
+            runs.push_back(std::move(run));
+            open.push_back({!curve.closed && a == 0 && ends[0] != End::off,
+                            !curve.closed && b == n && ends[1] != End::off});
+        }
+    }
+
+    /// A cutter that rolls out over the end of a valley sees it once more.
+    void leave_out_doubles(std::vector<ValleyCurve>& runs, std::vector<std::array<bool, 2>>& open) {
+        std::vector<std::size_t> order(runs.size());
+        std::iota(order.begin(), order.end(), std::size_t(0));
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return runs[a].points.size() > runs[b].points.size();
+        });
+        std::vector<char> keep(runs.size(), 1);
+        PlaceHash known(2 * step_);
+        std::vector<Vec3> centers;
+        for (const std::size_t r : order) {
+            std::size_t same = 0;
+            for (const PencilPoint& p : runs[r].points) {
+                bool is = false;
+                known.near(p.center, step_,
+                           [&](Index i) { is = is || (centers[i] - p.center).norm() < step_; });
+                same += is;
+            }
+            if (2 * same > runs[r].points.size()) {
+                keep[r] = 0;
+                continue;
+            }
+            for (const PencilPoint& p : runs[r].points) {
+                known.add(p.center, Index(centers.size()));
+                centers.push_back(p.center);
+            }
+        }
+        std::size_t kept = 0;
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            if (!keep[r]) continue;
+            if (kept != r) {
+                runs[kept] = std::move(runs[r]);
+                open[kept] = open[r];
+            }
+            ++kept;
+        }
+        runs.resize(kept);
+        open.resize(kept);
+        // Which tip is whose.
+        PlaceHash tips(2 * step_);
+        std::vector<std::array<Index, 2>> owner;
+        for (std::size_t r = 0; r < runs.size(); ++r)
+            for (std::size_t i = 0; i < runs[r].points.size(); ++i) {
+                tips.add(runs[r].points[i].tip, Index(owner.size()));
+                owner.push_back({Index(r), Index(i)});
+            }
+        for (const PencilPoint& p : all_) {
+            int curve = -1;
+            double least = step_;
+            tips.near(p.tip, step_, [&](Index i) {
+                const double d = (runs[owner[i][0]].points[owner[i][1]].tip - p.tip).norm();
+                if (d < least) {
+                    least = d;
+                    curve = int(owner[i][0]);
+                }
+            });
+            out_.tips.push_back({p.tip, curve});
+        }
+    }
+
+    /// Where the planes at the touched points meet, if they do in one place.
+    static std::optional<Vec3> corner(const std::vector<Vec3>& touches, const std::vector<Vec3>& normals) {
+        Mat3 sum = Mat3::Zero();
+        Vec3 right = Vec3::Zero();
+        for (std::size_t k = 0; k < touches.size(); ++k) {
+            sum += normals[k] * normals[k].transpose();
+            right += normals[k] * normals[k].dot(touches[k]);
+        }
+        if (std::abs(sum.determinant()) < flat_corner) return std::nullopt;
+        return Vec3(sum.inverse() * right);
+    }
+
+    /// Ends that came to the same place go on to its centre: from between the touched points of all of them a
+    /// ray along the sum of all normals meets the corner.
+    void join(const std::vector<std::array<bool, 2>>& open) {
+        struct EndOf {
+            std::size_t curve;
+            std::size_t side;
+        };
+        std::vector<EndOf> ends;
+        for (std::size_t c = 0; c < out_.curves.size(); ++c)
+            for (std::size_t s = 0; s < 2; ++s)
+                if (!out_.curves[c].closed && open[c][s]) ends.push_back({c, s});
+        const auto last = [&](const EndOf& e) -> PencilPoint& {
+            auto& p = out_.curves[e.curve].points;
+            return e.side == 0 ? p.front() : p.back();
+        };
+        std::vector<char> taken(ends.size(), 0);
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            if (taken[i]) continue;
+            std::vector<std::size_t> group{i};
+            for (std::size_t k = i + 1; k < ends.size(); ++k)
+                if (!taken[k] && (last(ends[k]).tip - last(ends[i]).tip).norm() < node_steps * step_)
+                    group.push_back(k);
+            if (group.size() < 2) continue;
+            std::vector<Vec3> touches, normals;
+            Vec3 tip = last(ends[i]).tip;
+            for (const std::size_t g : group) {
+                taken[g] = 1;
+                const PencilPoint& p = last(ends[g]);
+                if (p.tip.z() > tip.z()) tip = p.tip;
+                for (std::size_t s = 0; s < 2; ++s) {
+                    bool known = false;
+                    for (const Vec3& t : touches)
+                        known = known || (t - p.touch[s]).norm() < most_move * radius_;
+                    if (known) continue;
+                    touches.push_back(p.touch[s]);
+                    normals.push_back(p.normal[s]);
+                }
+            }
+            PencilPoint node;
+            node.tip = tip;
+            node.touch = {touches.front(), touches.back()};
+            node.normal = {normals.front(), normals.back()};
+            node.from = Vec3::Zero();
+            Vec3 up = Vec3::Zero();
+            for (std::size_t k = 0; k < touches.size(); ++k) {
+                node.from += touches[k] / double(touches.size());
+                up += normals[k];
+            }
+            up.z() = std::max(up.z(), 0.0);
+            if (up.norm() < tolerance::level_angle) continue;
+            node.up = up.normalized();
+            Vec3 way = -node.up;
+            if (const auto meet = corner(touches, normals); meet && (*meet - node.from).dot(way) > 0)
+                way = (*meet - node.from).normalized();
+            const auto hit = in_.grid->first_hit(node.from, way, reach_);
+            if (!hit) continue;
+            node.on_part = true;
+            node.center = node.from + hit->distance * way;
+            node.gap = in_.cover->distance(node.center - node.tip);
+            const int number = int(out_.nodes.size());
+            out_.nodes.push_back(node.center);
+            for (const std::size_t g : group)
+                lead(ends[g].curve, ends[g].side, node, number);
+        }
+    }
+
+    /// Points from the end of a curve to a node, on the part: rays from within the same cutter.
+    void lead(std::size_t c, std::size_t side, const PencilPoint& node, int number) {
+        ValleyCurve& curve = out_.curves[c];
+        curve.node[side] = number;
+        const PencilPoint from = side == 0 ? curve.points.front() : curve.points.back();
+        const double way = (node.center - from.center).norm();
+        const auto steps = std::size_t(std::ceil(way / step_));
+        std::vector<PencilPoint> more;
+        for (std::size_t k = 1; k <= steps; ++k) {
+            const double x = double(k) / double(steps);
+            PencilPoint p = from;
+            p.tip = node.tip;
+            p.from = (1 - x) * from.from + x * node.from;
+            p.up = ((1 - x) * from.up + x * node.up).normalized();
+            const Vec3 aim = (1 - x) * from.center + x * node.center - p.from;
+            if (aim.norm() < tolerance::level_angle) continue;
+            const auto hit = in_.grid->first_hit(p.from, aim.normalized(), reach_);
+            if (!hit) continue;
+            p.center = p.from + hit->distance * aim.normalized();
+            p.gap = in_.cover->distance(p.center - p.tip);
+            p.on_part = true;
+            more.push_back(p);
+        }
+        if (side == 1) {
+            curve.points.insert(curve.points.end(), more.begin(), more.end());
+        } else {
+            std::reverse(more.begin(), more.end());
+            curve.points.insert(curve.points.begin(), more.begin(), more.end());
+        }
+    }
+
+    const ValleyInput& in_;
+    Valleys& out_;
+    double radius_, reach_, step_;
+    std::vector<PencilPoint> all_; ///< of all finished curves
+    PlaceHash done_;
+    std::vector<std::array<End, 2>> ends_;
+};
+
+} // namespace
+
+RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint) {
+    RestSample s;
+    s.point = p;
+    s.normal = n;
+    const CutterCover& cover = *input.cover;
+    if (n.z() > tolerance::vertical_normal_z) {
+        s.tip = p + cover.tip_offset(n);
+    } else {
+        // Along an upright wall, a hair beside it: it would be passed over else.
+        const double out = cover.radius() * (1 + tolerance::rim_share) / std::hypot(n.x(), n.y());
+        s.tip = p + Vec3(out * n.x(), out * n.y(), -cover.shoulder());
+    }
+    s.tip.z() = std::max(s.tip.z(), input.lift->tip_z(s.tip.x(), s.tip.y(), hint));
+    s.gap = cover.distance(p - s.tip);
+    return s;
+}
+
+Valleys find_valleys(const ValleyInput& input, const Progress& progress) {
+    Valleys result;
+    Finder(input, result).run(progress);
+    return result;
+}
+
+} // namespace facetmill

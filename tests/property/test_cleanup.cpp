@@ -1,0 +1,312 @@
+// Clean-up over parts whose valleys are known: all are found, nothing else is, on clean meshes and on noisy
+// ones; what stays is what the smaller cutter cannot reach; nothing is cut into. Judged by the verifier and
+// by a search over places of the cutter, which share no code with the planner.
+#include "core/base/parallel.h"
+#include "core/gouge/axial_lift.h"
+#include "core/link/motion.h"
+#include "core/mesh/sample.h"
+#include "core/strategy/cleanup.h"
+#include "core/strategy/place_hash.h"
+#include "core/verify/verify.h"
+#include "tests/property/shapes.h"
+#include "tests/property/valley_parts.h"
+#include "tests/support/cancel_at.h"
+#include "tests/support/error_code.h"
+#include "tests/support/random_meshes.h"
+#include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+constexpr double tau = 0.05;
+
+PlanContext cleanup_context(const Mesh& mesh, const Tool& tool, const Tool& previous) {
+    PlanContext c = context_of(mesh, tool);
+    c.further_tools = {previous};
+    return c;
+}
+
+CleanupSettings settings() {
+    CleanupSettings s;
+    s.tolerance = tau;
+    s.tool = 2;
+    return s;
+}
+
+std::vector<std::vector<Vec3>> centers(const StrategyResult& path) {
+    std::vector<std::vector<Vec3>> all;
+    for (const Strip& s : path.strips)
+        all.insert(all.end(), s.centers.begin(), s.centers.end());
+    return all;
+}
+
+/// The least that a ball with vertical axis leaves over a place along the normal there, over all places it
+/// may take: by search.
+double geometric_limit(const AxialLift& lift, double r, const Vec3& p, const Vec3& n) {
+    const auto left = [&](double x, double y) {
+        const double z = lift.tip_z(x, y);
+        if (!(z > -infinity)) return infinity;
+        // The ray from p along n into the ball, or into the shaft above its middle.
+        const Vec3 d = p - Vec3(x, y, z + r);
+        double entry = infinity;
+        const double b = d.dot(n), c = d.squaredNorm() - r * r;
+        if (b * b >= c) entry = -b - std::sqrt(b * b - c);
+        const double a2 = n.head<2>().squaredNorm(), b2 = d.head<2>().dot(n.head<2>()),
+                     c2 = d.head<2>().squaredNorm() - r * r;
+        if (a2 > 0 && b2 * b2 >= a2 * c2) {
+            const double t = (-b2 - std::sqrt(b2 * b2 - a2 * c2)) / a2;
+            if (d.z() + t * n.z() >= 0) entry = std::min(entry, t);
+        }
+        return entry >= -r ? entry : infinity;
+    };
+    double best = infinity, x0 = p.x(), y0 = p.y(), half = 1.5 * r;
+    for (int level = 0; level < 6; ++level) {
+        double bx = x0, by = y0;
+        const int cells = level == 0 ? 30 : 6;
+        for (int i = -cells; i <= cells; ++i)
+            for (int j = -cells; j <= cells; ++j) {
+                const double x = x0 + half * i / cells, y = y0 + half * j / cells;
+                if (const double e = left(x, y); e < best) {
+                    best = e;
+                    bx = x;
+                    by = y;
+                }
+            }
+        x0 = bx;
+        y0 = by;
+        half = 1.5 * half / cells;
+    }
+    return best;
+}
+
+/// Under a sanitizer the smallest says enough.
+std::vector<ValleyPart> parts() {
+    if (under_sanitizer) return {corner_part()};
+    return {mould_part(), corner_part(), ring_part()};
+}
+
+std::vector<double> numbers(const StrategyResult& path) {
+    std::vector<double> all{path.stepover_min, path.stepover_max, path.cusp_max};
+    for (const Pass& p : path.passes)
+        for (const CutterLocation& c : p.cl)
+            all.insert(all.end(), c.tip.data(), c.tip.data() + 3);
+    for (const Strip& s : path.strips) {
+        all.insert(all.end(), {s.area, s.length, s.width});
+        for (const auto& t : s.band)
+            for (const Vec3& v : t)
+                all.insert(all.end(), v.data(), v.data() + 3);
+    }
+    return all;
+}
+
+} // namespace
+
+class TestCleanup : public QObject {
+    Q_OBJECT
+private slots:
+    void every_valley_is_found_and_nothing_else_data() {
+        QTest::addColumn<int>("part");
+        QTest::addColumn<bool>("noisy");
+        const auto all = parts();
+        for (int i = 0; i < int(all.size()); ++i)
+            for (const bool noisy : {false, true})
+                QTest::addRow("%s%s", all[std::size_t(i)].name.c_str(), noisy ? " noisy" : "") << i << noisy;
+    }
+
+    /// At least 99 % of the length of known valleys lie beside a centre, at most 1 % of the length of centres
+    /// lies beside none.
+    void every_valley_is_found_and_nothing_else() {
+        QFETCH(int, part);
+        QFETCH(bool, noisy);
+        const ValleyPart known = parts()[std::size_t(part)];
+        const Mesh mesh = noisy ? scanned(known.mesh, 1.6, 0.01, 7) : known.mesh;
+        const PlanContext context =
+            cleanup_context(mesh, ball_tool(known.diameter), ball_tool(known.previous));
+        const StrategyResult path = Cleanup(settings()).plan(context, Progress());
+        const auto found = centers(path);
+        const double beside = noisy ? 0.3 : 0.15;
+        std::size_t missed = 0, wrong = 0;
+        double worst = 0;
+        const auto places = places_along(known.valleys, 0.2);
+        Vec3 miss = Vec3::Zero(), stray = Vec3::Zero();
+        for (const Vec3& p : places)
+            if (const double d = distance_to(found, p); d > beside) {
+                ++missed;
+                if (d > worst) miss = p;
+                worst = std::max(worst, d);
+            }
+        const auto center_places = places_along(found, 0.2);
+        for (const Vec3& p : center_places)
+            if (distance_to(known.valleys, p) > beside) {
+                ++wrong;
+                stray = p;
+            }
+        const QString figures = QString("%1 of %2 missed, by up to %3 at (%4, %5, %6); %7 of %8 wrong, at "
+                                        "(%9, %10, %11); %12 strips")
+                                    .arg(missed)
+                                    .arg(places.size())
+                                    .arg(worst)
+                                    .arg(miss.x())
+                                    .arg(miss.y())
+                                    .arg(miss.z())
+                                    .arg(wrong)
+                                    .arg(center_places.size())
+                                    .arg(stray.x())
+                                    .arg(stray.y())
+                                    .arg(stray.z())
+                                    .arg(path.strips.size());
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(double(missed) <= 0.01 * double(places.size()), qPrintable(figures));
+        QVERIFY2(double(wrong) <= 0.01 * double(center_places.size()), qPrintable(figures));
+    }
+
+    void only_what_no_cutter_reaches_stays_data() {
+        QTest::addColumn<int>("part");
+        QTest::addColumn<bool>("noisy");
+        QTest::addColumn<bool>("along_z");
+        const auto all = parts();
+        for (int i = 0; i < int(all.size()); ++i) {
+            QTest::addRow("%s", all[std::size_t(i)].name.c_str()) << i << false << false;
+            if (all[std::size_t(i)].name == "mould") continue; // it takes its time
+            QTest::addRow("%s noisy", all[std::size_t(i)].name.c_str()) << i << true << false;
+            QTest::addRow("%s along z", all[std::size_t(i)].name.c_str()) << i << false << true;
+        }
+    }
+
+    /// From a full block: on the bands more than the tolerance stays only where the cutter cannot go.
+    void only_what_no_cutter_reaches_stays() {
+        QFETCH(int, part);
+        QFETCH(bool, noisy);
+        QFETCH(bool, along_z);
+        const ValleyPart known = parts()[std::size_t(part)];
+        const Mesh mesh = noisy ? scanned(known.mesh, 1.6, 0.01, 7) : known.mesh;
+        const Tool tool = ball_tool(known.diameter);
+        const PlanContext context = cleanup_context(mesh, tool, ball_tool(known.previous));
+        CleanupSettings s = settings();
+        if (along_z) s.lift = CleanupSettings::Lift::z;
+        const Cleanup op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        for (const auto& w : path.warnings)
+            qInfo("%s", w.c_str());
+        StockSolid stock;
+        stock.box = mesh.box();
+        stock.box.hi.z() += 1;
+        const VerifyProgram program{
+            "C",
+            VerifyTool(tool),
+            std::make_shared<ToolMotions>(link_operation(op, path, context, Progress())),
+            {}};
+        VerifySettings v;
+        v.resolution = 1;
+        v.sample_spacing = 0.8;
+        v.tolerance = tau;
+        v.gouge_limit = path.chord_tolerance;
+        const Verification judged = verify(mesh, stock, {&program, 1}, v, Progress());
+        QVERIFY2(!judged.gouged(),
+                 qPrintable(QString("%1 %2").arg(judged.figures.gouge_max).arg(judged.border.gouge_max)));
+        QVERIFY(judged.collisions.empty());
+
+        PlaceHash band(0.5);
+        std::vector<Vec3> corners;
+        for (const Strip& strip : path.strips)
+            for (const auto& t : strip.band)
+                for (const Vec3& c : t) {
+                    band.add(c, Index(corners.size()));
+                    corners.push_back(c);
+                }
+        const AxialLift lift(context.contact, CutterProfile(tool.cutter()));
+        const DeviationSurface& d = *judged.surface;
+        std::size_t in_band = 0, high = 0, asked = 0, over = 0;
+        double most = 0;
+        Vec3 where = Vec3::Zero();
+        for (std::size_t i = 0; i < d.points.size(); ++i) {
+            if ((d.flags[i] & ~DeviationSurface::away) != 0) continue;
+            const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]);
+            bool in = false;
+            band.near_until(p, 0.25, [&](Index c) { return in = (corners[c] - p).norm() < 0.25; });
+            if (!in) continue;
+            ++in_band;
+            // A search takes its time: one of so many.
+            if (d.deviation[i] <= 1.1 * tau || ++high % 17 != 0) continue;
+            ++asked;
+            const Vec3 n(d.normals[i][0], d.normals[i][1], d.normals[i][2]);
+            const double more = d.deviation[i] - geometric_limit(lift, 0.5 * tool.diameter, p, n);
+            over += more > 1.1 * tau;
+            if (more > most) {
+                most = more;
+                where = p;
+            }
+        }
+        const QString figures =
+            QString("%1 of %2 on the bands over, by up to %3 at (%4, %5, %6); expected %7; "
+                    "%8 passes")
+                .arg(over)
+                .arg(in_band)
+                .arg(most)
+                .arg(where.x())
+                .arg(where.y())
+                .arg(where.z())
+                .arg(path.cusp_max)
+                .arg(path.passes.size());
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(in_band > 300, qPrintable(figures));
+        QVERIFY2(17 * double(over) <= 0.01 * double(in_band), qPrintable(figures));
+    }
+
+    void a_tool_that_fits_everywhere_leaves_nothing() {
+        const Mesh flat = height_field([](double x, double y) { return 0.01 * (x * x + y * y); },
+                                       Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const PlanContext context = cleanup_context(flat, ball_tool(4), ball_tool(12));
+        QCOMPARE(code_of([&] { Cleanup(settings()).plan(context, Progress()); }),
+                 std::string("empty_result"));
+        PlanContext without = context;
+        without.further_tools.clear();
+        QCOMPARE(code_of([&] { Cleanup(settings()).plan(without, Progress()); }),
+                 std::string("missing_reference"));
+    }
+
+    void threads_do_not_change_a_bit() {
+        const ValleyPart known = corner_part();
+        const PlanContext context = cleanup_context(known.mesh, ball_tool(4), ball_tool(12));
+        set_thread_count(1);
+        const auto one = numbers(Cleanup(settings()).plan(context, Progress()));
+        set_thread_count(0);
+        const auto many = numbers(Cleanup(settings()).plan(context, Progress()));
+        QVERIFY(one == many);
+    }
+
+    void it_can_be_cancelled_at_any_time() {
+        const ValleyPart known = corner_part();
+        const PlanContext context = cleanup_context(known.mesh, ball_tool(4), ball_tool(12));
+        for (int i = 0; i < 10; ++i) {
+            Job job;
+            QVERIFY(
+                cancelled_at(job, 0.1 * i, [&](const Progress& p) { Cleanup(settings()).plan(context, p); }));
+        }
+    }
+
+    void every_cutter_shape_cleans_up() {
+        const ValleyPart known = corner_part();
+        for (const ShapedTool& shaped : tools_of_every_shape()) {
+            if (under_sanitizer && shaped.tool.corner_radius < 1) continue; // ball and bull nose say enough
+            const Tool previous = ball_tool(14);
+            const Tool tool = shaped.tool;
+            const PlanContext context = cleanup_context(known.mesh, tool, previous);
+            const Cleanup op(settings());
+            const StrategyResult path = op.plan(context, Progress());
+            QVERIFY2(!path.passes.empty(), shaped.name);
+            // No tip is below the lift.
+            const AxialLift lift(context.contact, CutterProfile(tool.cutter()));
+            for (const Motion& m : link_operation(op, path, context, Progress()).motions)
+                QVERIFY2(m.to.tip.z() >= lift.tip_z(m.to.tip.x(), m.to.tip.y()) - 1e-6, shaped.name);
+        }
+    }
+};
+
+FACETMILL_TEST(TestCleanup)
+#include "test_cleanup.moc"

@@ -1,0 +1,158 @@
+#include "tests/property/valley_parts.h"
+
+#include "core/mesh/sample.h"
+#include "core/mesh/sample_mould.h"
+#include "tests/property/shapes.h"
+#include "tests/support/random_meshes.h"
+
+#include <map>
+
+namespace facetmill::test {
+
+ValleyPart mould_part() {
+    return {"mould", *make_sample("mould", default_sample_tolerance, Progress()), sample::mould_valleys()};
+}
+
+ValleyPart corner_part() {
+    // Flanks rise away from three valleys that fall towards the middle.
+    const double slope = 1.2;
+    std::vector<Vec2> rise;
+    for (int k = 0; k < 3; ++k)
+        rise.emplace_back(std::cos(0.3 + 2 * pi * k / 3), std::sin(0.3 + 2 * pi * k / 3));
+    const auto z = [&](const Vec2& p) {
+        double highest = -infinity;
+        for (const Vec2& r : rise)
+            highest = std::max(highest, slope * r.dot(p));
+        return highest;
+    };
+    // Sectors between the valleys, each of one plane; valleys run opposite to the rise of the third.
+    Mesh m;
+    const int rings = 16, around = 60;
+    const double radius = 22;
+    m.vertices.push_back(Vec3::Zero());
+    for (int i = 1; i <= rings; ++i)
+        for (int k = 0; k < around; ++k) {
+            const double a = 0.3 + pi / 3 + 2 * pi * k / around, d = radius * i / rings;
+            const Vec2 p(d * std::cos(a), d * std::sin(a));
+            m.vertices.emplace_back(p.x(), p.y(), z(p));
+        }
+    const auto at = [&](int i, int k) { return Index(1 + (i - 1) * around + k % around); };
+    for (int k = 0; k < around; ++k) {
+        m.facets.push_back({0, at(1, k), at(1, k + 1)});
+        for (int i = 1; i < rings; ++i) {
+            m.facets.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+            m.facets.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+    }
+    ValleyPart part{"corner", m, {}};
+    for (int k = 0; k < 3; ++k)
+        part.valleys.push_back({Vec3::Zero(), m.vertices[at(rings, k * around / 3)]});
+    return part;
+}
+
+ValleyPart ring_part() {
+    const double middle = 18, slope = std::tan(radians(50));
+    Mesh m;
+    const int around = 240, across = 28;
+    const double width = 10;
+    for (int j = 0; j <= across; ++j)
+        for (int k = 0; k < around; ++k) {
+            const double d = middle - width + 2 * width * j / across, a = 2 * pi * k / around;
+            m.vertices.emplace_back(d * std::cos(a), d * std::sin(a), slope * std::abs(d - middle));
+        }
+    const auto at = [&](int j, int k) { return Index(j * around + k % around); };
+    for (int j = 0; j < across; ++j)
+        for (int k = 0; k < around; ++k) {
+            m.facets.push_back({at(j, k), at(j + 1, k), at(j + 1, k + 1)});
+            m.facets.push_back({at(j, k), at(j + 1, k + 1), at(j, k + 1)});
+        }
+    ValleyPart part{"ring", m, {{}}};
+    for (int k = 0; k <= around; ++k)
+        part.valleys[0].push_back(m.vertices[at(across / 2, k)]);
+    return part;
+}
+
+Mesh scanned(const Mesh& mesh, double longest, double noise, std::uint64_t seed) {
+    Random rng(seed);
+    Mesh m = mesh;
+    // Halving at random places whatever is too long, until nothing is.
+    for (bool again = true; again;) {
+        again = false;
+        std::map<std::array<Index, 2>, Index> middle;
+        const auto divided = [&](Index a, Index b) -> Index {
+            const std::array<Index, 2> key{std::min(a, b), std::max(a, b)};
+            if (const auto found = middle.find(key); found != middle.end()) return found->second;
+            const Vec3 p = m.vertices[key[0]], q = m.vertices[key[1]];
+            Index at = no_index;
+            if ((p - q).norm() > longest) {
+                at = Index(m.vertices.size());
+                m.vertices.push_back(p + uniform(rng, 0.35, 0.65) * (q - p));
+            }
+            middle[key] = at;
+            return at;
+        };
+        std::vector<Facet> facets;
+        for (const Facet& f : m.facets) {
+            std::array<Index, 3> mid{};
+            int count = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                mid[k] = divided(f[k], f[(k + 1) % 3]);
+                count += mid[k] != no_index;
+            }
+            if (count == 0) {
+                facets.push_back(f);
+                continue;
+            }
+            again = true;
+            if (count == 3) {
+                facets.push_back({f[0], mid[0], mid[2]});
+                facets.push_back({mid[0], f[1], mid[1]});
+                facets.push_back({mid[2], mid[1], f[2]});
+                facets.push_back({mid[0], mid[1], mid[2]});
+                continue;
+            }
+            // The outline with its new corners, from one of them.
+            std::vector<Index> outline;
+            std::size_t first = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                outline.push_back(f[k]);
+                if (mid[k] == no_index) continue;
+                first = outline.size();
+                outline.push_back(mid[k]);
+            }
+            for (std::size_t k = 1; k + 1 < outline.size(); ++k)
+                facets.push_back({outline[first], outline[(first + k) % outline.size()],
+                                  outline[(first + k + 1) % outline.size()]});
+        }
+        m.facets = std::move(facets);
+    }
+    for (Vec3& v : m.vertices)
+        v += noise * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+    return m;
+}
+
+double distance_to(const std::vector<std::vector<Vec3>>& lines, const Vec3& p) {
+    double least = infinity;
+    for (const auto& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const Vec3 d = line[i] - line[i - 1];
+            const double t =
+                d.squaredNorm() > 0 ? std::clamp((p - line[i - 1]).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
+            least = std::min(least, (p - line[i - 1] - t * d).norm());
+        }
+    return least;
+}
+
+std::vector<Vec3> places_along(const std::vector<std::vector<Vec3>>& lines, double spacing) {
+    std::vector<Vec3> places;
+    for (const auto& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const Vec3 d = line[i] - line[i - 1];
+            const int n = std::max(1, int(d.norm() / spacing));
+            for (int k = 0; k < n; ++k)
+                places.push_back(line[i - 1] + ((k + 0.5) / n) * d);
+        }
+    return places;
+}
+
+} // namespace facetmill::test

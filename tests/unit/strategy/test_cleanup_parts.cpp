@@ -1,0 +1,204 @@
+// What clean-up is made of: rays against every facet, distances from cutters, what stays between two passes,
+// what a cutter leaves in a crease.
+#include "core/strategy/cleanup.h"
+#include "core/strategy/rest_band.h"
+#include "core/strategy/strip_passes.h"
+#include "tests/property/shapes.h"
+#include "tests/support/random_meshes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+class TestCleanupParts : public QObject {
+    Q_OBJECT
+private slots:
+    void rays_meet_what_all_facets_say() {
+        const auto mesh = soup(400, 30, 5);
+        const FacetGrid grid(*mesh, Progress());
+        Random rng(3);
+        int hits = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 from(uniform(rng, -5, 35), uniform(rng, -5, 35), uniform(rng, -5, 15));
+            Vec3 way(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+            if (i % 3 == 0) way = Vec3(0, 0, i % 2 ? 1 : -1);
+            if (i % 7 == 0) way.y() = 0;
+            if (way.norm() < 1e-3) continue;
+            way.normalize();
+            double least = 25;
+            for (std::size_t f = 0; f < mesh->facet_count(); ++f) {
+                const Vec3 cross = mesh->facet_cross(f);
+                const double slope = cross.dot(way);
+                if (std::abs(slope) < 1e-9) continue;
+                const double t = cross.dot(mesh->corner(f, 0) - from) / slope;
+                if (t < 0 || t >= least) continue;
+                const Vec3 p = from + t * way;
+                bool inside = true;
+                for (int k = 0; k < 3; ++k)
+                    inside = inside
+                             && (mesh->corner(f, (k + 1) % 3) - mesh->corner(f, k))
+                                        .cross(p - mesh->corner(f, k))
+                                        .dot(cross)
+                                    >= 0;
+                if (inside) least = t;
+            }
+            const auto hit = grid.first_hit(from, way, 25);
+            QCOMPARE(hit.has_value(), least < 25);
+            if (!hit) continue;
+            ++hits;
+            QVERIFY(std::abs(hit->distance - least) < 1e-7);
+        }
+        QVERIFY(hits > 300);
+    }
+
+    void distances_are_those_to_the_nearest_point_of_the_cutter() {
+        Random rng(4);
+        for (const ShapedTool& t : tools_of_every_shape()) {
+            const CutterProfile profile(t.tool.cutter());
+            const CutterCover cover(profile, 0.001);
+            for (int i = 0; i < 60; ++i) {
+                const Vec3 p(uniform(rng, -8, 8), uniform(rng, -8, 8), uniform(rng, -4, 9));
+                const double rho = std::hypot(p.x(), p.y());
+                double least = infinity;
+                for (double r = 0; r <= profile.max_radius(); r += 0.002) {
+                    // On the surface, and straight above it.
+                    const double z = profile.height_at(std::min(r, profile.max_radius()));
+                    least = std::min(least, std::hypot(rho - r, p.z() - std::max(z, p.z())));
+                    least = std::min(least, std::hypot(rho - r, p.z() - z));
+                }
+                const double found = cover.distance(p);
+                QVERIFY2(found <= least + 1e-9 && found >= least - 0.01,
+                         qPrintable(QString("%1 %2 %3").arg(t.name).arg(found).arg(least)));
+            }
+        }
+    }
+
+    /// Against the lower of two outlines of points of the cutter, level and on a slope.
+    void ridges_are_those_of_the_cutters_outline() {
+        for (const ShapedTool& t : tools_of_every_shape()) {
+            const CutterProfile profile(t.tool.cutter());
+            for (const double slope : {0.0, 0.6})
+                for (const double width : {0.2, 0.7, 1.5}) {
+                    const Vec3 travel(0, 1, 0), across(std::cos(slope), 0, std::sin(slope)),
+                        up(-std::sin(slope), 0, std::cos(slope));
+                    // Heights above the plane that both touch, over places across the travel.
+                    std::vector<double> low(4001, infinity);
+                    const auto cell = [](double x) { return int(std::lround(x * 200)) + 2000; };
+                    double touch = infinity;
+                    for (double r = 0; r <= profile.max_radius(); r += 0.0025)
+                        for (int k = -400; k <= 400; ++k) {
+                            const double x = r * k / 400;
+                            const Vec3 p(x, 0, profile.height_at(r));
+                            const int c = cell(p.dot(across));
+                            if (c >= 0 && c <= 4000)
+                                low[std::size_t(c)] = std::min(low[std::size_t(c)], p.dot(up));
+                            touch = std::min(touch, p.dot(up));
+                        }
+                    // The shaft above the largest radius.
+                    for (double z = 0; z < 4; z += 0.0025)
+                        for (const double x : {-profile.max_radius(), profile.max_radius()}) {
+                            const Vec3 p(x, 0, profile.height_at(profile.max_radius()) + z);
+                            const int c = cell(p.dot(across));
+                            if (c >= 0 && c <= 4000)
+                                low[std::size_t(c)] = std::min(low[std::size_t(c)], p.dot(up));
+                        }
+                    double expected = 0;
+                    const int shift = int(std::lround(width * 200));
+                    // Between the places where each of them touches.
+                    int first = -1, last = -1;
+                    for (int c = 0; c <= 4000; ++c)
+                        if (low[std::size_t(c)] < touch + 1e-4) {
+                            if (first < 0) first = c;
+                            last = c;
+                        }
+                    for (int c = last; c <= first + shift; ++c)
+                        expected =
+                            std::max(expected, std::min(low[std::size_t(c)],
+                                                        c >= shift ? low[std::size_t(c - shift)] : infinity)
+                                                   - touch);
+                    const double found = ridge(profile, width * across, travel);
+                    QVERIFY2(std::abs(found - expected) < 0.02 + 0.05 * expected,
+                             qPrintable(QString("%1 slope %2 width %3: %4, expected %5")
+                                            .arg(t.name)
+                                            .arg(slope)
+                                            .arg(width)
+                                            .arg(found)
+                                            .arg(expected)));
+                }
+        }
+    }
+
+    /// A crease of 90 degrees, its valley level: a ball of radius R touches R away from it along both flanks,
+    /// and leaves R (sqrt 2 - 1) in it.
+    void a_crease_has_the_band_that_geometry_says() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const PlanContext context = context_of(part, ball_tool(10));
+        const FacetGrid grid(part, Progress());
+        const UpSide side(part, Progress());
+        const CutterProfile profile(context.tool.cutter());
+        const AxialLift lift(context.contact, profile);
+        const CutterCover cover(profile, 0.001);
+        ValleyInput in;
+        in.mesh = &part;
+        in.grid = &grid;
+        in.side = &side;
+        in.lift = &lift;
+        in.cover = &cover;
+        in.tolerance = 0.05;
+        in.ripple = 1;
+        const Valleys valleys = find_valleys(in, Progress());
+        QCOMPARE(valleys.curves.size(), std::size_t(1));
+        for (const PencilPoint& p : valleys.curves[0].points) {
+            if (std::abs(p.center.x()) > 14) continue; // the ends
+            QVERIFY(std::hypot(p.center.y(), p.center.z()) < 1e-4);
+            QVERIFY(std::abs(p.gap - 5 * (std::sqrt(2.0) - 1)) < 1e-4);
+            QVERIFY((p.up - Vec3::UnitZ()).norm() < 1e-4);
+        }
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        QCOMPARE(bands[0].boundaries.size(), std::size_t(1));
+        // The distance is the tolerance at s from the point that is touched: sqrt(R^2 + s^2) = R + tolerance.
+        const double half = 5 - std::sqrt(5.05 * 5.05 - 25.0);
+        QVERIFY2(std::abs(bands[0].width - 2 * half) < 0.1, qPrintable(QString::number(bands[0].width)));
+        QVERIFY(std::abs(bands[0].area / bands[0].length / (2 * half) - 1) < 0.05);
+    }
+
+    /// As Lu has it: a fillet of radius 4 turns by 1/4 per mm. A previous ball of radius 3 fits into it.
+    void the_limit_of_normal_change_finds_fillets_that_the_previous_tool_fits() {
+        const auto fillet = [](double, double y) {
+            const double r = 4, d = std::abs(y), end = r * std::sin(radians(50));
+            return d < end ? r - std::sqrt(r * r - d * d)
+                           : r - r * std::cos(radians(50)) + (d - end) * std::tan(radians(50));
+        };
+        const Mesh part = height_field(fillet, Vec2(-20, -12), Vec2(20, 12), 40, 240);
+        PlanContext context = context_of(part, ball_tool(4));
+        context.further_tools = {ball_tool(6)};
+        CleanupSettings s;
+        s.tool = 2;
+        bool refused = false;
+        try {
+            Cleanup(s).plan(context, Progress());
+        } catch (const Error& e) {
+            refused = e.code() == ErrorCode::empty_result;
+        }
+        QVERIFY(refused);
+        s.normal_change_limit = {0.2, {}};
+        const StrategyResult path = Cleanup(s).plan(context, Progress());
+        QCOMPARE(path.strips.size(), std::size_t(1));
+        QVERIFY(path.strips[0].kind == StripKind::sharp);
+        s.normal_change_limit = {0.3, {}};
+        refused = false;
+        try {
+            Cleanup(s).plan(context, Progress());
+        } catch (const Error& e) {
+            refused = e.code() == ErrorCode::empty_result;
+        }
+        QVERIFY(refused);
+    }
+};
+
+FACETMILL_TEST(TestCleanupParts)
+#include "test_cleanup_parts.moc"
