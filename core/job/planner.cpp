@@ -5,6 +5,8 @@
 #include "core/job/stock_solid.h"
 #include "core/mesh/geometry.h"
 #include "core/strategy/manual_posture.h"
+#include "core/strategy/region_edit.h"
+#include "core/strategy/rework_plan.h"
 
 #include <charconv>
 #include <chrono>
@@ -162,6 +164,55 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
     return run;
 }
 
+/// All of a program but its motions, and what they take.
+void finish_program(OperationResult& result, const Project& project, const Operation& operation,
+                    const PlanContext& context, const Progress& progress) {
+    ClProgram& program = result.program;
+    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
+    program.operation_name = result.name;
+    program.unit = project.unit;
+    program.tool_number = context.tool.number;
+    program.tool_name = context.tool.name;
+    program.cutter = context.tool.cutter();
+    program.feed_mm_per_min = operation.common().feed;
+    program.spindle_rpm = operation.common().spindle;
+    program.gauge_length = gauge_length(context.tool);
+    program.part_box = context.part_box;
+    MachineMotion followed;
+    result.totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
+                                  progress, &followed);
+    if (program.multi_axis) result.machine_run = machine_run(followed, context.machine, project.unit);
+}
+
+/// The program of an operation's rework path.
+std::shared_ptr<const OperationResult> rework_program(const OperationResult& main, const Project& project,
+                                                      const Operation& operation, PlanContext context,
+                                                      const Progress& progress) {
+    const ReworkPlan& plan = *main.path.rework;
+    auto result = std::make_shared<OperationResult>();
+    result->name = main.name + " rework";
+    result->kind = main.kind;
+    result->path = plan.path;
+    context.tool = plan.tool;
+    context.further_tools.clear();
+    for (const Pass& pass : plan.path.passes) {
+        result->cc_points += pass.cc.size();
+        result->cl_points += pass.cl.size();
+    }
+    const OperationCommon& common = operation.common();
+    const LinkOptions options = default_link_options(plan.path, context, common);
+    const double beside = operation.holder_clearance();
+    result->program.multi_axis = !plan.three_axis;
+    result->program.motions =
+        plan.three_axis
+            ? link_three_axis(plan.path, context, common.allowance, options, progress)
+            : link_five_axis(plan.path, context,
+                             {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
+                             progress);
+    finish_program(*result, project, operation, context, progress);
+    return result;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -172,6 +223,20 @@ std::vector<std::string> OperationResult::warnings() const {
     std::vector<std::string> all = path.warnings;
     if (machine_run) all.insert(all.end(), machine_run->warnings.begin(), machine_run->warnings.end());
     return all;
+}
+
+std::vector<std::shared_ptr<const OperationResult>>
+programs_of(const std::shared_ptr<const OperationResult>& operation) {
+    std::vector<std::shared_ptr<const OperationResult>> programs{operation};
+    programs.insert(programs.end(), operation->further.begin(), operation->further.end());
+    return programs;
+}
+
+std::size_t PlanResult::owner(std::size_t program) const {
+    for (std::size_t i = program; i-- > 0;)
+        for (const auto& further : operations[i]->further)
+            if (further == operations[program]) return i;
+    return program;
 }
 
 struct Planner::Cache {
@@ -292,6 +357,12 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
         for (const ManualPosture& m : by_hand->manual_postures())
             key.add(m.point).add(m.lead).add(m.yaw);
+    if (const auto* edited = dynamic_cast<const TakesRegionEdits*>(&operation)) {
+        for (const RegionEdit& e : edited->region_edits())
+            key.add(e.place).add(e.grow).add(e.enabled ? "on" : "off");
+        for (const BoundaryDrag& d : edited->boundary_drags())
+            key.add(d.from).add(d.to);
+    }
     for (const Tool& t : context.further_tools) {
         key.add_up_to(Stage::output, t, tool_parameters());
         for (const HolderSection& s : t.holder)
@@ -331,6 +402,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
                     "check part, tool and direction");
 
     ClProgram& program = result->program;
+    program.multi_axis = !operation.three_axis();
     start = std::chrono::steady_clock::now();
     std::size_t number = 0;
     if (const Planned* same = find(&Planned::motion_key, motion_key)) {
@@ -344,21 +416,10 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         number = ++last_motions;
         ++work.links;
     }
-    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
-    program.operation_name = common.name;
-    program.unit = project.unit;
-    program.tool_number = context.tool.number;
-    program.tool_name = context.tool.name;
-    program.cutter = context.tool.cutter();
-    program.feed_mm_per_min = common.feed;
-    program.spindle_rpm = common.spindle;
-    program.multi_axis = !operation.three_axis();
-    program.gauge_length = gauge_length(context.tool);
-    program.part_box = context.part_box;
-    MachineMotion followed;
-    result->totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
-                                   progress, &followed);
-    if (program.multi_axis) result->machine_run = machine_run(followed, context.machine, project.unit);
+    finish_program(*result, project, operation, context, progress);
+    if (result->path.rework && !result->path.rework->path.passes.empty())
+        result->further.push_back(
+            rework_program(*result, project, operation, context, progress.part(0.98, 1)));
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);
@@ -424,7 +485,9 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         try {
             const Cache::Planned& planned = c.operation(
                 project, operation, context, operation.reads_stock() ? earlier.text() : std::string(), part);
-            if (asked[i].result) result->operations.push_back(planned.result);
+            if (asked[i].result)
+                for (const auto& program : programs_of(planned.result))
+                    result->operations.push_back(program);
             if (asked[i].leaves) {
                 earlier.add(std::to_string(planned.motions));
                 cuts.push_back(cuts_of(planned.result->program));

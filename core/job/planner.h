@@ -46,10 +46,17 @@ struct OperationResult {
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;
+    /// Programs of further tools that belong to it and run after it, as those of a rework path; named after
+    /// it.
+    std::vector<std::shared_ptr<const OperationResult>> further;
 
     /// The path's and the machine's.
     std::vector<std::string> warnings() const;
 };
+
+/// An operation's own program and its further ones, in machining order.
+std::vector<std::shared_ptr<const OperationResult>>
+programs_of(const std::shared_ptr<const OperationResult>& operation);
 
 /// How often a Planner ran each stage; what was reused is not counted.
 struct PlannerWork {
@@ -61,8 +68,11 @@ struct PlanResult {
     std::shared_ptr<const PreparedPart> part;
     StockSolid stock;
     std::vector<std::string> stock_warnings;
-    std::vector<std::shared_ptr<const OperationResult>>
-        operations; ///< in the project's order; those asked for
+    /// One per program, in the project's order; those asked for. What an operation has `further` stands after
+    /// it, too.
+    std::vector<std::shared_ptr<const OperationResult>> operations;
+    /// Of a program: the place in `operations` of the one whose operation it belongs to.
+    std::size_t owner(std::size_t program) const;
 };
 
 /// One job at a time: not to be called from two threads at once. Every stage is keyed by the values up to it
@@ -105,9 +115,10 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
 /// "01-Rough-pass-01.txt", "02-Finish.txt" (pass -1): the table of positions of a turning part.
 std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass);
 
-/// Writes NN-NAME.apt per operation, the tables of positions of those that turn the part (turning_table.h),
-/// and report.json into `folder` (made if missing): all of them or none. Returns the paths. Throws
-/// Error(unwritable, what write_apt throws) or Cancelled; nothing is left then, not even a new folder.
+/// Writes NN-NAME.apt per program (NN-NAME-rework.apt for that of a rework tool), the tables of positions of
+/// those that turn the part (turning_table.h), and report.json into `folder` (made if missing): all of them
+/// or none. Returns the paths. Throws Error(unwritable, what write_apt throws) or Cancelled; nothing is left
+/// then, not even a new folder.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress);
 

@@ -1,6 +1,7 @@
 #include "core/job/project.h"
 
 #include "core/strategy/manual_posture.h"
+#include "core/strategy/region_edit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -237,6 +238,14 @@ void check_operations(const Project& p) {
             for (std::size_t k = 0; k < by_hand->manual_postures().size(); ++k)
                 check_struct(by_hand->manual_postures()[k], manual_posture_parameters(),
                              place + "." + at(TakesManualPostures::file_key, k), p.unit);
+        if (const auto* edited = dynamic_cast<const TakesRegionEdits*>(&operation)) {
+            for (std::size_t k = 0; k < edited->region_edits().size(); ++k)
+                check_struct(edited->region_edits()[k], region_edit_parameters(),
+                             place + "." + at(TakesRegionEdits::edits_key, k), p.unit);
+            for (std::size_t k = 0; k < edited->boundary_drags().size(); ++k)
+                check_struct(edited->boundary_drags()[k], boundary_drag_parameters(),
+                             place + "." + at(TakesRegionEdits::drags_key, k), p.unit);
+        }
         if (name.find_first_not_of(' ') == std::string::npos)
             throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
                         "give the operation a name");

@@ -5,6 +5,7 @@
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
 #include "core/strategy/manual_posture.h"
+#include "core/strategy/region_edit.h"
 
 #include <algorithm>
 
@@ -126,23 +127,27 @@ Tool read_tool(const Json& object, const std::string& place, LengthUnit unit) {
     return tool;
 }
 
-std::vector<ManualPosture> read_manual_postures(const Json& operation, const std::string& place,
-                                                LengthUnit unit) {
-    const std::string at = member(place, TakesManualPostures::file_key);
-    const Json& list = expect_list(operation[TakesManualPostures::file_key], at);
-    std::vector<ManualPosture> postures;
+/// A list of small structs beside an operation's parameters; of each the keys `required` must be there. Empty
+/// where the operation has no such list.
+template <class Struct>
+std::vector<Struct> read_structs(const Json& operation, const std::string& place, const std::string& key,
+                                 const ParameterTable<Struct>& table,
+                                 const std::vector<std::array<const char*, 2>>& required, LengthUnit unit) {
+    std::vector<Struct> all;
+    if (!operation.contains(key)) return all;
+    const std::string at = member(place, key);
+    const Json& list = expect_list(operation[key], at);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string here = element(at, i);
         expect_object(list[i], here);
-        require(list[i], here, "point", "give the place on the part");
-        require(list[i], here, "lead", "give the inclination");
-        require(list[i], here, "yaw", "give the yaw");
-        ManualPosture posture;
-        ParameterView<ManualPosture> view(posture, manual_posture_parameters());
+        for (const auto& [name, remedy] : required)
+            require(list[i], here, name, remedy);
+        Struct one;
+        ParameterView<Struct> view(one, table);
         read_parameters(list[i], here, view, unit, {});
-        postures.push_back(posture);
+        all.push_back(one);
     }
-    return postures;
+    return all;
 }
 
 std::unique_ptr<Operation> read_operation(const Json& object, const std::string& place, LengthUnit unit) {
@@ -159,8 +164,20 @@ std::unique_ptr<Operation> read_operation(const Json& object, const std::string&
     std::vector<std::string> own{"kind"};
     if (auto* by_hand = dynamic_cast<TakesManualPostures*>(operation.get())) {
         own.push_back(TakesManualPostures::file_key);
-        if (object.contains(own.back()))
-            by_hand->set_manual_postures(read_manual_postures(object, place, unit));
+        by_hand->set_manual_postures(read_structs(object, place, own.back(), manual_posture_parameters(),
+                                                  {{"point", "give the place on the part"},
+                                                   {"lead", "give the inclination"},
+                                                   {"yaw", "give the yaw"}},
+                                                  unit));
+    }
+    if (auto* edited = dynamic_cast<TakesRegionEdits*>(operation.get())) {
+        own.push_back(TakesRegionEdits::edits_key);
+        edited->set_region_edits(read_structs(object, place, own.back(), region_edit_parameters(),
+                                              {{"place", "give a place in the region"}}, unit));
+        own.push_back(TakesRegionEdits::drags_key);
+        edited->set_boundary_drags(read_structs(
+            object, place, own.back(), boundary_drag_parameters(),
+            {{"from", "give the boundary's place"}, {"to", "give the place it moves to"}}, unit));
     }
     read_parameters(object, place, *operation, unit, own);
     return operation;
@@ -301,13 +318,19 @@ std::string project_to_json(const Project& project) {
         object["kind"] = std::string(project.operations[i]->kind());
         const std::string place = element("operations", i);
         write_parameters(object, place, *project.operations[i], unit);
-        const auto* by_hand = dynamic_cast<const TakesManualPostures*>(project.operations[i].get());
-        if (by_hand && !by_hand->manual_postures().empty()) {
-            const std::string key = TakesManualPostures::file_key;
+        const auto write_list = [&](const char* key, const auto& list, const auto& table) {
+            if (list.empty()) return;
             object[key] = Json::array();
-            for (std::size_t k = 0; k < by_hand->manual_postures().size(); ++k)
-                object[key].push_back(write_struct(by_hand->manual_postures()[k], manual_posture_parameters(),
-                                                   element(member(place, key), k), unit));
+            for (std::size_t k = 0; k < list.size(); ++k)
+                object[key].push_back(write_struct(list[k], table, element(member(place, key), k), unit));
+        };
+        const Operation* const o = project.operations[i].get();
+        if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(o))
+            write_list(TakesManualPostures::file_key, by_hand->manual_postures(),
+                       manual_posture_parameters());
+        if (const auto* edited = dynamic_cast<const TakesRegionEdits*>(o)) {
+            write_list(TakesRegionEdits::edits_key, edited->region_edits(), region_edit_parameters());
+            write_list(TakesRegionEdits::drags_key, edited->boundary_drags(), boundary_drag_parameters());
         }
         file["operations"].push_back(std::move(object));
     }

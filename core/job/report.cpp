@@ -6,7 +6,9 @@
 #include "core/output/apt.h"
 #include "core/output/turning_table.h"
 #include "core/strategy/lathe.h"
+#include "core/strategy/rework_plan.h"
 
+#include <cmath>
 #include <system_error>
 
 namespace facetmill {
@@ -51,6 +53,51 @@ void add_machine_run(Json& entry, const OperationResult& o) {
     entry["machine_findings"] = run.findings;
 }
 
+/// Of global-local CM2: its regions, and what each of its two programs takes. The operation's own lengths and
+/// time are those of both.
+void add_rework(Json& entry, const OperationResult& o, double per) {
+    const auto number = [&](double v) {
+        return json_number(v, "report: operation '" + printable(o.name) + "'");
+    };
+    const ReworkPlan& plan = *o.path.rework;
+    const auto program = [&](const OperationResult& one) {
+        return Json{{"tool", one.program.tool_number},
+                    {"passes", one.path.drive_planes},
+                    {"cl_points", one.cl_points},
+                    {"cut_length", number(one.totals.cut_length / per)},
+                    {"rapid_length", number(one.totals.rapid_length / per)},
+                    {"time_seconds", number(one.totals.time_seconds)}};
+    };
+    double cut = o.totals.cut_length, rapid = o.totals.rapid_length, time = o.totals.time_seconds;
+    entry["main"] = program(o);
+    for (const auto& further : o.further) {
+        entry["rework"] = program(*further);
+        cut += further->totals.cut_length;
+        rapid += further->totals.rapid_length;
+        time += further->totals.time_seconds;
+    }
+    entry["cut_length"] = number(cut / per);
+    entry["rapid_length"] = number(rapid / per);
+    entry["time_seconds"] = number(time);
+    Json regions = Json::array();
+    for (const ReworkRegion& r : plan.regions.regions) {
+        Json region{{"name", r.strip.name},
+                    {"reason", r.strip.reason},
+                    {"tool", r.strip.tool},
+                    {"enabled", r.strip.enabled},
+                    {"area", number(r.strip.area / (per * per))},
+                    {"boundaries", r.strip.boundaries.size()},
+                    {"place", numbers(r.place, per)}};
+        if (std::isfinite(r.lead_largest)) region["lead_largest_degrees"] = number(degrees(r.lead_largest));
+        regions.push_back(std::move(region));
+    }
+    entry["regions"] = std::move(regions);
+    entry["boundary_pairs"] = plan.pairs.size();
+    entry["part_area"] = number(plan.part_area / (per * per));
+    entry["rework_area"] = number(plan.regions.area / (per * per));
+    entry["remaining_fraction"] = number(plan.part_area > 0 ? plan.remaining_area / plan.part_area : 0);
+}
+
 } // namespace
 
 NewFolder::NewFolder(const fs::path& path) {
@@ -78,7 +125,9 @@ void NewFolder::remove() {
 std::string report_json(const Project& project, const PlanResult& result) {
     const double per = mm_per(project.unit);
     Json operations = Json::array();
-    for (const auto& o : result.operations) {
+    for (std::size_t i = 0; i < result.operations.size(); ++i) {
+        if (result.owner(i) != i) continue; // stands with its operation
+        const auto& o = result.operations[i];
         const auto number = [&](double v) {
             return json_number(v, "report: operation '" + printable(o->name) + "'");
         };
@@ -118,6 +167,7 @@ std::string report_json(const Project& project, const PlanResult& result) {
                                     {"to", number(t.to / per)}};
         }
         if (o->machine_run) add_machine_run(entry, *o);
+        if (o->path.rework) add_rework(entry, *o, per);
         operations.push_back(std::move(entry));
     }
     const MeshReport& mesh = result.part->report;
@@ -173,8 +223,9 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
     const double n = double(result.operations.size());
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
         const OperationResult& o = *result.operations[i];
+        const std::string& owner = result.operations[result.owner(i)]->name;
         std::size_t place = 0;
-        while (place < project.operations.size() && project.operations[place]->common().name != o.name)
+        while (place < project.operations.size() && project.operations[place]->common().name != owner)
             ++place;
         paths.push_back(folder / program_file_name(place + 1, o.name));
         const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");

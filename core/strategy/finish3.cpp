@@ -226,7 +226,7 @@ CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) 
     if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
     const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
     const auto open = cover_.contact_normal(contact.point - lifted);
-    Vec3 normal = open ? *open : context_.part->facet_normal(contact.facet);
+    Vec3 normal = open ? *open : context_.contact->mesh().facet_normal(contact.facet);
     if (normal.z() < 0) normal = -normal;
     return {contact.point, normal};
 }

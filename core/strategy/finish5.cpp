@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/cspace/choose.h"
+#include "core/strategy/five_axis_parameters.inl"
 #include "core/strategy/five_axis_record.h"
 #include "core/strategy/posture_path.h"
 #include "core/strategy/posture_study.h"
@@ -33,16 +34,18 @@ constexpr double most_extension_share = 2;
 
 class Planner5 {
 public:
-    Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress)
-        : settings_(settings), progress_(progress), field_(context, settings, progress.part(0, 0.05)),
-          stepover_(field_), record_(std::make_shared<FiveAxisRecord>()),
-          met_(settings.manual_postures.size(), false) {
+    Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress,
+             bool is_piece = false)
+        : settings_(settings), progress_(progress), is_piece_(is_piece),
+          field_(context, settings, progress.part(0, 0.05)), stepover_(field_),
+          record_(std::make_shared<FiveAxisRecord>()), met_(settings.manual_postures.size(), false) {
         record_->context = field_.context();
         record_->settings = settings;
     }
 
     StrategyResult run() {
         const auto& lines = field_.lines();
+        if (!(lines.lo() <= lines.hi()) && is_piece_) return {};
         if (!(lines.lo() <= lines.hi()))
             throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
                         "check part and direction");
@@ -412,7 +415,7 @@ private:
     void finish() {
         result_.cleanup_points = result_.cleanup.size();
         result_.five_axis = record_;
-        if (result_.passes.empty())
+        if (result_.passes.empty() && !is_piece_)
             throw Error(ErrorCode::empty_result, settings_.name,
                         record_->points.empty() ? "no place of the part can be come to from above"
                                                 : "none of " + std::to_string(record_->points.size())
@@ -420,6 +423,7 @@ private:
                         record_->points.empty() ? "turn the part" : main_cause());
         result_.cusp_max += field_.chord();
         result_.chord_tolerance = field_.chord();
+        if (is_piece_) return;
         if (unsatisfied_ > 0)
             result_.warnings.push_back(std::to_string(unsatisfied_) + " of "
                                        + std::to_string(result_.drive_planes)
@@ -449,6 +453,7 @@ private:
 
     const Finish5Settings& settings_;
     const Progress& progress_;
+    bool is_piece_;
     FiveAxisField field_;
     TiltedStepOver stepover_;
     std::shared_ptr<FiveAxisRecord> record_;
@@ -465,105 +470,18 @@ private:
 
 const ParameterTable<Finish5Settings>& finish5_parameters() {
     static const auto table = [] {
-        using K = ParameterKind;
-        using S = Finish5Settings;
-        ParameterTable<S> t;
+        ParameterTable<Finish5Settings> t;
         add_common_parameters(t);
         t.set_stage("feed", Stage::strategy); // postures are chosen by time
-        t.add_choice(&S::posture,
-                     {.key = "posture",
-                      .label = "Posture",
-                      .help =
-                          "How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis "
-                          "point by point, global takes the path that needs least machining time.",
-                      .words = {"cm2", "local", "global"}});
-        t.add(&S::grid_degrees, {.key = "grid_degrees",
-                                 .label = "Posture grid",
-                                 .help = "Step of inclination and yaw in the configuration space.",
-                                 .kind = K::number,
-                                 .quantity = Quantity::angle,
-                                 .minimum = radians(0.25),
-                                 .maximum = radians(30)});
-        t.add(&S::lead_limits, {.key = "lead_limits",
-                                .label = "Lead limits",
-                                .help = "Smallest and largest inclination of the tool axis from the surface "
-                                        "normal towards the travel.",
-                                .kind = K::pair,
-                                .quantity = Quantity::angle,
-                                .minimum = 0,
-                                .maximum = radians(89),
-                                .ordered = true});
-        t.add(&S::yaw_limits, {.key = "yaw_limits",
-                               .label = "Yaw limits",
-                               .help = "How far the inclination may turn about the surface normal, to the "
-                                       "right (below 0) and to the left of the travel.",
-                               .kind = K::pair,
-                               .quantity = Quantity::angle,
-                               .minimum = -pi,
-                               .maximum = pi,
-                               .ordered = true});
-        t.add(&S::stepover, {.key = "stepover",
-                             .label = "Step-over",
-                             .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
-                                     "largest that the tolerance allows; a length is kept.",
-                             .kind = K::number_or_word,
-                             .quantity = Quantity::length,
-                             .minimum = 0,
-                             .maximum = 1000,
-                             .open_minimum = true,
-                             .words = {"adaptive"}});
-        t.add_choice(&S::pattern,
-                     {.key = "pattern",
-                      .label = "Pattern",
-                      .help = "zigzag cuts to and fro; oneway always cuts in the direction of travel and "
-                              "returns above the part.",
-                      .words = {"zigzag", "oneway"}});
-        t.add(&S::chord_tolerance, {.key = "chord_tolerance",
-                                    .label = "Chord tolerance",
-                                    .help = "How far motions may run beside the exact path; auto is a "
-                                            "twentieth of the tolerance. At most half the tolerance is used.",
-                                    .kind = K::number_or_word,
-                                    .quantity = Quantity::length,
-                                    .minimum = 0,
-                                    .maximum = 1000,
-                                    .open_minimum = true,
-                                    .words = {"auto"},
-                                    .advanced = true});
-        t.add(&S::normal_limit, {.key = "normal_limit",
-                                 .label = "Normal limit",
-                                 .help = "Largest turn of the surface normal between neighbouring points of "
-                                         "a pass.",
-                                 .kind = K::number,
-                                 .quantity = Quantity::angle,
-                                 .minimum = radians(0.1),
-                                 .maximum = 0.5 * pi,
-                                 .advanced = true});
-        t.add(&S::turn_limit, {.key = "turn_limit",
-                               .label = "Turn limit",
-                               .help = "Largest turn of the tool axis between neighbouring points of a pass.",
-                               .kind = K::number,
-                               .quantity = Quantity::angle,
-                               .minimum = radians(0.5),
-                               .maximum = pi,
-                               .advanced = true});
-        t.add(&S::holder_clearance, {.key = "holder_clearance",
-                                     .label = "Holder clearance",
-                                     .help = "Distance that shank and holder keep from the part.",
-                                     .kind = K::number,
-                                     .quantity = Quantity::length,
-                                     .minimum = 0,
-                                     .maximum = 1000,
-                                     .advanced = true});
-        t.add(&S::accelerations,
-              {.key = "accelerations",
-               .label = "Accelerations",
-               .help = "Choose global postures, and count the time, with what the machine's "
-                       "axes take to change their speed, where its file says.",
-               .kind = K::boolean,
-               .advanced = true});
+        add_five_axis_parameters(t);
         return t;
     }();
     return table;
+}
+
+StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
+                            const Progress& progress) {
+    return Planner5(settings, context, progress, true).run();
 }
 
 StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {

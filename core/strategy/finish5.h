@@ -43,6 +43,12 @@ struct Finish5Settings : OperationCommon {
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
+/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. What is
+/// left is told by `cleanup` alone, without warnings; where nothing can be cut there are no passes. Else as
+/// Finish5::plan.
+StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
+                            const Progress& progress);
+
 class Finish5 : public OperationWith<Finish5Settings, finish5_parameters>, public TakesManualPostures {
 public:
     using OperationWith::OperationWith;

@@ -47,7 +47,10 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     std::shared_ptr<const MeshGeometry> geometry = context_.geometry;
     if (!geometry) geometry = compute_geometry(*context_.part, progress.part(0.5, 0.7));
     context_.geometry = geometry;
-    curvatures_ = vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8));
+    curvatures_ = context_.curvatures;
+    if (!curvatures_)
+        curvatures_ = std::make_shared<std::vector<VertexCurvature>>(
+            vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8)));
     lines_.emplace(*context_.part, *geometry, drive_, lattice_share * radius_, options,
                    progress.part(0.8, 1));
 
@@ -132,14 +135,20 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
     return curves;
 }
 
-double FiveAxisField::cm2_lead(const ContactPlace& place) const {
+double FiveAxisField::hollowness(const ContactPlace& place) const {
     double hollow = 0;
     if (place.facet != no_index) {
-        hollow = hollowness(*context_.part, curvatures_, place.facet, place.surface, place.frame.left);
+        hollow =
+            facetmill::hollowness(*context_.part, *curvatures_, place.facet, place.surface, place.frame.left);
         // Curvatures are signed by the winding, which need not face the tool.
         if (context_.part->facet_normal(place.facet).dot(place.frame.normal) < 0) hollow = -hollow;
     }
-    return facetmill::cm2_lead(cutter(), hollow, settings_.lead_limits[0], settings_.lead_limits[1]);
+    return hollow;
+}
+
+double FiveAxisField::cm2_lead(const ContactPlace& place) const {
+    return facetmill::cm2_lead(cutter(), hollowness(place), settings_.lead_limits[0],
+                               settings_.lead_limits[1]);
 }
 
 std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {

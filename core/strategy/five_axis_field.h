@@ -46,6 +46,8 @@ public:
     /// All that a posture at this place has to clear: its own line, and those in the strip on either side.
     std::vector<RaisedCurve> strip_curves(const ContactPlace& place) const;
 
+    /// Of the part across the travel, 1/mm; > 0 where it is hollow.
+    double hollowness(const ContactPlace& place) const;
     /// The lead that matches the curvature across the travel there (CM2), held to the lead limits.
     double cm2_lead(const ContactPlace& place) const;
 
@@ -80,7 +82,7 @@ private:
     std::optional<Kinematics> kinematics_;
     std::optional<SurfaceLines> lines_;
     std::optional<CSpaceBuilder> builder_;
-    std::vector<VertexCurvature> curvatures_;
+    std::shared_ptr<const std::vector<VertexCurvature>> curvatures_;
 };
 
 } // namespace facetmill

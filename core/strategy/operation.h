@@ -8,6 +8,7 @@
 #include "core/base/parameter.h"
 #include "core/base/progress.h"
 #include "core/gouge/contact_index.h"
+#include "core/mesh/geometry.h"
 #include "core/setup/machine.h"
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
@@ -19,8 +20,6 @@
 #include <vector>
 
 namespace facetmill {
-
-struct MeshGeometry; // core/mesh/geometry.h: normals and curvature per vertex
 
 /// What an earlier operation cuts: straight motions at feed, axis +Z.
 struct EarlierCuts {
@@ -45,6 +44,8 @@ struct PlanContext {
     std::vector<std::shared_ptr<const EarlierCuts>> earlier;
     /// Those of Operation::further_tools, in their order.
     std::vector<Tool> further_tools;
+    /// Of the part's vertices, where they are known better than its facets tell (a piece cut out of a part).
+    std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
 };
 
 /// What all operations have beside their own keys.
@@ -71,6 +72,10 @@ public:
     virtual bool reads_stock() const { return false; }
     /// Numbers of the tools that the operation uses or asks about, beside its own.
     virtual std::vector<long> further_tools() const { return {}; }
+    /// A tool that it uses got another number.
+    virtual void renumber_tool(long from, long to) {
+        if (common().tool == from) common().tool = to;
+    }
     /// What shank and holder keep from the part, mm.
     virtual double holder_clearance() const { return 0; }
 

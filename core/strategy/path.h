@@ -19,6 +19,7 @@ namespace facetmill {
 
 struct FiveAxisRecord; // five_axis_record.h
 struct CleanupRecord;  // cleanup.h
+struct ReworkPlan;     // rework_plan.h
 
 struct CutterContact {
     Vec3 point, normal;
@@ -67,6 +68,8 @@ struct StrategyResult {
     double lead_min = infinity, lead_max = -infinity; ///< inclinations used, radians; 5-axis only
     std::shared_ptr<const FiveAxisRecord> five_axis;  ///< of every contact point; 5-axis only
     std::size_t rework_regions = 0;                   ///< regions left for a rework operation
+    /// How they were found, and the path of the tool that cuts them.
+    std::shared_ptr<const ReworkPlan> rework;
     std::vector<Strip> strips; ///< regions that the operation found, also those switched off
     std::shared_ptr<const CleanupRecord> cleanup_record; ///< of clean-up: how the previous tool stands
     std::vector<double> layers;       ///< of roughing: tip heights of the layers that are cut, from the top

@@ -83,7 +83,7 @@ StepOver::Sample StepOver::sample(double u, double v) const {
     if (const auto n = in_.cover->contact_normal(c.point - tip))
         s.normal = *n;
     else
-        s.normal = in_.mesh->facet_normal(c.facet);
+        s.normal = in_.contact->mesh().facet_normal(c.facet);
     if (s.normal.z() < 0) s.normal = -s.normal;
     s.point += in_.allowance * s.normal;
     return s;
