@@ -150,7 +150,7 @@ void run(const Arguments& arguments, Session& session) {
                    != request.layers.end();
         };
         const bool verifies = wants({Layer::deviation, Layer::findings});
-        if (verifies || wants({Layer::cc, Layer::cl, Layer::tool})) {
+        if (verifies || wants({Layer::cc, Layer::cl, Layer::strips, Layer::tool})) {
             const double planned = verifies ? 0.3 : 0.6;
             const auto plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, planned));
             result = *plan;
@@ -200,9 +200,11 @@ Command render_command() {
         .operands = {"PROJECT|PART"},
         .summary = "Draws a picture (PNG) without a display.",
         .help =
-            "Layers of --show: part, stock, cc, cl, tool, edges, deviation, findings. Paths are planned "
+            "Layers of --show: part, stock, cc, cl, strips, tool, edges, deviation, findings. Paths are "
+            "planned "
             "first, and\n"
-            "verified for the last two; with findings, and without deviation, stock is what is left of "
+            "verified for deviation and findings; with findings, and without deviation, stock is what is "
+            "left of "
             "it. cspace,\n"
             "alone: the configuration space of a contact point (--op and --point; else of the first finish5, "
             "the one\n"

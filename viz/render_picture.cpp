@@ -1,6 +1,7 @@
 #include "viz/render_picture.h"
 
 #include "viz/offscreen.h"
+#include "viz/strip_display.h"
 
 #include <algorithm>
 #include <charconv>
@@ -78,6 +79,12 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
             progress.part(0.4, 0.4)));
     if (wanted(Layer::findings) && request.verification)
         scene.set_findings(finding_marks(*request.verification));
+    if (wanted(Layer::strips)) {
+        std::vector<Strip> strips;
+        for (const auto& operation : request.operations)
+            strips.insert(strips.end(), operation->path.strips.begin(), operation->path.strips.end());
+        scene.set_strips(prepare_strip_display(strips, request.unit, progress));
+    }
     if (wanted(Layer::cc) || wanted(Layer::cl)) {
         std::vector<PathSource> sources;
         for (const auto& operation : request.operations)
@@ -89,9 +96,9 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
         scene.set_tool_pose(request.pose ? request.pose : middle_cut(request));
     }
     for (const Layer layer : {Layer::part, Layer::edges, Layer::stock, Layer::deviation, Layer::findings,
-                              Layer::cc, Layer::cl, Layer::tool}) {
+                              Layer::strips, Layer::cc, Layer::cl, Layer::tool}) {
         scene.set_visible(layer, wanted(layer));
-        if (layer == Layer::findings) continue; // none is a good answer
+        if (layer == Layer::findings || layer == Layer::strips) continue; // none is a good answer
         if (wanted(layer) && !scene.has(layer)) {
             const bool planned = layer == Layer::cc || layer == Layer::cl || layer == Layer::tool;
             throw Error(ErrorCode::empty_result, "--show " + std::string(layer_name(layer)),
@@ -129,17 +136,14 @@ Picture render_cspace(const CSpaceRequest& request) {
 }
 
 std::vector<Layer> parse_picture_layers(std::string_view text, const std::string& where) {
-    static constexpr Layer known[] = {Layer::part, Layer::stock, Layer::cc,        Layer::cl,
-                                      Layer::tool, Layer::edges, Layer::deviation, Layer::findings};
+    static constexpr Layer known[] = {Layer::part,      Layer::stock,    Layer::cc,
+                                      Layer::cl,        Layer::tool,     Layer::edges,
+                                      Layer::deviation, Layer::findings, Layer::strips};
     std::vector<Layer> layers;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = trimmed(text.substr(begin, end - begin));
         begin = end + 1;
-        if (word == "strips")
-            throw Error(ErrorCode::unsupported_format, where,
-                        "no operation of this version makes '" + word + "' to show",
-                        "show part, stock, cc, cl, tool, edges or deviation");
         if (word == "cspace")
             throw Error(ErrorCode::unsupported_format, where, "'cspace' is a picture of its own",
                         "show it without other layers");
@@ -147,7 +151,7 @@ std::vector<Layer> parse_picture_layers(std::string_view text, const std::string
             std::find_if(std::begin(known), std::end(known), [&](Layer l) { return layer_name(l) == word; });
         if (layer == std::end(known))
             throw Error(ErrorCode::out_of_range, where, "unknown layer '" + printable(word) + "'",
-                        "show part, stock, cc, cl, tool, edges or deviation, separated by commas");
+                        "show part, stock, cc, cl, strips, tool, edges or deviation, separated by commas");
         if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
     }
     return layers;

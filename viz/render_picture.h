@@ -53,8 +53,8 @@ struct CSpaceRequest {
 /// Throws Error(out_of_range) for the size.
 Picture render_cspace(const CSpaceRequest& request);
 
-/// "part,stock,cc,cl,tool,edges,deviation" in any order. Throws Error(out_of_range) that names `where` for
-/// unknown words and Error(unsupported_format) for the layers whose results Facetmill does not make.
+/// "part,stock,cc,cl,strips,tool,edges,deviation" in any order. Throws Error(out_of_range) that names `where`
+/// for unknown words and Error(unsupported_format) for the layers whose results Facetmill does not make.
 std::vector<Layer> parse_picture_layers(std::string_view text, const std::string& where);
 
 struct PictureSize {

@@ -299,6 +299,8 @@ bool Scene::has(Layer layer) const {
         return impl_->deviation != nullptr;
     case Layer::findings:
         return !impl_->findings.empty();
+    case Layer::strips:
+        return impl_->strips && !impl_->strips->strips.empty();
     case Layer::cc:
         return impl_->path && !impl_->path->contacts.empty();
     case Layer::cl:

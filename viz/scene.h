@@ -35,6 +35,9 @@ class vtkRenderWindow;
 
 namespace facetmill {
 
+struct StripDisplay; // strip_display.h
+using StripDisplayPtr = std::shared_ptr<const StripDisplay>;
+
 enum class Palette { light, dark };
 
 /// All have Z up on the screen, but top and bottom, where Y is up. `front` looks along +Y, `right` along -X.
@@ -54,6 +57,7 @@ enum class Layer {
     stock,     ///< the uncut stock, transparent; the cut stock, which hides the part, where there is one
     deviation, ///< the part's surface in the colours of its deviations; stands for the surface of `part`
     findings,  ///< dots where something was found
+    strips,    ///< regions for rework and clean-up, translucent, with labels
     cc,        ///< cutter contacts
     cl,        ///< tool tip, coloured by the kind of motion
     tool,      ///< cutter, shank and holder at the pose
@@ -198,6 +202,14 @@ public:
 
     /// Layers of roughing; none: nullopt. Shown whatever the layers of the view are.
     void set_levels(const std::optional<LevelMarks>& levels);
+    /// Regions of the surface; nullptr removes them.
+    void set_strips(StripDisplayPtr strips);
+    /// The one, by its place in the list, that stands out.
+    void set_strip_chosen(std::optional<std::size_t> strip);
+    /// Dots on their boundaries that can be picked. Off at first.
+    void set_strip_handles(bool on);
+    /// The dot nearest to a pixel within `radius` pixels, on the side of the part that is seen.
+    std::optional<Vec3> pick_strip_handle(double x, double y, double radius) const;
 
     /// Paths of one or several operations; an empty display or nullptr removes them.
     void set_path(PathDisplayPtr path);

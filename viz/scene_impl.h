@@ -3,6 +3,7 @@
 
 #include "viz/overlay.h"
 #include "viz/scene.h"
+#include "viz/strip_display.h"
 #include "viz/tool_shape.h"
 
 #include <vtkActor.h>
@@ -65,6 +66,10 @@ struct Scene::Impl {
     /// True when some patch has a surface. `old` are the patches the actors have now.
     bool swap_patches(const StockPatches& patches, const StockPatches& old,
                       std::vector<std::unique_ptr<SceneActor>>& actors);
+    bool shows_strips() const;
+    void color_strips();
+    void add_strip_legend(std::vector<LegendEntry>& entries) const;
+    std::vector<OverlayNote> strip_notes() const;
     /// The scale's colours on all deviation actors.
     void color_deviation();
     bool shows_back() const; ///< part of the surface turns its back to the eye
@@ -108,6 +113,9 @@ struct Scene::Impl {
     DeviationScale deviation_scale;
     std::string deviation_note;
     std::vector<FindingMark> findings;
+    StripDisplayPtr strips;
+    std::optional<std::size_t> chosen_strip;
+    bool handles_on = false;
     PathDisplayPtr path;
     TintedPathPtr tint;
     std::optional<ToolShape> tool;
@@ -131,6 +139,7 @@ struct Scene::Impl {
     std::vector<std::uint8_t> deviation_rgba, deviation_preview_rgba; ///< behind the actors' data
     std::array<SceneActor, finding_kinds> finding_dots;
     std::array<std::vector<float>, finding_kinds> finding_points;
+    std::vector<std::unique_ptr<SceneActor>> strip_bands, strip_lines, strip_handles; ///< one each per strip
     SceneActor contact_lines, contact_dots, contact_preview;
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
     std::array<SceneActor, motion_kinds> tint_lines, tint_preview; ///< stand for them where they have data

@@ -221,6 +221,7 @@ void Scene::Impl::apply_palette() {
         set_color(tool_rings[k], c.feature_edges);
         set_color(axes[k], c.axes[k]);
     }
+    color_strips();
     apply_part_style();
 }
 
@@ -246,6 +247,10 @@ void Scene::Impl::apply_line_widths() {
     set(stock_lines, 1.4);
     set(level_lines[0], 0.9);
     set(level_lines[1], 2.4);
+    for (std::size_t i = 0; i < strip_lines.size(); ++i)
+        set(*strip_lines[i], chosen_strip == i ? 3.4 : 2.0);
+    for (auto& a : strip_handles)
+        a->actor->GetProperty()->SetPointSize(float(8 * ratio));
     for (auto& a : tool_rings)
         set(a, 1.0);
     for (std::size_t k = 0; k < motion_kinds; ++k)
@@ -284,6 +289,11 @@ void Scene::Impl::apply_visibility() {
         if (a) show(*a, cut && detailed);
     for (auto& a : finding_dots)
         show(a, on(Layer::findings));
+    for (auto* actors : {&strip_bands, &strip_lines})
+        for (auto& a : *actors)
+            show(*a, on(Layer::strips));
+    for (auto& a : strip_handles)
+        show(*a, on(Layer::strips) && handles_on);
     show(stock_faces, on(Layer::stock) && !cut);
     show(stock_lines, on(Layer::stock) && !cut);
     for (auto& a : level_lines)
@@ -383,6 +393,7 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
     found(FindingMark::Kind::gouge, c.gouge, "Deepest gouges");
     found(FindingMark::Kind::collision, c.collision, "Collisions");
     found(FindingMark::Kind::excess, c.excess, "Largest excess");
+    add_strip_legend(all);
     if (on(Layer::cc) && contact_dots.filled) all.push_back({Sample::dot, c.contacts, 1, "Contact points"});
     const auto add = [&](MotionKind kind, const char* label) {
         const auto k = std::size_t(kind);
@@ -425,6 +436,7 @@ OverlayContent Scene::Impl::overlay_content() const {
     content.unit = unit;
     content.mm_per_pixel = pixel_size() * ratio;
     content.axes = on(Layer::axes);
+    content.notes = strip_notes();
     if (all_overlay) {
         using Sample = LegendEntry::Sample;
         content.title = content.subtitle = "-";

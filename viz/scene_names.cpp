@@ -60,9 +60,10 @@ StandardView parse_view(std::string_view text, const std::string& where) {
 }
 
 const std::vector<Layer>& all_layers() {
-    static const std::vector<Layer> all{
-        Layer::part, Layer::edges,  Layer::stock, Layer::deviation, Layer::findings, Layer::cc,   Layer::cl,
-        Layer::tool, Layer::marker, Layer::axes,  Layer::scale,     Layer::legend,   Layer::title};
+    static const std::vector<Layer> all{Layer::part,     Layer::edges,  Layer::stock, Layer::deviation,
+                                        Layer::findings, Layer::strips, Layer::cc,    Layer::cl,
+                                        Layer::tool,     Layer::marker, Layer::axes,  Layer::scale,
+                                        Layer::legend,   Layer::title};
     return all;
 }
 
@@ -78,6 +79,8 @@ std::string_view layer_name(Layer layer) {
         return "deviation";
     case Layer::findings:
         return "findings";
+    case Layer::strips:
+        return "strips";
     case Layer::cc:
         return "cc";
     case Layer::cl:
@@ -110,6 +113,8 @@ std::string_view layer_label(Layer layer) {
         return "Deviation";
     case Layer::findings:
         return "Findings";
+    case Layer::strips:
+        return "Rework and clean-up regions";
     case Layer::cc:
         return "Contact points (CC)";
     case Layer::cl:

@@ -259,9 +259,10 @@ private slots:
         for (const Layer l : all_layers())
             QVERIFY(!layer_name(l).empty() && !layer_label(l).empty());
 
-        QCOMPARE(parse_picture_layers("part,stock, cc ,cl,tool,part", "--show"),
-                 (std::vector<Layer>{Layer::part, Layer::stock, Layer::cc, Layer::cl, Layer::tool}));
-        for (const char* word : {"strips", "cspace", "part,cspace"})
+        QCOMPARE(parse_picture_layers("part,stock, cc ,cl,tool,strips,part", "--show"),
+                 (std::vector<Layer>{Layer::part, Layer::stock, Layer::cc, Layer::cl, Layer::tool,
+                                     Layer::strips}));
+        for (const char* word : {"cspace", "part,cspace"})
             QCOMPARE(code_of([&] { parse_picture_layers(word, "--show"); }),
                      std::string("unsupported_format"));
         for (const char* word : {"", ",", "part,", "parts", "legend", "part;cl", "\xff\n"})

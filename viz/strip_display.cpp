@@ -1,0 +1,129 @@
+#include "viz/strip_display.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t facets_per_check = 20'000;
+/// Of a boundary's length, at least: how far apart its handles are, and no more than so many.
+constexpr double handles_share = 1.0 / 48;
+
+/// Corners that are the same place become one point: a third of what the facets bring.
+class Points {
+public:
+    Points(std::vector<float>& to, const Vec3& centre) : to_(to), centre_(centre) {}
+    std::int32_t add(const Vec3& p) {
+        const auto [it, is_new] =
+            made_.try_emplace(std::tuple(p.x(), p.y(), p.z()), std::int32_t(to_.size() / 3));
+        if (is_new) append(p);
+        return it->second;
+    }
+    std::int32_t append(const Vec3& p) {
+        const Vec3 q = p - centre_;
+        to_.insert(to_.end(), {float(q.x()), float(q.y()), float(q.z())});
+        return std::int32_t(to_.size() / 3) - 1;
+    }
+
+private:
+    std::vector<float>& to_;
+    Vec3 centre_;
+    std::map<std::tuple<double, double, double>, std::int32_t> made_;
+};
+
+} // namespace
+
+std::string area_text(double mm2, LengthUnit unit) {
+    const double per = mm_per(unit);
+    return format_number(mm2 / (per * per), 3) + " " + std::string(unit_name(unit)) + "²";
+}
+
+Rgb strip_color(std::size_t number, bool enabled, Palette palette) {
+    static constexpr std::array<unsigned, 8> light{0xE4572E, 0x17A2A2, 0x8E44AD, 0xD99A00,
+                                                   0x2E8B57, 0xC2185B, 0x3F51B5, 0x795548};
+    static constexpr std::array<unsigned, 8> dark{0xFF7B54, 0x3FD0D0, 0xC07BE0, 0xFFC233,
+                                                  0x5CC98A, 0xF0649A, 0x8291FF, 0xB58A76};
+    if (!enabled) return rgb(palette == Palette::dark ? 0xA0A8B0 : 0x707A84);
+    return rgb((palette == Palette::dark ? dark : light)[number % light.size()]);
+}
+
+StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUnit unit,
+                                      const Progress& progress) {
+    auto display = std::make_shared<StripDisplay>();
+    for (const Strip& s : strips)
+        for (const auto& facet : s.band)
+            for (const Vec3& p : facet)
+                display->box.add(p);
+    for (const Strip& s : strips)
+        for (const auto& curve : s.centers)
+            for (const Vec3& p : curve)
+                display->box.add(p);
+    if (!display->box.empty()) display->centre = display->box.center();
+    std::size_t number = 0;
+    for (const Strip& s : strips) {
+        StripDisplay::One one;
+        one.color = number++;
+        one.enabled = s.enabled;
+        one.area = s.area;
+        one.name = s.name + " · " + area_text(s.area, unit);
+        one.detail = s.reason;
+        one.detail += s.tool > 0 ? " · tool " + std::to_string(s.tool) : " · no tool yet";
+        if (!s.enabled) one.detail = "switched off · " + one.detail;
+        Points points(one.points, display->centre);
+        Vec3 middle = Vec3::Zero();
+        double weight = 0;
+        for (std::size_t f = 0; f < s.band.size(); ++f) {
+            if (f % facets_per_check == 0) progress.check();
+            const auto& [a, b, c] = s.band[f];
+            for (const Vec3* p : {&a, &b, &c})
+                one.triangles.push_back(points.add(*p));
+            const double area = 0.5 * (b - a).cross(c - a).norm();
+            middle += area * (a + b + c) / 3;
+            weight += area;
+        }
+        if (weight > 0) middle /= weight;
+        // A ring's middle is not on it.
+        double nearest = infinity;
+        for (const auto& [a, b, c] : s.band) {
+            const Vec3 at = (a + b + c) / 3;
+            if ((at - middle).norm() < nearest) {
+                nearest = (at - middle).norm();
+                one.label_at = at;
+            }
+        }
+        Points lines(one.line_points, display->centre), handles(one.handles, display->centre);
+        const auto add_line = [&](const std::vector<Vec3>& line, bool closed) {
+            std::int32_t first = -1, last = -1;
+            for (const Vec3& p : line) {
+                const std::int32_t at = lines.append(p);
+                if (last >= 0) one.segments.insert(one.segments.end(), {last, at});
+                if (first < 0) first = at;
+                last = at;
+            }
+            if (closed && last > first) one.segments.insert(one.segments.end(), {last, first});
+        };
+        for (const auto& loop : s.boundaries) {
+            progress.check();
+            add_line(loop, true);
+            double length = 0, way = infinity;
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                if (i > 0) way += (loop[i] - loop[i - 1]).norm();
+                if (way < handles_share * length) continue;
+                handles.append(loop[i]);
+                way = 0;
+            }
+        }
+        for (const auto& curve : s.centers)
+            add_line(curve, false);
+        display->strips.push_back(std::move(one));
+    }
+    return display;
+}
+
+} // namespace facetmill
