@@ -42,7 +42,13 @@ function(facetmill_room name)
     add_library(fm_${name} OBJECT ${ARG_SOURCES})
     target_link_libraries(fm_${name} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
-    target_precompile_headers(fm_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
+    # All rooms are compiled alike: the first makes the header of them all.
+    list(GET FACETMILL_ROOMS 0 first)
+    if(name STREQUAL first)
+        target_precompile_headers(fm_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
+    else()
+        target_precompile_headers(fm_${name} REUSE_FROM fm_${first})
+    endif()
 endfunction()
 
 # facetmill_link_core(TARGET ROOM): links the room and all rooms before it.
@@ -73,7 +79,16 @@ function(facetmill_test name)
     facetmill_link_core(${name} ${ARG_ROOM})
     target_link_libraries(${name} PRIVATE Qt6::Core Qt6::Test)
     target_compile_definitions(${name} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
-    target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/test_pch.h)
+    # One for all tests: it takes as long to make as several of them. A program of its own makes it, which is compiled
+    # as they are, but for Qt6::Test, whose definitions name the folder.
+    if(NOT TARGET facetmill_test_header)
+        file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/test_header.cpp CONTENT "int main() {}\n")
+        add_executable(facetmill_test_header ${PROJECT_BINARY_DIR}/generated/test_header.cpp)
+        target_link_libraries(facetmill_test_header PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
+            nlohmann_json::nlohmann_json Threads::Threads Qt6::Core)
+        target_precompile_headers(facetmill_test_header PRIVATE ${PROJECT_SOURCE_DIR}/cmake/test_pch.h)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM facetmill_test_header)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT ${FACETMILL_TEST_TIMEOUT})

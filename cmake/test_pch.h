@@ -1,4 +1,4 @@
 // Precompiled for every test program.
 #pragma once
 #include "cmake/core_pch.h"
-#include <QtTest/QtTest>
+#include <QtCore/QtCore>
