@@ -15,6 +15,7 @@
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/text.h"
+#include "ui/unrolled_desk.h"
 #include "ui/verification_desk.h"
 #include "ui/verification_panel.h"
 #include "ui/view_cube.h"
@@ -90,9 +91,10 @@ MainWindow::~MainWindow() {
     // its field.
     properties_->form()->disconnect();
     for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_,
-                              log_dock_, chart_dock_})
+                              log_dock_, chart_dock_, unrolled_dock_})
         delete dock;
     delete inspection_;
+    delete unrolled_;
     delete rough_;
     delete cspace_;
     delete desk_;
@@ -121,6 +123,7 @@ void MainWindow::build_docks() {
         dock(tr("Verification"), "verification_dock", desk_->panel(), Qt::RightDockWidgetArea);
     tabifyDockWidget(report_dock_, verification_dock_);
     build_cspace();
+    build_unrolled();
     report_dock_->raise();
     tree_->set_verification(desk_->model());
     tree_->tree()->installEventFilter(desk_);

@@ -36,6 +36,7 @@ class ReportView;
 class RoughDesk;
 class StartHint;
 class ToolDialog;
+class UnrolledDesk;
 class VerificationDesk;
 class Viewport;
 
@@ -79,6 +80,7 @@ public:
     VerificationDesk& verification() { return *desk_; }
     CSpaceDesk& cspace() { return *cspace_; }
     InspectionDesk& inspection() { return *inspection_; }
+    UnrolledDesk& unrolled() { return *unrolled_; }
     RoughDesk& roughing() { return *rough_; }
     BackgroundJob& job() { return job_; }
 
@@ -133,8 +135,8 @@ private:
     void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
     void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
     void ask_unit(const std::filesystem::path& path, LoadedPart loaded);
-    void take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
-                   const QString& name);
+    void take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded, const QString& name,
+                   bool turned = false);
     void close_project();
     bool save();
     bool save_as();
@@ -169,6 +171,11 @@ private:
     void build_inspection();
     void export_chart(bool table);
 
+    // main_window_unrolled.cpp
+    void build_unrolled();
+    void offer_unrolled();
+    void export_unrolled();
+
     Document document_;
     std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
 
@@ -182,11 +189,12 @@ private:
     VerificationDesk* desk_ = nullptr;
     CSpaceDesk* cspace_ = nullptr;
     InspectionDesk* inspection_ = nullptr;
+    UnrolledDesk* unrolled_ = nullptr;
     RoughDesk* rough_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,
-                *chart_dock_ = nullptr;
+                *chart_dock_ = nullptr, *unrolled_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* activity_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -203,9 +211,10 @@ private:
         shown_results_; ///< in the order of the scene's path sources
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
-    StockShapePtr stock_mesh_;    ///< as read with the part
-    bool cspace_offered_ = false; ///< the room came to light once
-    bool chart_sized_ = false;    ///< the charts' dock had its height given
+    StockShapePtr stock_mesh_;      ///< as read with the part
+    bool cspace_offered_ = false;   ///< the room came to light once
+    bool unrolled_offered_ = false; ///< the unrolled view came to light once
+    bool chart_sized_ = false;      ///< the charts' dock had its height given
     bool settling_ = false;
     bool verify_next_ = false;           ///< when the planning under way is through
     std::vector<QDockWidget*> made_way_; ///< put behind the parameters because the window is narrow

@@ -181,8 +181,9 @@ void MainWindow::ask_unit(const std::filesystem::path& path, LoadedPart loaded) 
 }
 
 void MainWindow::take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
-                           const QString& name) {
-    Project project = default_project(path, unit, loaded.part->box);
+                           const QString& name, bool turned) {
+    Project project = turned ? default_turned_project(path, unit, loaded.part->box)
+                             : default_project(path, unit, loaded.part->box);
     loaded.key = Document::part_key(project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, true);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));
@@ -221,10 +222,10 @@ void MainWindow::new_from_sample(const std::string& name) {
             probe.part.unit = probe.unit = unit;
             *loaded = load_part(*planner, probe, p.part(0.5, 1));
         },
-        [this, loaded, path, unit, label = text(name)](const JobEnd& end) {
+        [this, loaded, path, unit, label = text(name), turned = kind->turned](const JobEnd& end) {
             if (!end.done()) return;
             last_failure_.clear();
-            take_mesh(path, unit, *loaded, label);
+            take_mesh(path, unit, *loaded, label, turned);
         });
 }
 

@@ -10,6 +10,7 @@
 #include "ui/rough_desk.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
+#include "ui/unrolled_desk.h"
 #include "ui/verification_desk.h"
 #include "ui/viewport.h"
 
@@ -215,6 +216,7 @@ void MainWindow::refresh_paths() {
         display_job_.cancel();
         viewport_->scene().set_path(nullptr);
         inspection_->set_paths({});
+        unrolled_->set_paths({});
         viewport_->refresh();
         return;
     }
@@ -229,6 +231,8 @@ void MainWindow::refresh_paths() {
             viewport_->scene().set_path(*display);
             viewport_->content_changed();
             inspection_->set_paths(results);
+            unrolled_->set_paths(results);
+            offer_unrolled();
             show_start_of_path();
         });
 }
@@ -324,6 +328,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     viewport_->refresh();
     desk_->tool_put(*index, pick.motion);
     inspection_->set_place(pick.source, motion_of(pick));
+    unrolled_->set_place(pick.source, motion_of(pick));
     follow_cspace(pick);
 }
 
@@ -331,6 +336,7 @@ void MainWindow::hide_tool() {
     tool_at_.reset();
     cspace_->leave();
     inspection_->clear_place();
+    unrolled_->clear_place();
     readout_text_.clear();
     readout_->set_text({});
     viewport_->scene().set_tool(std::nullopt);

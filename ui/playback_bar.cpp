@@ -122,6 +122,14 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
     speed_->setMaxVisibleItems(20);
     connect(speed_, &QComboBox::currentIndexChanged, this, &PlaybackBar::take_speed);
     speed_->setCurrentIndex(4);
+    turn_ = new QToolButton(this);
+    turn_->setObjectName(QStringLiteral("play_turn"));
+    turn_->setText(tr("Turn part"));
+    turn_->setToolTip(tr("See the part turn under a standing tool, as on the machine"));
+    turn_->setCheckable(true);
+    turn_->setAutoRaise(true);
+    turn_->setFocusPolicy(Qt::TabFocus);
+    second->addWidget(turn_);
     for (QWidget* w : std::initializer_list<QWidget*>{operation_, goto_, of_})
         second->addWidget(w);
     second->addStretch(1);
@@ -139,6 +147,10 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
 
 QToolButton* PlaybackBar::button(const char* name) const {
     return findChild<QToolButton*>(QLatin1String(name));
+}
+
+bool PlaybackBar::turns_part() const {
+    return turn_->isChecked();
 }
 
 QString PlaybackBar::time_text() const {
@@ -163,14 +175,18 @@ void PlaybackBar::reload() {
     const QSignalBlocker block_slider(slider_), block_operation(operation_), block_goto(goto_);
     operation_->clear();
     slider_->setRange(0, 0);
+    bool turns = false;
     if (on) {
         const PlaybackTrack& track = playback_.track();
-        for (std::size_t i = 0; i < track.operation_count(); ++i)
+        for (std::size_t i = 0; i < track.operation_count(); ++i) {
             operation_->addItem(elided(text(track.operation(i).name), 60));
+            turns = turns || track.operation(i).turning;
+        }
         constexpr auto most = std::size_t(std::numeric_limits<int>::max());
         slider_->setRange(0, int(std::min(track.motion_count(), most)));
         slider_->setPageStep(std::max(1, slider_->maximum() / 50));
     }
+    turn_->setVisible(turns);
     show_position();
 }
 

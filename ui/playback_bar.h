@@ -26,6 +26,8 @@ public:
     QComboBox* operation_box() { return operation_; }
     QComboBox* speed_box() { return speed_; }
     QString time_text() const;
+    /// The part is to be seen turning, where one turns.
+    bool turns_part() const;
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -37,7 +39,7 @@ private:
 
     PlaybackController& playback_;
     QBoxLayout* rows_ = nullptr;
-    QToolButton* play_ = nullptr;
+    QToolButton *play_ = nullptr, *turn_ = nullptr;
     QSlider* slider_ = nullptr;
     QComboBox *operation_ = nullptr, *speed_ = nullptr;
     QSpinBox* goto_ = nullptr;

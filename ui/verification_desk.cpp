@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -267,6 +268,7 @@ void VerificationDesk::show_playback() {
     }
     const CutterLocation tool = playback_.tool();
     scene.set_tool_pose(tool);
+    turn_view(track.operation(at.program).turning, tool);
     if (!from_finding_ && marked_at_ != playback_.target()) {
         marked_at_.reset();
         scene.set_marker(std::nullopt);
@@ -280,6 +282,26 @@ void VerificationDesk::show_playback() {
                         .arg(at.motion + 1)
                         .arg(number(tool.tip.x()), number(tool.tip.y()), number(tool.tip.z()),
                              text(unit_name(document_.unit()))));
+}
+
+/// The eye goes round with the tool, so that on the screen the tool stands and the part turns, as on the
+/// machine.
+void VerificationDesk::turn_view(const std::optional<TurningAxis>& turning, const CutterLocation& tool) {
+    const bool turns = turning && bar_->turns_part();
+    const std::optional<Vec3> before =
+        std::exchange(turned_to_, turns ? std::optional(tool.axis) : std::nullopt);
+    if (!turns || !before || flight_->flying()) return;
+    const Vec3& d = turning->direction;
+    const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(d) * d); };
+    const Vec3 a = across(*before), b = across(tool.axis);
+    const double angle = std::atan2(d.dot(a.cross(b)), a.dot(b));
+    if (angle == 0) return;
+    const Eigen::AngleAxisd turn(angle, d);
+    CameraPlace place = viewport_.scene().camera_place();
+    place.target = turning->point + turn * (place.target - turning->point);
+    place.toward_eye = turn * place.toward_eye;
+    place.up = turn * place.up;
+    viewport_.scene().look_at(place);
 }
 
 void VerificationDesk::show_stock() {

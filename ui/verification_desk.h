@@ -67,6 +67,7 @@ private:
     void follow_plan();
     void show_results();
     void show_playback();
+    void turn_view(const std::optional<TurningAxis>& turning, const CutterLocation& tool);
     void show_stock();
     void use_scale(const DeviationScale& scale);
     void go_to_finding(const Finding& finding);
@@ -89,6 +90,7 @@ private:
     std::optional<double> marked_at_;                    ///< position at which a finding's marker is shown
     std::size_t shown_operation_ = std::size_t(-1);      ///< whose tool the view has from here
     std::optional<std::pair<double, double>> own_range_; ///< as the user set it
+    std::optional<Vec3> turned_to_;                      ///< the tool axis that the view stands to
     bool stock_shown_ = false, fine_shown_ = false;
     const DeviationDisplay* shown_deviation_ = nullptr;
 };

@@ -1,0 +1,57 @@
+// The unrolled path of an operation on a turning part: turning angle upward, length along the axis to the
+// right, depth as colour, with axes and legend. A click takes the tool to the nearest place; a mark shows
+// where it is.
+#pragma once
+
+#include "viz/unrolled.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace facetmill::ui {
+
+class UnrolledView : public QWidget {
+    Q_OBJECT
+public:
+    explicit UnrolledView(QWidget* parent = nullptr);
+
+    void set_path(UnrolledPathPtr path);
+    /// Without a path the text says why.
+    void clear(const QString& why);
+    const UnrolledPathPtr& path() const { return path_; }
+    /// Where the tool is: a motion of the operation, or none.
+    void set_motion(std::optional<std::size_t> motion);
+    std::optional<std::size_t> motion() const { return motion_; }
+
+    /// Of the widget, for a place; and the picture's frame in it.
+    QPointF place_of(double along, double angle) const;
+    QRectF frame() const;
+    /// White ground, with the operation's name; no mark.
+    QImage picture(const QSize& size) const;
+    QSize sizeHint() const override { return {420, 420}; }
+    QSize minimumSizeHint() const override { return {160, 140}; }
+
+signals:
+    /// The tool is wanted at the end of this motion.
+    void motion_wanted(std::size_t motion);
+    void stepped(int by);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QRectF frame(const QSize& size, const QFontMetricsF& metrics, bool titled) const;
+    void paint(QPainter& p, const QSize& size, const QImage& image, bool titled) const;
+    QImage image_for(const QSize& pixels) const;
+    void take(const QPointF& at);
+
+    UnrolledPathPtr path_;
+    QString empty_text_;
+    std::optional<std::size_t> motion_;
+    QImage image_; ///< of the frame, in device pixels
+};
+
+} // namespace facetmill::ui
