@@ -213,11 +213,11 @@ Best ask(const VectorTree& tree, const std::vector<RevolvedBody>& bodies, const 
 } // namespace
 
 VectorLift::VectorLift(ContactIndexPtr index, const CutterProfile& cutter,
-                       std::span<const ToolSection> sections, double allowance)
+                       std::span<const BodySection> sections, double allowance)
     : index_(std::move(index)), tree_(std::make_unique<const VectorTree>(*index_)) {
     bodies_.emplace_back(cutter.grown(allowance), -allowance);
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const ToolSection& s = sections[i];
+        const BodySection& s = sections[i];
         if (!(s.radius > 0) || !(s.to > s.from) || !std::isfinite(s.from))
             throw Error(ErrorCode::out_of_range, "section[" + std::to_string(i) + "]",
                         "has no positive radius and length", "correct shank and holder");

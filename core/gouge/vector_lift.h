@@ -39,7 +39,7 @@ struct Posture {
 };
 
 /// A cylinder about the tool axis, from one height above the tip to another; mm.
-struct ToolSection {
+struct BodySection {
     double radius = 0, from = 0, to = 0;
 };
 
@@ -63,7 +63,7 @@ public:
     /// `allowance` >= 0 keeps that distance from every body, as if each were grown by it; lifts are those of
     /// the tool's own tip. Throws Error(out_of_range) for a negative allowance, and for a section without a
     /// positive radius and length.
-    VectorLift(ContactIndexPtr index, const CutterProfile& cutter, std::span<const ToolSection> sections = {},
+    VectorLift(ContactIndexPtr index, const CutterProfile& cutter, std::span<const BodySection> sections = {},
                double allowance = 0);
     ~VectorLift();
     VectorLift(const VectorLift&) = delete;

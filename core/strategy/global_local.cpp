@@ -146,7 +146,7 @@ private:
                         + ", or raise lead_limit");
     }
 
-    PlanContext on(const SurfacePiece& piece) const {
+    PlanContext on(const PartPiece& piece) const {
         PlanContext c = context_;
         c.part = piece.mesh;
         c.geometry = piece.geometry;
@@ -190,7 +190,7 @@ private:
     }
 
     void cut_regions(const StrategyResult& main) {
-        const SurfacePiece& within = plan_->regions.within;
+        const PartPiece& within = plan_->regions.within;
         if (settings_.rework_tool == 0 || !within.mesh || within.mesh->facets.empty()) return;
         PlanContext context = on(within);
         context.tool = plan_->tool;
@@ -272,7 +272,7 @@ private:
     const PlanContext& context_;
     const Progress& progress_;
     UpSide up_;
-    SurfacePiece outside_; ///< what the main path is planned over
+    PartPiece outside_; ///< what the main path is planned over
     std::shared_ptr<ReworkPlan> plan_ = std::make_shared<ReworkPlan>();
     double radius_ = 0, total_ = 0;
 };

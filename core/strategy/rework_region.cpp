@@ -52,7 +52,7 @@ struct Known {
         k.mesh = std::move(d.mesh);
         return k;
     }
-    SurfacePiece piece(std::span<const Index> facets) const {
+    PartPiece piece(std::span<const Index> facets) const {
         PartOfMesh part = part_of(mesh, facets);
         auto geometry = std::make_shared<MeshGeometry>();
         auto carried = std::make_shared<std::vector<VertexCurvature>>();
@@ -62,7 +62,7 @@ struct Known {
         }
         for (std::size_t f = 0; f < part.mesh.facets.size(); ++f)
             geometry->facet_normals.push_back(part.mesh.facet_normal(f));
-        SurfacePiece made;
+        PartPiece made;
         made.mesh = std::make_shared<Mesh>(std::move(part.mesh));
         made.geometry = std::move(geometry);
         made.curvatures = std::move(carried);
@@ -328,7 +328,7 @@ private:
         std::vector<std::pair<Vec3, std::size_t>> order;
         for (std::size_t i = 0; i < regions.size(); ++i) {
             ReworkRegion& r = regions[i];
-            const SurfacePiece piece = p.known.piece(p.facets[i]);
+            const PartPiece piece = p.known.piece(p.facets[i]);
             Vec3 first = Vec3::Constant(infinity);
             for (std::size_t f = 0; f < piece.mesh->facets.size(); ++f) {
                 r.strip.band.push_back(

@@ -30,7 +30,7 @@ struct RegionInput {
 };
 
 /// A part of the surface as a mesh of its own, with what is known of its vertices.
-struct SurfacePiece {
+struct PartPiece {
     MeshPtr mesh;
     std::shared_ptr<const MeshGeometry> geometry;
     std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
@@ -46,8 +46,8 @@ struct ReworkRegion {
 
 struct ReworkRegions {
     std::vector<ReworkRegion> regions; ///< in the order of their smallest x, then y
-    SurfacePiece within;               ///< all regions that are enabled, offset included
-    SurfacePiece outside;            ///< the part without the uncut places themselves, and without the offset
+    PartPiece within;                  ///< all regions that are enabled, offset included
+    PartPiece outside;               ///< the part without the uncut places themselves, and without the offset
     double area = 0, uncut_area = 0; ///< of `within` and of what `outside` lacks, mm^2
     double part_area = 0;
 };

@@ -119,7 +119,7 @@ private:
                 }
                 lift = std::make_shared<VectorLift>(
                     std::make_shared<ContactIndex>(std::move(part), progress.part(0, 0)), profile,
-                    std::span<const ToolSection>(), with_.allowance);
+                    std::span<const BodySection>(), with_.allowance);
             }
             for (std::size_t i = first; i <= last; ++i)
                 lift_of_[i] = lift;

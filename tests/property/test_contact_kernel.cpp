@@ -42,10 +42,10 @@ Posture random_posture(Random& rng, double size) {
 
 struct Tools {
     AptCutter cutter;
-    std::vector<ToolSection> sections;
+    std::vector<BodySection> sections;
     std::vector<ReferenceBody> bodies() const {
         std::vector<ReferenceBody> all{ReferenceBody(cutter)};
-        for (const ToolSection& s : sections)
+        for (const BodySection& s : sections)
             all.emplace_back(AptCutter::flat(2 * s.radius, s.to - s.from), s.from);
         return all;
     }
@@ -327,7 +327,7 @@ private slots:
             QVERIFY(std::isnan(lift.contact(p).lift));
             QCOMPARE(lift.contact(p).facet, no_index);
         }
-        const auto refuse = [&](const ToolSection& section) {
+        const auto refuse = [&](const BodySection& section) {
             return code_of([&] { VectorLift(index, ball, {&section, 1}); });
         };
         QCOMPARE(refuse({0, 1, 2}), ErrorCode::out_of_range);

@@ -27,7 +27,7 @@ struct Case {
         const auto index = std::make_shared<ContactIndex>(mesh, Progress());
         if (c.raised > 0) {
             const AptCutter ball = AptCutter::ball(0.5 * c.cutter.d, 0.5 * c.cutter.d);
-            const ToolSection section{0.5 * c.cutter.d, c.raised, c.raised + c.cutter.h};
+            const BodySection section{0.5 * c.cutter.d, c.raised, c.raised + c.cutter.h};
             got = VectorLift(index, CutterProfile(ball), {&section, 1}).contact(c.posture);
             bodies = {ReferenceBody(ball), ReferenceBody(c.cutter, c.raised)};
         } else {
