@@ -158,31 +158,59 @@ CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedC
 
     // To and fro, so that every posture is a neighbour of the one before: what one met, the next is likely to
     // meet.
-    const auto each = [&](auto&& body) {
-        constexpr std::size_t postures_per_check = 256;
-        std::size_t seen = 0;
-        for (std::size_t io = 0; io < turns.size(); ++io)
-            for (std::size_t k = 0; k < leans.size(); ++k) {
-                if (seen++ % postures_per_check == 0) progress.check();
-                const std::size_t il = io % 2 == 0 ? k : leans.size() - 1 - k;
-                if (!leans[il].touches) continue;
-                body(grid.node(il, io), leans[il].terms.pose(leans[il].at, space.frame, turns[io], 0));
-            }
-    };
     const double start = thread_seconds();
+    constexpr std::size_t postures_per_check = 256;
     TopSearch search(curve_, curves);
-    each([&](std::size_t node, const ToolPose& pose) { space.top[node] = search.top(pose); });
+    std::size_t seen = 0;
+    for (std::size_t io = 0; io < turns.size(); ++io)
+        for (std::size_t k = 0; k < leans.size(); ++k) {
+            if (seen++ % postures_per_check == 0) progress.check();
+            const std::size_t il = io % 2 == 0 ? k : leans.size() - 1 - k;
+            if (!leans[il].touches) continue;
+            const ToolPose pose = leans[il].terms.pose(leans[il].at, space.frame, turns[io], 0);
+            space.top[grid.node(il, io)] = search.top(pose);
+        }
     const double between = thread_seconds();
+    // The bottom by patches of the grid: of poses that are alike it is found once what they can meet.
+    constexpr std::size_t patch_leans = 4, patch_turns = 8, fewest_in_group = 8;
+    std::vector<std::size_t> nodes;
+    std::vector<ToolPose> poses;
     ToolLift::Hint hint;
-    each([&](std::size_t node, const ToolPose& pose) {
-        Reason reason;
-        reason.top = space.top[node];
-        reason.contact.lift = 0;
-        if (input_.bottom_everywhere || reason.top >= 0)
-            reason.contact = input_.lift->contact_above(pose, 0, hint);
-        reason.bottom = space.bottom[node] = reason.contact.lift;
-        space.block[node] = judge(reason, pose, space.frame);
-    });
+    ToolLift::Group group;
+    for (std::size_t il = 0; il < leans.size(); il += patch_leans)
+        for (std::size_t io = 0; io < turns.size(); io += patch_turns) {
+            progress.check();
+            nodes.clear();
+            poses.clear();
+            const std::size_t leans_end = std::min(leans.size(), il + patch_leans);
+            for (std::size_t o = io; o < std::min(turns.size(), io + patch_turns); ++o)
+                for (std::size_t k = il; k < leans_end; ++k) {
+                    const std::size_t l = o % 2 == 0 ? k : il + leans_end - 1 - k;
+                    const std::size_t node = grid.node(l, o);
+                    if (!leans[l].touches) continue;
+                    const ToolPose pose = leans[l].terms.pose(leans[l].at, space.frame, turns[o], 0);
+                    if (input_.bottom_everywhere || space.top[node] >= 0) {
+                        nodes.push_back(node);
+                        poses.push_back(pose);
+                    } else {
+                        Reason reason;
+                        reason.top = space.top[node];
+                        space.bottom[node] = 0;
+                        space.block[node] = judge(reason, pose, space.frame);
+                    }
+                }
+            const bool grouped = poses.size() >= fewest_in_group;
+            if (grouped) input_.lift->gather(poses, 0, group);
+            for (std::size_t i = 0; i < poses.size(); ++i) {
+                const std::size_t node = nodes[i];
+                Reason reason;
+                reason.top = space.top[node];
+                reason.contact = grouped ? input_.lift->contact_above(poses[i], 0, hint, group)
+                                         : input_.lift->contact_above(poses[i], 0, hint);
+                reason.bottom = space.bottom[node] = reason.contact.lift;
+                space.block[node] = judge(reason, poses[i], space.frame);
+            }
+        }
     return {thread_seconds() - between, between - start};
 }
 

@@ -22,16 +22,15 @@ struct Bounds {
     const SurfaceTable& surface;
     const AxialQuery& query;
 
-    float rim;         ///< distances beyond this are at the rim
-    float inner;       ///< distances below this are surely within the cutter
-    float radius;      ///< of the cutter, widened
-    float slack;       ///< positions of boxes in the frame are wrong by less
-    float margin;      ///< bounds are wrong by less
-    float uncertain;   ///< how much a bound changes with a position, at most
-    float per_tangent; ///< index of tangent = rho * this
-    float at[3];       ///< the index's origin from the place
-    float turn[3][3];  ///< the frame
-    double zero;       ///< bounds are relative to this height
+    float rim;        ///< roughly known distances beyond this may be at the rim
+    float inner;      ///< distances below this are surely within the cutter
+    float radius;     ///< of the cutter, widened
+    float slack;      ///< positions of boxes in the frame are wrong by less
+    float margin;     ///< bounds are wrong by less
+    float uncertain;  ///< how much a bound changes with a position, at most
+    float at[3];      ///< the index's origin from the place
+    float turn[3][3]; ///< the frame
+    double zero;      ///< bounds are relative to this height
 
     FACETMILL_MEMBER Bounds(const IndexView& i, const SurfaceTable& s, const AxialQuery& q)
         : index(i), surface(s), query(q) {
@@ -51,11 +50,10 @@ struct Bounds {
         const double steep = tolerance::steepest_roof + tolerance::steepest_tangent;
         slack = float(tolerance::float_slack * scale);
         inner = float(r * (1 - tolerance::rim_share));
+        rim = float(r) * (1 - 4 * rough_share);
         radius = float(r * (1 + tolerance::float_slack)) + slack;
-        rim = surface.has_rim ? inner : __builtin_inff();
-        margin = float(tolerance::float_slack * (1 + steep) * (tilted ? 4 : 1) * scale);
+        margin = float(tolerance::float_slack * ((1 + steep) * (tilted ? 4 : 1) * scale + 4 * steep * r));
         uncertain = float(4 * (1 + steep));
-        per_tangent = float(surface_tangents / r);
     }
 
     /// A tip from `zero`, rounded down: what is higher by the last digit of a double must not be passed over.
@@ -81,28 +79,60 @@ struct Bounds {
         y_out = uy * scale;
     }
 
-    /// A plane below g that is near it at (mx, my): level + sx x + sy y. At the rim, where g ends, the one of
-    /// those that is as steep there as the part's plane with slopes (px, py).
+    /// The slope of g at this distance; where it jumps that of one side.
+    FACETMILL_MEMBER Float8 slope_at(const Float8& rho) const {
+        Float8 slope = all(0.0f);
+        for (int i = 0; i < surface.count; ++i) {
+            const RoughPiece& p = surface.rough[i];
+            Float8 here = all(p.slope0);
+            if (p.r != 0) {
+                const Float8 sine = larger((rho - p.e) * p.per_r, all(0.0f));
+                here = sine * rough_inverse_root(larger(1.0f - sine * sine, all(1e-3f)));
+            }
+            slope = i == 0 ? here : select(rho > surface.rough[i - 1].rho1, here, slope);
+        }
+        return smaller(slope, all(float(tolerance::steepest_tangent)));
+    }
+
+    /// The highest line of a slope >= 0 that is nowhere above g: its height on the axis. Not a number where
+    /// the slope is none.
+    FACETMILL_MEMBER Float8 support(const Float8& slope) const {
+        Float8 at0 = surface.rim_height - slope * radius;
+        for (int i = 0; i < surface.count; ++i) {
+            const RoughPiece& p = surface.rough[i];
+            at0 = smaller(p.z0 - slope * p.rho0, at0);
+            if (p.r == 0) continue;
+            const Float8 on_arc = p.f - p.e * slope - p.r * root(1.0f + slope * slope);
+            at0 = select((slope >= p.slope0) & (slope <= p.slope1), smaller(on_arc, at0), at0);
+        }
+        return at0;
+    }
+
+    /// A plane below g that is near it at (mx, my): level + sx x + sy y. On the axis, where g may have a tip,
+    /// and at the rim, where g ends, the one of those that is as steep there as the part's plane with slopes
+    /// (px, py).
     FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
                                         const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
         const Float8 square = mx * mx + my * my;
         // A little short, so that no direction is longer than 1.
         const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
         const Float8 rho = square * per;
-        const Int8 entry = truncated(smaller(rho * per_tangent, all(float(surface_tangents) - 1)));
-        const Int8 low = entry & 7;
-        const Int8 upper = entry > 7;
         const Float8 ux = mx * per, uy = my * per;
-        level = select(upper, pick(load(surface.tangent_at0 + 8), low), pick(load(surface.tangent_at0), low));
-        Float8 slope =
-            select(upper, pick(load(surface.tangent_slope + 8), low), pick(load(surface.tangent_slope), low));
-        const Int8 at_rim = rho >= rim;
-        const Float8 steep = smaller(larger(px * ux + py * uy, all(surface.rim_slope)),
-                                     all(float(tolerance::steepest_tangent)));
-        slope = select(at_rim, steep, slope);
-        level = select(at_rim, surface.rim_height - steep * radius, level);
+        Float8 slope = slope_at(rho);
+        const Float8 steep =
+            smaller(larger(px * ux + py * uy, slope), all(float(tolerance::steepest_tangent)));
+        slope = select(rho >= rim, steep, slope);
+        level = support(slope);
         sx = slope * ux;
         sy = slope * uy;
+        if (surface.rough[0].slope0 > 0) {
+            constexpr auto most = float(tolerance::steepest_tangent);
+            const float steepest = surface.rough[0].slope0 < most ? surface.rough[0].slope0 : most;
+            const Int8 at_tip = (square == 0.0f) & (px * px + py * py <= steepest * steepest);
+            level = select(at_tip, all(surface.rough[0].z0), level);
+            sx = select(at_tip, px, sx);
+            sy = select(at_tip, py, sy);
+        }
     }
 
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
@@ -136,15 +166,15 @@ struct Bounds {
     FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
         Float8 g = all(0.0f);
         for (int i = 0; i < surface.count; ++i) {
-            const SurfacePiece& p = surface.piece[i];
+            const RoughPiece& p = surface.rough[i];
             Float8 here;
             if (p.r == 0) {
-                here = float(p.z0) + float(p.slope0) * (rho - float(p.rho0));
+                here = p.z0 + p.slope0 * (rho - p.rho0);
             } else {
-                const Float8 out = rho - float(p.e);
-                here = float(p.f) - root(larger((float(p.r) - out) * (float(p.r) + out), all(0.0f)));
+                const Float8 out = rho - p.e;
+                here = p.f - root(larger((p.r - out) * (p.r + out), all(0.0f)));
             }
-            g = i == 0 ? here : select(rho > float(surface.piece[i - 1].rho1), here, g);
+            g = i == 0 ? here : select(rho > surface.rough[i - 1].rho1, here, g);
         }
         return g;
     }

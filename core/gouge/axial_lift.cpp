@@ -6,6 +6,7 @@
 #include "core/gouge/axial_kernel.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/lower_surface.h"
+#include "core/gouge/shared_cut.h"
 
 #include <cmath>
 
@@ -25,94 +26,21 @@ bool is_place(double x, double y) {
 /// Fewer places than this are asked for one by one.
 constexpr std::size_t fewest_in_packet = 4;
 
-/// Places that lie close together share the way down the tree: a cut through it below which is all that the
-/// cutter reaches at any of them.
-class SharedCut {
-public:
-    SharedCut(const IndexView& index, double radius) : index_(index), radius_(radius) {}
-
-    /// For all places of a box: as far down as the boxes in reach fit into most_nodes nodes.
-    void make(const Vec2& lo, const Vec2& hi) {
-        struct Child {
-            const TreeNode* node;
-            std::size_t lane;
-            std::uint32_t child() const { return node->child[lane]; }
-        };
-        count_ = 0;
-        if (!index_.nodes) return;
-        // Positions of boxes are floats: half sizes are rounded outward, the middles as good as exact.
-        const double slack = tolerance::float_slack * (index_.half_size[0] + index_.half_size[1] + radius_);
-        const double x0 = lo.x() - index_.origin[0] - radius_ - slack,
-                     x1 = hi.x() - index_.origin[0] + radius_ + slack;
-        const double y0 = lo.y() - index_.origin[1] - radius_ - slack,
-                     y1 = hi.y() - index_.origin[1] + radius_ + slack;
-        std::array<Child, most_children> children, finer;
-        std::size_t n = 0;
-        // False when there are too many.
-        const auto add_reached = [&](const TreeNode& node, std::array<Child, most_children>& to,
-                                     std::size_t& size) {
-            for (std::size_t k = 0; k < block_width; ++k) {
-                const double cx = double(node.cx[k]), cy = double(node.cy[k]), hx = double(node.hx[k]),
-                             hy = double(node.hy[k]);
-                if (!(cx + hx >= x0 && cx - hx <= x1 && cy + hy >= y0 && cy - hy <= y1)) continue;
-                if (size == most_children) return false;
-                to[size++] = {&node, k};
-            }
-            return true;
-        };
-        add_reached(index_.nodes[0], children, n);
-        for (bool divided = true; divided;) {
-            divided = false;
-            std::size_t m = 0;
-            bool fits = true;
-            for (std::size_t i = 0; i < n && fits; ++i) {
-                if (children[i].child() & TreeNode::leaf) {
-                    fits = m < most_children;
-                    if (fits) finer[m++] = children[i];
-                } else {
-                    fits = add_reached(index_.nodes[children[i].child()], finer, m);
-                    divided = true;
-                }
-            }
-            if (!fits) break;
-            std::copy_n(finer.begin(), m, children.begin());
-            n = m;
-        }
-        count_ = std::max(1, int((n + block_width - 1) / block_width));
-        for (std::size_t i = 0; i < std::size_t(count_) * block_width; ++i) {
-            TreeNode& to = nodes_[i / block_width];
-            const std::size_t lane = i % block_width;
-            if (i >= n) {
-                to.cx[lane] = to.cy[lane] = to.cz[lane] = to.roof[lane] = to.slope_x[lane] =
-                    to.slope_y[lane] = 0;
-                to.hx[lane] = to.hy[lane] = to.hz[lane] = -std::numeric_limits<float>::infinity();
-                continue;
-            }
-            const TreeNode& from = *children[i].node;
-            const std::size_t k = children[i].lane;
-            to.cx[lane] = from.cx[k];
-            to.cy[lane] = from.cy[k];
-            to.cz[lane] = from.cz[k];
-            to.hx[lane] = from.hx[k];
-            to.hy[lane] = from.hy[k];
-            to.hz[lane] = from.hz[k];
-            to.roof[lane] = from.roof[k];
-            to.slope_x[lane] = from.slope_x[k];
-            to.slope_y[lane] = from.slope_y[k];
-            to.child[lane] = from.child[k];
-        }
-    }
-
-    const TreeNode* nodes() const { return nodes_.data(); }
-    int count() const { return count_; }
-
-private:
-    static constexpr std::size_t most_nodes = 2, most_children = most_nodes * block_width;
-    IndexView index_;
-    double radius_;
-    std::array<TreeNode, most_nodes> nodes_;
-    int count_ = 0;
-};
+/// For cutters of this radius at all places of a box.
+void make_cut(SharedCut& cut, const IndexView& index, double radius, const Vec2& lo, const Vec2& hi) {
+    constexpr std::size_t nodes_per_cut = 2;
+    // Positions of boxes are floats: half sizes are rounded outward, the middles as good as exact.
+    const double slack = tolerance::float_slack * (index.half_size[0] + index.half_size[1] + radius);
+    const double x0 = lo.x() - index.origin[0] - radius - slack,
+                 x1 = hi.x() - index.origin[0] + radius + slack;
+    const double y0 = lo.y() - index.origin[1] - radius - slack,
+                 y1 = hi.y() - index.origin[1] + radius + slack;
+    cut.make(index, nodes_per_cut, [&](const TreeNode& node, std::size_t k) {
+        const double cx = double(node.cx[k]), cy = double(node.cy[k]), hx = double(node.hx[k]),
+                     hy = double(node.hy[k]);
+        return cx + hx >= x0 && cx - hx <= x1 && cy + hy >= y0 && cy - hy <= y1;
+    });
+}
 
 /// One of a batch.
 struct Place {
@@ -134,7 +62,8 @@ std::size_t near(std::span<const Place> places, double side, Vec2& lo, Vec2& hi)
 }
 
 /// Orders places so that as many as a packet has, one after another, lie about in a square: in bands along X
-/// as high as such a square, from left to right. Places too far apart for packets stay as they are.
+/// as high as such a square, to and fro within strips some squares wide, so that the part of the mesh that a
+/// band needs is still near at hand for the next. Places too far apart for packets stay as they are.
 void arrange(std::vector<Place>& places, double widest) {
     const std::size_t n = places.size();
     if (n < AxialPacket::most_places) return;
@@ -152,11 +81,16 @@ void arrange(std::vector<Place>& places, double widest) {
     // places.
     const double wide = side / in_packet;
     const auto bands = std::size_t(size.y() / side) + 1, cells = std::size_t(size.x() / wide) + 1;
-    std::vector<std::uint32_t> cell(n), first(bands * cells + 1, 0);
+    const std::size_t per_strip = std::min<std::size_t>(16 * AxialPacket::most_places, cells),
+                      strips = (cells + per_strip - 1) / per_strip;
+    std::vector<std::uint32_t> cell(n), first(strips * bands * per_strip + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 d = places[i].at - lo;
-        cell[i] = std::uint32_t(std::min(std::size_t(d.y() / side), bands - 1) * cells
-                                + std::min(std::size_t(d.x() / wide), cells - 1));
+        const std::size_t band = std::min(std::size_t(d.y() / side), bands - 1),
+                          along = std::min(std::size_t(d.x() / wide), cells - 1),
+                          in_strip = along % per_strip;
+        cell[i] = std::uint32_t((along / per_strip * bands + band) * per_strip
+                                + (band % 2 == 0 ? in_strip : per_strip - 1 - in_strip));
         ++first[cell[i] + 1];
     }
     for (std::size_t c = 1; c < first.size(); ++c)
@@ -241,7 +175,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
                 heights[i] = lift_nowhere(points[i].x(), points[i].y());
         }
         arrange(places, radius);
-        SharedCut cut(view, radius);
+        SharedCut cut;
         std::uint32_t hint = no_slot;
         std::size_t cut_end = 0, next_check = between_checks;
         for (std::size_t i = 0; i < places.size();) {
@@ -253,7 +187,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             Vec2 lo, hi;
             if (i >= cut_end) {
                 cut_end = i + near(left.first(std::min(left.size(), places_per_cut)), widest_cut, lo, hi);
-                cut.make(lo, hi);
+                make_cut(cut, view, radius, lo, hi);
             }
             AxialPacket packet;
             const std::size_t count =

@@ -1,8 +1,9 @@
 // Body of axial_kernel_*.cpp: lifts over eight places close together, vertical axis. The tree is gone down
 // once for all of them. A facet is prepared once: where its plane touches the cutter moves with the cutter,
 // so the lift over the plane and the sides of the edges on which it is touched are linear in the place. What
-// a facet asks for is bounded for eight places at a time, from above and from below, in single precision, by
-// its plane and those of its own edges that the contact lies beyond. What the bounds leave over, mostly one
+// a facet asks for is bounded from above and from below, in single precision, by its plane and those of its
+// own edges that the contact lies beyond: for eight places at a time, or, where the mesh is fine and a block
+// matters to few of them, for the eight facets of the block at a time. What the bounds leave over, mostly one
 // or two facets a place, gets the exact test.
 //
 // An edge belongs to one facet. A facet whose plane is surely touched outside, beyond edges of other facets
@@ -31,6 +32,7 @@ public:
             y[k] = float(packet.y[lane] - first.place[1]);
             tips[k] = no_lift;
         }
+        used = (1u << packet.count) - 1;
         dx = load(x);
         dy = load(y);
         for (int k = 0; k < float_lanes; ++k) {
@@ -74,19 +76,22 @@ public:
             const std::uint32_t which = next.node->child[next.lane];
             if (!(which & TreeNode::leaf))
                 open_node(index.nodes[which]);
-            else if (is_promising(*next.node, next.lane))
-                open_block(which & ~TreeNode::leaf);
+            else if (const unsigned places = promised(*next.node, next.lane))
+                open_block(which & ~TreeNode::leaf, places);
         }
         flush();
     }
 
 private:
     static constexpr double steepest = tolerance::steepest_followed;
+    /// Fewer places than a vector has lanes: then something else is better put into the lanes.
+    static constexpr int few_places = 4;
 
     const AxialPacket& packet;
     double* tips;
 
     Float8 dx, dy; ///< the places from the first
+    unsigned used; ///< lanes with a place, as bits
     float lo_dx = 0, hi_dx = 0, lo_dy = 0, hi_dy = 0;
     Float8 least;    ///< no more than the answers, from `zero`
     Float8 floor;    ///< stands for `least` where nothing is known yet
@@ -104,19 +109,30 @@ private:
     alignas(32) float child_bound[most_waiting][float_lanes];
     int waiting = 0;
 
-    // Facets for the exact test.
-    static constexpr int most_candidates = 64;
-    std::uint32_t candidate[most_candidates];
-    alignas(32) float candidate_bound[most_candidates][float_lanes];
-    int candidates = 0;
+    // Pairs of a place and a facet that may be its highest.
+    static constexpr int most_pairs = 192;
+    std::uint32_t pair_slot[most_pairs];
+    int pair_place[most_pairs];
+    float pair_bound[most_pairs];
+    int pairs = 0;
+
+    /// Edges, eight at a time, as their places see them.
+    struct EdgeLanes {
+        Float8 x, y, z; ///< where it starts
+        Float8 ux, uy, run, slope;
+        Float8 position, height_noise, top;
+    };
+    // Edges of pairs that have still to say what they ask for.
+    alignas(32) float queued[10][float_lanes] = {}, queued_cap[float_lanes];
+    int queued_pair[float_lanes];
+    int edges = 0;
 
     FacetTest tested;
     int tested_place[double_lanes];
     int taken = 0;
 
-    /// Edges of the eight facets of a block.
+    /// Edges of the eight facets of a block: from corner k.
     struct Edges {
-        float x[block_width], y[block_width], z[block_width]; ///< where it starts
         float ux[block_width], uy[block_width], run[block_width], slope[block_width];
         /// Where the plane touches: twice the area with the edge, positive inside; linear in the place.
         float side[block_width], side_x[block_width], side_y[block_width];
@@ -125,12 +141,17 @@ private:
     /// The eight facets of a block. `tangent`: no lift over the facet is higher; `plane`: none over its plane
     /// (and where it touches inside, the lift is that); both linear in the place.
     struct Prepared {
+        float x[3][block_width], y[3][block_width], z[3][block_width];
         float lo_x[block_width], hi_x[block_width], lo_y[block_width], hi_y[block_width], top[block_width];
+        float turn[block_width]; ///< -1: its other side is up
+        float contact_x[block_width], contact_y[block_width], contact_doubt[block_width];
+        float slope_x[block_width], slope_y[block_width];
         float plane[block_width], plane_x[block_width], plane_y[block_width];
         float tangent[block_width], tangent_x[block_width], tangent_y[block_width];
         float noise_in[block_width], noise_out[block_width]; ///< of `plane` touched inside, anywhere
-        float loss[block_width];                             ///< of a lift a little inside of the rim
-        float corner[block_width];                           ///< a side of more than this is inside
+        float noise_tangent[block_width];
+        float loss[block_width];   ///< of a lift a little inside of the rim
+        float corner[block_width]; ///< a side of more than this is inside
         float position[block_width], height_noise[block_width];
         Edges edge[3];
     };
@@ -142,6 +163,12 @@ private:
         return v[0] > v[1] ? v[0] : v[1];
     }
     FACETMILL_MEMBER static float least_of(const Float8& v) { return -most_of(-v); }
+
+    /// A block that will most likely be opened.
+    FACETMILL_MEMBER static void fetch(const FacetBlock& block) {
+        for (std::size_t i = 0; i < sizeof block; i += 64)
+            __builtin_prefetch(reinterpret_cast<const char*>(&block) + i);
+    }
 
     FACETMILL_CALLED void open_node(const TreeNode& node) {
         const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1];
@@ -187,6 +214,7 @@ private:
                                   smaller(base[k] + base_x[k] * dx + base_y[k] * dy, all(tops[k])),
                                   all(-__builtin_inff()));
             if (bits(bound > least) == 0) continue;
+            if (node.child[k] & TreeNode::leaf) fetch(index.blocks[node.child[k] & ~TreeNode::leaf]);
             key[waiting] = most_of(bound - larger(least, floor));
             child[waiting] = {&node, k};
             store(bound, child_bound[waiting]);
@@ -194,13 +222,13 @@ private:
         }
     }
 
-    /// To open a block costs more than a tangent of its own for every place.
-    FACETMILL_CALLED bool is_promising(const TreeNode& node, int k) const {
+    /// The places that a block may matter to, as bits. To open it costs more than a tangent for each of them.
+    FACETMILL_CALLED unsigned promised(const TreeNode& node, int k) const {
         const Float8 cx = node.cx[k] + at[0] - dx, cy = node.cy[k] + at[1] - dy;
         return bits(bounds(cx, cy, all(node.hx[k]), all(node.hy[k]), all(node.cz[k] + node.hz[k]), cx, cy,
                            all(node.roof[k]), all(node.slope_x[k]), all(node.slope_y[k]))
                     > least)
-               != 0;
+               & used;
     }
 
     /// The distance at which a plane of this slope touches.
@@ -208,17 +236,17 @@ private:
         const Float8 sine = slope / root(1.0f + slope * slope);
         Float8 rho = all(float(surface.max_radius));
         for (int i = surface.count - 1; i >= 0; --i) {
-            const SurfacePiece& p = surface.piece[i];
+            const RoughPiece& p = surface.rough[i];
             if (p.r != 0) {
-                const Float8 on_arc =
-                    smaller(larger(float(p.e) + float(p.r) * sine, all(float(p.rho0))), all(float(p.rho1)));
-                rho = select(slope <= float(p.slope1), on_arc, rho);
+                const Float8 on_arc = smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
+                rho = select(slope <= p.slope1, on_arc, rho);
             }
-            rho = select(slope <= float(p.slope0), all(float(p.rho0)), rho);
+            rho = select(slope <= p.slope0, all(p.rho0), rho);
         }
         return rho;
     }
 
+    /// All but the tangents and the edges.
     FACETMILL_MEMBER void prepare(const FacetBlock& block) {
         const float r = float(surface.max_radius), share = float(tolerance::float_slack);
         Float8 px[3], py[3], pz[3];
@@ -227,6 +255,9 @@ private:
             px[k] = narrow(load(block.x[k]) - ox, load(block.x[k] + 4) - ox);
             py[k] = narrow(load(block.y[k]) - oy, load(block.y[k] + 4) - oy);
             pz[k] = narrow(load(block.z[k]) - zero, load(block.z[k] + 4) - zero);
+            store(px[k], f.x[k]);
+            store(py[k], f.y[k]);
+            store(pz[k], f.z[k]);
         }
         const Float8 lo_x = smaller(smaller(px[0], px[1]), px[2]), hi_x = larger(larger(px[0], px[1]), px[2]);
         const Float8 lo_y = smaller(smaller(py[0], py[1]), py[2]), hi_y = larger(larger(py[0], py[1]), py[2]);
@@ -265,38 +296,55 @@ private:
         store(select(sure, sy, all(0.0f)), f.plane_y);
         store(noise + slope_doubt * (longest + contact_doubt), f.noise_in);
         store(noise + slope_doubt * far, f.noise_out);
-        const float middle_x = 0.5f * (lo_dx + hi_dx), middle_y = 0.5f * (lo_dy + hi_dy);
-        const Float8 tx = smaller(larger(mx, lo_x - middle_x), hi_x - middle_x),
-                     ty = smaller(larger(my, lo_y - middle_y), hi_y - middle_y);
-        Float8 level, gx, gy;
-        tangent_plane(tx, ty, sx, sy, level, gx, gy);
-        Float8 over = pz[0] - gx * px[0] - gy * py[0];
-        over = larger(over, pz[1] - gx * px[1] - gy * py[1]);
-        over = larger(over, pz[2] - gx * px[2] - gy * py[2]);
-        store(over - level + share * (z_size + 20 * far), f.tangent);
-        store(gx, f.tangent_x);
-        store(gy, f.tangent_y);
+        store(mx, f.contact_x);
+        store(my, f.contact_y);
+        store(sx, f.slope_x);
+        store(sy, f.slope_y);
+        store(share * (z_size + 20 * far), f.noise_tangent);
         // The point of contact for the lower bound is moved inside of the rim.
         store(slope * larger(rho - (r - 3 * position), all(0.0f)), f.loss);
-        const Float8 sign = select(nz < 0.0f, all(-1.0f), all(1.0f));
-        const Float8 corner = 4 * position * longest;
-        store(select(sure, corner, never), f.corner);
+        store(select(nz < 0.0f, all(-1.0f), all(1.0f)), f.turn);
+        store(select(sure, 4 * position * longest, never), f.corner);
+        store(select(sure, contact_doubt, never), f.contact_doubt);
+    }
+
+    /// A plane of slopes (gx, gy) below the cutter that is good where it touches the facets from (x, y), and
+    /// the bound that it gives of their lifts, at x = y = 0.
+    FACETMILL_MEMBER Float8 facet_tangent(const Float8& x, const Float8& y, Float8& gx, Float8& gy) const {
+        const Float8 tx = smaller(larger(load(f.contact_x), load(f.lo_x) - x), load(f.hi_x) - x),
+                     ty = smaller(larger(load(f.contact_y), load(f.lo_y) - y), load(f.hi_y) - y);
+        Float8 level;
+        tangent_plane(tx, ty, load(f.slope_x), load(f.slope_y), level, gx, gy);
+        Float8 over = load(f.z[0]) - gx * load(f.x[0]) - gy * load(f.y[0]);
+        over = larger(over, load(f.z[1]) - gx * load(f.x[1]) - gy * load(f.y[1]));
+        over = larger(over, load(f.z[2]) - gx * load(f.x[2]) - gy * load(f.y[2]));
+        return over - level + load(f.noise_tangent);
+    }
+
+    FACETMILL_MEMBER void prepare_tangents() {
+        Float8 gx, gy;
+        store(facet_tangent(all(0.5f * (lo_dx + hi_dx)), all(0.5f * (lo_dy + hi_dy)), gx, gy), f.tangent);
+        store(gx, f.tangent_x);
+        store(gy, f.tangent_y);
+    }
+
+    FACETMILL_MEMBER void prepare_edges() {
+        const Float8 sign = load(f.turn), mx = load(f.contact_x), my = load(f.contact_y);
+        const Float8 contact_doubt = load(f.contact_doubt), corner = load(f.corner);
         for (int k = 0; k < 3; ++k) {
             const int n = k == 2 ? 0 : k + 1;
             Edges& e = f.edge[k];
-            const Float8 ex = px[n] - px[k], ey = py[n] - py[k], run = root(ex * ex + ey * ey),
+            const Float8 px = load(f.x[k]), py = load(f.y[k]);
+            const Float8 ex = load(f.x[n]) - px, ey = load(f.y[n]) - py, run = root(ex * ex + ey * ey),
                          per_run = 1.0f / run;
-            store(px[k], e.x);
-            store(py[k], e.y);
-            store(pz[k], e.z);
             store(ex * per_run, e.ux);
             store(ey * per_run, e.uy);
             store(run, e.run);
-            store((pz[n] - pz[k]) * per_run, e.slope);
-            store(sign * (ex * (my - py[k]) - ey * (mx - px[k])), e.side);
+            store((load(f.z[n]) - load(f.z[k])) * per_run, e.slope);
+            store(sign * (ex * (my - py) - ey * (mx - px)), e.side);
             store(-sign * ey, e.side_x);
             store(sign * ex, e.side_y);
-            store(select(sure, run * contact_doubt + corner, never), e.doubt);
+            store(larger(run * contact_doubt + corner, corner), e.doubt);
         }
     }
 
@@ -308,61 +356,55 @@ private:
         };
         Float8 s = all(0.0f);
         for (int i = 0; i < surface.count; ++i) {
-            const SurfacePiece& p = surface.piece[i];
+            const RoughPiece& p = surface.rough[i];
             Float8 here;
             if (p.r == 0) {
-                const Float8 k = all(float(p.slope0));
+                const Float8 k = all(p.slope0);
                 here = l * slope / root(larger((k - slope) * (k + slope), all(1e-30f)));
                 here = select(slope >= k, slope * 1e30f, here);
             } else {
                 const Float8 over = 1.0f / root(1.0f + slope * slope), sine = slope * over;
-                const float e = float(p.e), r = float(p.r);
                 if (p.e == 0) {
-                    here = sine * leg(all(r), l);
+                    here = sine * leg(all(p.r), l);
                 } else {
                     const Float8 target = l * over;
-                    Float8 y = larger(all(0.0f), larger((target - e) / r, target * sine / (e + r * sine)));
+                    Float8 y = larger(all(0.0f),
+                                      larger((target - p.e) * p.per_r, target * sine / (p.e + p.r * sine)));
                     Float8 x = root(y * y + sine * sine);
                     const Float8 per = 1.0f / x; // a step of Newton's is enough for a guess
-                    const Float8 value = e * y * per + r * y - target;
-                    const Float8 change = e * sine * sine * per * per * per + r;
+                    const Float8 value = p.e * y * per + p.r * y - target;
+                    const Float8 change = p.e * sine * sine * per * per * per + p.r;
                     y = smaller(larger(y - value / change, all(0.0f)), all(1.0f));
                     x = smaller(root(y * y + sine * sine), all(1.0f));
-                    here = leg(e + r * x, l);
+                    here = leg(p.e + p.r * x, l);
                 }
             }
             if (i == 0) {
                 s = here;
                 continue;
             }
-            const float joint = float(p.rho0);
-            const Float8 s0 = leg(all(joint), l);
-            const Int8 beyond = (l >= joint) | (slope * joint > float(surface.piece[i - 1].slope1) * s0);
+            const Float8 s0 = leg(all(p.rho0), l);
+            const Int8 beyond = (l >= p.rho0) | (slope * p.rho0 > surface.rough[i - 1].slope1 * s0);
             s = select(beyond, larger(here, s0), s);
         }
         return s;
     }
 
-    /// Bounds of the lift over an edge of a facet.
-    FACETMILL_MEMBER void edge_bounds(const Edges& e, int lane, Float8& above, Float8& below) const {
+    /// Bounds of the lifts over edges.
+    FACETMILL_CALLED void edge_bounds(const EdgeLanes& e, Float8& above, Float8& below) const {
         const Float8 never = all(-__builtin_inff());
-        const Float8 ax = e.x[lane] - dx, ay = e.y[lane] - dy;
-        const float position = f.position[lane], r = float(surface.max_radius), run = e.run[lane];
-        const float slope = e.slope[lane], steep = slope < 0 ? -slope : slope;
-        const float noise = f.height_noise[lane] + (float(steepest) + 4 + steep) * position;
-        if (!(steep < float(tolerance::steepest_edge) && run > 0)) {
-            below = never;
-            above = all(f.top[lane]);
-            return;
-        }
-        const Float8 from = ax * e.ux[lane] + ay * e.uy[lane], to = from + run;
-        const Float8 l = magnitude(ax * e.uy[lane] - ay * e.ux[lane]);
-        const float wide = r + 2 * position, narrow_r = r - 3 * position;
+        const float r = float(surface.max_radius);
+        const Float8 steep = magnitude(e.slope);
+        const Float8 noise = e.height_noise + (float(steepest) + 4 + steep) * e.position;
+        const Int8 known = (steep < float(tolerance::steepest_edge)) & (e.run > 0.0f);
+        const Float8 from = e.x * e.ux + e.y * e.uy, to = from + e.run;
+        const Float8 l = magnitude(e.x * e.uy - e.y * e.ux);
+        const Float8 wide = r + 2 * e.position, narrow_r = r - 3 * e.position;
         const Float8 half = root(larger((wide - l) * (wide + l), all(0.0f)));
         const Float8 lo = larger(from, -half), hi = smaller(to, half);
-        const Int8 reached = (l <= wide) & (lo <= hi + 4 * position);
-        Float8 s = line_guess(smaller(l, all(r)), all(steep));
-        s = slope < 0 ? -s : s;
+        const Int8 reached = (l <= wide) & (lo <= hi + 4 * e.position);
+        Float8 s = line_guess(smaller(l, all(r)), steep);
+        s = select(e.slope < 0.0f, -s, s);
         const Float8 half_in = float(1 - tolerance::rim_share) * half;
         s = smaller(larger(s, -half_in), half_in);
         s = smaller(larger(s, from), to);
@@ -371,33 +413,43 @@ private:
         const Float8 followed = smaller(rho, all(steep_rho));
         Float8 g = all(0.0f), change = all(0.0f);
         for (int i = 0; i < surface.count; ++i) {
-            const SurfacePiece& p = surface.piece[i];
+            const RoughPiece& p = surface.rough[i];
             Float8 here, change_here;
             if (p.r == 0) {
-                here = float(p.z0) + float(p.slope0) * (followed - float(p.rho0));
-                change_here = all(float(p.slope0));
+                here = p.z0 + p.slope0 * (followed - p.rho0);
+                change_here = all(p.slope0);
             } else {
-                const Float8 away = followed - float(p.e);
-                const Float8 up = root(larger((float(p.r) - away) * (float(p.r) + away), all(1e-12f)));
-                here = float(p.f) - up;
+                const Float8 away = followed - p.e;
+                const Float8 up = root(larger((p.r - away) * (p.r + away), all(1e-12f)));
+                here = p.f - up;
                 change_here = larger(away, all(0.0f)) / up;
             }
-            const Int8 in = followed > (i == 0 ? -1.0f : float(surface.piece[i - 1].rho1));
+            const Int8 in = followed > (i == 0 ? -1.0f : surface.rough[i - 1].rho1);
             g = select(in, here, g);
             change = select(in, change_here, change);
         }
         change = smaller(change, all(float(steepest)));
-        const Float8 lift = e.z[lane] + slope * (s - from) - g;
-        const Float8 rises = slope - change * (s / larger(rho, all(1e-30f)));
-        below =
-            select(reached & (rho < smaller(all(narrow_r + position), all(steep_rho))), lift - noise, never);
+        const Float8 lift = e.z + e.slope * (s - from) - g;
+        const Float8 rises = e.slope - change * (s / larger(rho, all(1e-30f)));
+        below = select(known & reached & (rho < smaller(narrow_r + e.position, all(steep_rho))), lift - noise,
+                       never);
         above = lift - change * (rho - followed) + larger(rises * (lo - s), rises * (hi - s)) + noise;
-        above = select(reached, above, never);
+        above = select(known, select(reached, above, never), e.top);
     }
 
-    FACETMILL_CALLED void open_block(std::uint32_t which) {
+    FACETMILL_CALLED void open_block(std::uint32_t which, unsigned places) {
         const FacetBlock& block = index.blocks[which];
         prepare(block);
+        if (__builtin_popcount(places) <= few_places)
+            ask_places(block, which, places);
+        else
+            ask_facets(block, which);
+    }
+
+    /// A facet after the other, for all places at a time.
+    FACETMILL_CALLED void ask_facets(const FacetBlock& block, std::uint32_t which) {
+        prepare_tangents();
+        bool has_edges = false;
         const Float8 near_x = larger(larger(load(f.lo_x) - hi_dx, lo_dx - load(f.hi_x)), all(0.0f)),
                      near_y = larger(larger(load(f.lo_y) - hi_dy, lo_dy - load(f.hi_y)), all(0.0f));
         const Float8 reach = all(radius);
@@ -414,69 +466,209 @@ private:
             const Float8 tangent = f.tangent[k] + f.tangent_x[k] * dx + f.tangent_y[k] * dy;
             const Float8 cap = smaller(tangent, smaller(plane + f.noise_out[k], all(f.top[k])));
             const Int8 alive = (gap_x * gap_x + gap_y * gap_y <= reach * reach) & (cap > least);
-            if (bits(alive) == 0) continue;
+            if ((bits(alive) & used) == 0) continue;
+            if (!has_edges) {
+                prepare_edges();
+                has_edges = true;
+            }
             const auto side = [&](int e) __attribute__((always_inline)) {
                 return f.edge[e].side[k] + f.edge[e].side_x[k] * dx + f.edge[e].side_y[k] * dy;
             };
-            const Float8 side0 = side(0), side1 = side(1), side2 = side(2);
-            Float8 above = never, below = never;
+            const Float8 sides[3] = {side(0), side(1), side(2)};
+            Float8 above = never;
             if (duty & duty_plane) {
-                const Int8 outside = (side0 < -f.edge[0].doubt[k]) | (side1 < -f.edge[1].doubt[k])
-                                     | (side2 < -f.edge[2].doubt[k]);
+                const Int8 outside = (sides[0] < -f.edge[0].doubt[k]) | (sides[1] < -f.edge[1].doubt[k])
+                                     | (sides[2] < -f.edge[2].doubt[k]);
                 const float corner = f.corner[k];
-                const Int8 inside = (side0 > corner) & (side1 > corner) & (side2 > corner);
+                const Int8 inside = (sides[0] > corner) & (sides[1] > corner) & (sides[2] > corner);
                 above = select(outside, never, select(inside, plane + f.noise_in[k], cap));
-                below = select(inside, plane - f.noise_in[k] - f.loss[k], never);
+                least = larger(select(inside, plane - f.noise_in[k] - f.loss[k], never), least);
             }
+            unsigned asked[3] = {0, 0, 0};
             for (int e = 0; e < 3; ++e) {
                 if (!(duty & (duty_edge << e))) continue;
-                const Float8 here = e == 0 ? side0 : e == 1 ? side1 : side2;
                 Int8 seen = alive;
-                if (duty & duty_plane) seen &= ~(here >= f.edge[e].doubt[k]);
-                if (bits(seen) == 0) continue;
+                if (duty & duty_plane) seen &= ~(sides[e] >= f.edge[e].doubt[k]);
+                const unsigned seen_places = bits(seen) & used;
+                if (__builtin_popcount(seen_places) <= few_places) {
+                    asked[e] = seen_places;
+                    continue;
+                }
+                const EdgeLanes lanes{f.x[e][k] - dx,          f.y[e][k] - dy,
+                                      all(f.z[e][k]),          all(f.edge[e].ux[k]),
+                                      all(f.edge[e].uy[k]),    all(f.edge[e].run[k]),
+                                      all(f.edge[e].slope[k]), all(f.position[k]),
+                                      all(f.height_noise[k]),  all(f.top[k])};
                 Float8 edge_above, edge_below;
-                edge_bounds(f.edge[e], k, edge_above, edge_below);
+                edge_bounds(lanes, edge_above, edge_below);
                 above = select(seen, larger(edge_above, above), above);
-                below = larger(edge_below, below);
+                least = larger(edge_below, least);
             }
+            const unsigned left = bits(alive & (cap > least)) & used;
             above = smaller(above, cap);
-            least = larger(below, least);
-            if (bits(alive & (above > least)) == 0) continue;
-            if (candidates == most_candidates) make_room();
-            candidate[candidates] = which * std::uint32_t(block_width) + std::uint32_t(k);
-            store(select(alive, above, never), candidate_bound[candidates]);
-            ++candidates;
+            unsigned wanted = left & (bits(above > least) | asked[0] | asked[1] | asked[2]);
+            if (wanted == 0) continue;
+            alignas(32) float bound[float_lanes], caps[float_lanes];
+            store(above, bound);
+            store(cap, caps);
+            for (; wanted != 0; wanted &= wanted - 1) {
+                const int place = __builtin_ctz(wanted);
+                const unsigned edges_asked =
+                    (asked[0] >> place & 1) | (asked[1] >> place & 1) << 1 | (asked[2] >> place & 1) << 2;
+                add(which, k, place, bound[place], edges_asked, caps[place]);
+            }
         }
+    }
+
+    /// A place after the other, for all facets at a time.
+    FACETMILL_CALLED void ask_places(const FacetBlock& block, std::uint32_t which, unsigned places) {
+        const Float8 never = all(-__builtin_inff()), reach = all(radius);
+        const Int8 duty = widened(block.duty), has_plane = (duty & int(duty_plane)) != 0;
+        alignas(32) float caps[few_places][float_lanes];
+        int place[few_places];
+        unsigned alive[few_places];
+        int count = 0;
+        for (; places != 0; places &= places - 1) {
+            const int p = __builtin_ctz(places);
+            const Float8 x = all(dx[p]), y = all(dy[p]);
+            const Float8 gap_x = larger(larger(load(f.lo_x) - x, x - load(f.hi_x)), all(0.0f)),
+                         gap_y = larger(larger(load(f.lo_y) - y, y - load(f.hi_y)), all(0.0f));
+            Float8 gx, gy;
+            const Float8 over = facet_tangent(x, y, gx, gy);
+            const Float8 plane = load(f.plane) + load(f.plane_x) * x + load(f.plane_y) * y;
+            const Float8 cap =
+                smaller(over + gx * x + gy * y, smaller(plane + load(f.noise_out), load(f.top)));
+            alive[count] = bits((gap_x * gap_x + gap_y * gap_y <= reach * reach) & (cap > least[p])
+                                & ((duty & int(duty_upright)) != 0));
+            if (alive[count] == 0) continue;
+            store(cap, caps[count]);
+            place[count++] = p;
+        }
+        if (count == 0) return;
+        prepare_edges();
+        for (int i = 0; i < count; ++i) {
+            const int p = place[i];
+            const Float8 x = all(dx[p]), y = all(dy[p]), cap = load(caps[i]);
+            const auto side = [&](int e) __attribute__((always_inline)) {
+                return load(f.edge[e].side) + load(f.edge[e].side_x) * x + load(f.edge[e].side_y) * y;
+            };
+            const Float8 sides[3] = {side(0), side(1), side(2)};
+            const Float8 doubts[3] = {load(f.edge[0].doubt), load(f.edge[1].doubt), load(f.edge[2].doubt)};
+            const Float8 corner = load(f.corner);
+            const Float8 plane = load(f.plane) + load(f.plane_x) * x + load(f.plane_y) * y;
+            const Int8 outside = (sides[0] < -doubts[0]) | (sides[1] < -doubts[1]) | (sides[2] < -doubts[2]);
+            const Int8 inside = has_plane & (sides[0] > corner) & (sides[1] > corner) & (sides[2] > corner);
+            Float8 above = select(inside, plane + load(f.noise_in), cap);
+            above = smaller(select(has_plane & ~outside, above, never), cap);
+            const float low = most_of(select(inside, plane - load(f.noise_in) - load(f.loss), never));
+            if (low > least[p]) least[p] = low;
+            unsigned asked[3];
+            for (int e = 0; e < 3; ++e)
+                asked[e] =
+                    bits(((duty & (int(duty_edge) << e)) != 0) & ~(has_plane & (sides[e] >= doubts[e])));
+            unsigned wanted =
+                alive[i] & bits(cap > least[p]) & (bits(above > least[p]) | asked[0] | asked[1] | asked[2]);
+            if (wanted == 0) continue;
+            alignas(32) float bound[float_lanes];
+            store(above, bound);
+            for (; wanted != 0; wanted &= wanted - 1) {
+                const int k = __builtin_ctz(wanted);
+                const unsigned edges_asked =
+                    (asked[0] >> k & 1) | (asked[1] >> k & 1) << 1 | (asked[2] >> k & 1) << 2;
+                add(which, k, p, bound[k], edges_asked, caps[i][k]);
+            }
+        }
+    }
+
+    /// A facet that may be the highest at a place: its lift is no more than `bound` or what its edges that
+    /// are asked (bits) turn out to allow, and no more than `cap`.
+    FACETMILL_CALLED void add(std::uint32_t which, int lane, int place, float bound, unsigned edges_asked,
+                              float cap) {
+        if (!(cap > least[place])) return;
+        if (pairs == most_pairs) make_room();
+        pair_slot[pairs] = which * std::uint32_t(block_width) + std::uint32_t(lane);
+        pair_place[pairs] = place;
+        pair_bound[pairs] = bound;
+        const int pair = pairs++;
+        for (; edges_asked != 0; edges_asked &= edges_asked - 1) {
+            const int e = __builtin_ctz(edges_asked);
+            const Edges& edge = f.edge[e];
+            const float member[] = {f.x[e][lane] - dx[place],
+                                    f.y[e][lane] - dy[place],
+                                    f.z[e][lane],
+                                    edge.ux[lane],
+                                    edge.uy[lane],
+                                    edge.run[lane],
+                                    edge.slope[lane],
+                                    f.position[lane],
+                                    f.height_noise[lane],
+                                    f.top[lane]};
+            for (int i = 0; i < 10; ++i)
+                queued[i][edges] = member[i];
+            queued_cap[edges] = cap;
+            queued_pair[edges] = pair;
+            if (++edges == float_lanes) ask_edges();
+        }
+    }
+
+    /// The edges that are queued, for all their pairs at a time.
+    FACETMILL_CALLED void ask_edges() {
+        if (edges == 0) return;
+        const EdgeLanes lanes{load(queued[0]), load(queued[1]), load(queued[2]), load(queued[3]),
+                              load(queued[4]), load(queued[5]), load(queued[6]), load(queued[7]),
+                              load(queued[8]), load(queued[9])};
+        Float8 above, below;
+        edge_bounds(lanes, above, below);
+        for (int i = 0; i < edges; ++i) {
+            const int pair = queued_pair[i], place = pair_place[pair];
+            const float bound = above[i] < queued_cap[i] ? above[i] : queued_cap[i];
+            if (bound > pair_bound[pair]) pair_bound[pair] = bound;
+            if (below[i] > least[place]) least[place] = below[i];
+        }
+        edges = 0;
     }
 
     FACETMILL_CALLED void make_room() {
+        ask_edges();
         int left = 0;
-        for (int i = 0; i < candidates; ++i) {
-            const Float8 bound = load(candidate_bound[i]);
-            if (bits(bound > least) == 0) continue;
-            candidate[left] = candidate[i];
-            store(bound, candidate_bound[left++]);
+        for (int i = 0; i < pairs; ++i) {
+            if (!(pair_bound[i] > least[pair_place[i]])) continue;
+            pair_slot[left] = pair_slot[i];
+            pair_place[left] = pair_place[i];
+            pair_bound[left++] = pair_bound[i];
         }
-        candidates = left;
-        if (2 * candidates > most_candidates) flush();
+        pairs = left;
+        if (2 * pairs > most_pairs) flush();
     }
 
+    /// The exact test of what is left, the most promising facet of every place first.
     FACETMILL_CALLED void flush() {
-        for (int i = 0; i < candidates; ++i) {
-            const Float8 bound = load(candidate_bound[i]);
-            for (unsigned lanes = bits(bound > least); lanes != 0; lanes &= lanes - 1) {
-                const int lane = __builtin_ctz(lanes);
-                if (lane >= packet.count) break;
-                const std::uint32_t slot = candidate[i];
-                tested.set(index.blocks[slot / block_width], slot % block_width, packet.x[lane],
-                           packet.y[lane], taken);
-                tested.most_lift[taken] = double(bound[lane]) + zero;
-                tested_place[taken++] = lane;
-                if (taken == double_lanes) test();
-            }
+        ask_edges();
+        int first[AxialPacket::most_places];
+        for (int& i : first)
+            i = -1;
+        for (int i = 0; i < pairs; ++i) {
+            int& best = first[pair_place[i]];
+            if (best < 0 || pair_bound[i] > pair_bound[best]) best = i;
         }
+        for (const int i : first)
+            if (i >= 0) take(i);
         if (taken > 0) test();
-        candidates = 0;
+        for (int i = 0; i < pairs; ++i)
+            if (i != first[pair_place[i]]) take(i);
+        if (taken > 0) test();
+        pairs = 0;
+    }
+
+    FACETMILL_MEMBER void take(int pair) {
+        const int place = pair_place[pair];
+        if (!(pair_bound[pair] > least[place])) return;
+        const std::uint32_t slot = pair_slot[pair];
+        tested.set(index.blocks[slot / block_width], slot % block_width, packet.x[place], packet.y[place],
+                   taken);
+        tested.most_lift[taken] = double(pair_bound[pair]) + zero;
+        tested_place[taken++] = place;
+        if (taken == double_lanes) test();
     }
 
     FACETMILL_CALLED void test() {

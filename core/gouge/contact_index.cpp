@@ -50,30 +50,35 @@ void split(std::vector<Item>& items, std::size_t begin, std::size_t middle, std:
     });
 }
 
-/// Parts of a node's range for its (up to eight) children: three rounds of halving, at whole blocks.
-std::size_t split_in_eight(std::vector<Item>& items, const Range& range,
-                           std::array<Range, block_width>& parts) {
-    std::size_t count = 1;
-    parts[0] = range;
-    for (int round = 0; round < 3; ++round) {
-        std::array<Range, block_width> halves;
-        std::size_t n = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Range& p = parts[i];
-            const std::size_t blocks = (p.end - p.begin + block_width - 1) / block_width;
-            if (blocks < 2) {
-                halves[n++] = p;
-                continue;
-            }
-            const std::size_t middle = p.begin + blocks / 2 * block_width;
-            split(items, p.begin, middle, p.end);
-            halves[n++] = {p.begin, middle};
-            halves[n++] = {middle, p.end};
-        }
-        parts = halves;
-        count = n;
+std::size_t blocks_of(const Range& range) {
+    return (range.end - range.begin + block_width - 1) / block_width;
+}
+
+/// Divides a range into `count` parts of about as many blocks, at whole blocks; adds them to `parts`.
+void divide(std::vector<Item>& items, const Range& range, std::size_t count,
+            std::array<Range, block_width>& parts, std::size_t& size) {
+    if (count == 1) {
+        parts[size++] = range;
+        return;
     }
-    return count;
+    const std::size_t left = count / 2, left_blocks = (blocks_of(range) * left + count - 1) / count;
+    const std::size_t middle = range.begin + left_blocks * block_width;
+    split(items, range.begin, middle, range.end);
+    divide(items, {range.begin, middle}, left, parts, size);
+    divide(items, {middle, range.end}, count - left, parts, size);
+}
+
+/// Parts of a node's range for its children: as few as the tree below can hold when its nodes are full. So
+/// nodes that are not full are near the root, where there are few.
+std::size_t split_for_children(std::vector<Item>& items, const Range& range,
+                               std::array<Range, block_width>& parts) {
+    const std::size_t blocks = blocks_of(range);
+    std::size_t capacity = 1; // of a child, in blocks
+    while (capacity * block_width < blocks)
+        capacity *= block_width;
+    std::size_t size = 0;
+    divide(items, range, (blocks + capacity - 1) / capacity, parts, size);
+    return size;
 }
 
 void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint8_t>& duties,
@@ -277,7 +282,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
         std::vector<std::array<Range, block_width>> parts(ranges.size());
         std::vector<std::size_t> counts(ranges.size());
         parallel_for(ranges.size(), 1, splitting,
-                     [&](std::size_t i) { counts[i] = split_in_eight(items, ranges[i], parts[i]); });
+                     [&](std::size_t i) { counts[i] = split_for_children(items, ranges[i], parts[i]); });
         Level next{impl_->nodes.size(), {}};
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             TreeNode node{};

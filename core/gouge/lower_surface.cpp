@@ -26,32 +26,26 @@ double distance_of_slope(const SurfaceTable& table, double slope) {
     return table.max_radius;
 }
 
-double slope_at(const SurfaceTable& table, double rho) {
-    const SurfacePiece* p = table.piece;
-    while (p != table.piece + table.count - 1 && rho > p->rho1)
-        ++p;
-    if (p->r == 0) return p->slope0;
-    const double out = rho - p->e;
-    return std::max(0.0, out) / std::sqrt(std::max(0.0, (p->r - out) * (p->r + out)));
-}
-
-/// Support lines of g, at distances evenly over the radius; in floats, rounded to be below g.
-void add_tangents(SurfaceTable& table, const CutterProfile& profile) {
-    for (int i = 0; i < surface_tangents; ++i) {
-        const double rho = (i + 0.5) / surface_tangents * table.max_radius;
-        const auto slope = float(std::min(slope_at(table, rho), tolerance::steepest_tangent));
-        const double touched = distance_of_slope(table, double(slope));
-        const double at0 = profile.height_at(touched) - double(slope) * touched;
-        table.tangent_slope[i] = slope;
-        table.tangent_at0[i] = std::nextafterf(float(at0), -infinity_f);
-    }
+void add_outer_line(SurfaceTable& table, const CutterProfile& profile) {
     table.outer_slope = tolerance::steepest_followed;
     const double outer = distance_of_slope(table, table.outer_slope);
     table.outer_at0 = profile.height_at(outer) - table.outer_slope * outer;
-    table.rim_height = std::nextafterf(float(profile.height_at(table.max_radius)), 0.0f);
-    const double slope = slope_at(table, table.max_radius); // of a vertical rim infinite, or no number
-    table.has_rim = slope < tolerance::steepest_tangent;
-    table.rim_slope = table.has_rim ? std::nextafterf(float(slope), infinity_f) : 0;
+}
+
+void add_rough(SurfaceTable& table, const CutterProfile& profile) {
+    for (int i = 0; i < table.count; ++i) {
+        const SurfacePiece& p = table.piece[i];
+        table.rough[i] = {float(p.rho0),
+                          float(profile.height_at(p.rho0)),
+                          float(p.rho1),
+                          float(p.slope0),
+                          float(p.slope1),
+                          float(p.e),
+                          float(p.f),
+                          float(p.r),
+                          p.r == 0 ? 0 : float(1 / p.r)};
+    }
+    table.rim_height = float(profile.height_at(table.max_radius));
 }
 
 void add_guess(SurfaceTable& table) {
@@ -90,7 +84,8 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
         }
         table.piece[table.count++] = q;
     }
-    add_tangents(table, profile);
+    add_outer_line(table, profile);
+    add_rough(table, profile);
     add_guess(table);
     return table;
 }

@@ -102,10 +102,6 @@ FACETMILL_LANES unsigned bits(const Mask4& mask) {
 FACETMILL_LANES unsigned bits(const Int8& mask) {
     return unsigned(_mm256_movemask_ps(__m256(mask)));
 }
-/// Entry 0 to 7 of a table of eight.
-FACETMILL_LANES Float8 pick(const Float8& table, const Int8& entry) {
-    return Float8(_mm256_permutevar8x32_ps(__m256(table), __m256i(entry)));
-}
 FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
     return Float8(_mm256_set_m128(_mm256_cvtpd_ps(__m256d(high)), _mm256_cvtpd_ps(__m256d(low))));
 }
@@ -134,17 +130,19 @@ FACETMILL_LANES unsigned bits(const Int8& mask) {
         b |= unsigned(mask[k] & 1) << k;
     return b;
 }
-FACETMILL_LANES Float8 pick(const Float8& table, const Int8& entry) {
-    Float8 r;
-    for (int k = 0; k < float_lanes; ++k)
-        r[k] = table[entry[k]];
-    return r;
-}
 FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
     return Float8{float(low[0]),  float(low[1]),  float(low[2]),  float(low[3]),
                   float(high[0]), float(high[1]), float(high[2]), float(high[3])};
 }
 #endif
+
+/// Eight bytes as numbers.
+FACETMILL_LANES Int8 widened(const std::uint8_t* p) {
+    typedef std::uint8_t Bytes __attribute__((vector_size(8)));
+    Bytes bytes;
+    __builtin_memcpy(&bytes, p, sizeof bytes);
+    return __builtin_convertvector(bytes, Int8);
+}
 
 /// About 1 / sqrt(v), wrong by less than rough_share of it; not the same bits on every processor: for bounds
 /// only.
@@ -177,10 +175,6 @@ FACETMILL_LANES int keep(unsigned chosen, const Float8& a, const std::uint32_t* 
     }
 #endif
     return __builtin_popcount(chosen);
-}
-
-FACETMILL_LANES Int8 truncated(const Float8& v) {
-    return __builtin_convertvector(v, Int8);
 }
 
 } // namespace facetmill::simd

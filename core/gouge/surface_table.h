@@ -3,7 +3,7 @@
 
 namespace facetmill {
 
-inline constexpr int most_surface_pieces = 8, surface_tangents = 16;
+inline constexpr int most_surface_pieces = 8;
 
 /// A line or an arc of g over rho0 <= rho <= rho1.
 struct SurfacePiece {
@@ -13,17 +13,19 @@ struct SurfacePiece {
     double e, f, r;        ///< arc: centre and radius; r = 0 for a line
 };
 
+/// The same in single precision, with the heights of both ends: for bounds only.
+struct RoughPiece {
+    float rho0 = 0, z0 = 0, rho1 = 0;
+    float slope0 = 0, slope1 = 0;
+    float e = 0, f = 0, r = 0, per_r = 0; ///< the last: 1 / r, 0 for a line
+};
+
 struct SurfaceTable {
     SurfacePiece piece[most_surface_pieces] = {};
+    RoughPiece rough[most_surface_pieces] = {};
     int count = 0;
     double max_radius = 0;
-    /// g(rho) >= tangent_at0[i] + tangent_slope[i] rho for every rho, each i; near
-    /// rho = (i + 0.5) max_radius / surface_tangents the two are close.
-    alignas(32) float tangent_at0[surface_tangents] = {};
-    alignas(32) float tangent_slope[surface_tangents] = {};
-    /// At max_radius, where g ends and any steeper line is below it: its height and slope.
-    bool has_rim = false; ///< the slope there is no steeper than lines may be
-    float rim_height = 0, rim_slope = 0;
+    float rim_height = 0; ///< g(max_radius)
     /// A steep support line, in doubles: g(rho) >= outer_at0 + outer_slope rho for every rho; it touches g
     /// near max_radius.
     double outer_at0 = 0, outer_slope = 0;

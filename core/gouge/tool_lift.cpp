@@ -7,6 +7,7 @@
 #include "core/gouge/axis_frame.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/lower_surface.h"
+#include "core/gouge/shared_cut.h"
 
 #include <cmath>
 
@@ -62,6 +63,13 @@ const char* block_cause_name(BlockCause cause) {
     return "none";
 }
 
+struct ToolLift::Group::Cuts {
+    std::array<SharedCut, most_bodies> of_body;
+};
+
+ToolLift::Group::Group() : cuts_(new Cuts) {}
+ToolLift::Group::~Group() = default;
+
 ToolLift::~ToolLift() = default;
 
 ToolLift::ToolLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance)
@@ -96,8 +104,49 @@ void ToolLift::add(const CutterProfile& profile, double offset, double clearance
         {lower_surface(grown), lowest, lowest + grown.height_at(grown.max_radius()), kind, section});
 }
 
-double ToolLift::search(const ToolPose& pose, double least, double enough, Hint& hint,
-                        ToolContact* contact) const {
+void ToolLift::gather(std::span<const ToolPose> poses, double depth, Group& group) const {
+    Vec3 axis = Vec3::Zero(), tip = Vec3::Zero();
+    for (const ToolPose& pose : poses) {
+        check_pose(pose);
+        axis += pose.axis;
+        tip += pose.tip / double(poses.size());
+    }
+    // Any direction will do, but one in the middle is best.
+    const double length = axis.norm();
+    axis = length > 0 ? Vec3(axis / length) : Vec3(Vec3::UnitZ());
+    double turned = 0; // the frames' directions differ from those about `axis` by no more
+    for (const ToolPose& pose : poses)
+        turned = std::max(turned, (pose.axis - axis).norm());
+    turned += 4 * tolerance::unit_axis; // frames are as good as axes are unit vectors
+    const IndexView view = index_->impl().view();
+    const Vec3 origin(view.origin[0], view.origin[1], view.origin[2]);
+    const double mesh_size = view.half_size[0] + view.half_size[1] + view.half_size[2];
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = bodies_[b];
+        const Vec3 place = tip + body.offset * axis;
+        double moved = 0; // the bodies' places differ from `place` by no more
+        for (const ToolPose& pose : poses)
+            moved = std::max(moved, (pose.tip + body.offset * pose.axis - place).norm());
+        const Vec3 from_place = origin - place;
+        const double radius = body.surface.max_radius,
+                     slack = tolerance::float_slack * (from_place.norm() + mesh_size + radius + moved);
+        constexpr std::size_t nodes_per_cut = 3;
+        group.cuts_->of_body[b].make(view, nodes_per_cut, [&](const TreeNode& node, std::size_t k) {
+            const Vec3 middle = from_place + Vec3(double(node.cx[k]), double(node.cy[k]), double(node.cz[k]));
+            const Vec3 half(double(node.hx[k]), double(node.hy[k]), double(node.hz[k]));
+            const double square = middle.squaredNorm(), along = middle.dot(axis), size = half.norm();
+            // By how much, at most, a point of the box is higher above, or nearer to the axis of, another
+            // pose.
+            const double other = turned * (std::sqrt(square) + size + moved) + moved + slack;
+            const double reach = radius + size + other;
+            return along + half.dot(axis.cwiseAbs()) + other > depth
+                   && square - along * along <= reach * reach;
+        });
+    }
+}
+
+double ToolLift::search(const ToolPose& pose, double least, double enough, Hint& hint, ToolContact* contact,
+                        const Group* group) const {
     check_pose(pose);
     AxialQuery query;
     set_frame(pose.axis, query.frame);
@@ -116,6 +165,12 @@ double ToolLift::search(const ToolPose& pose, double least, double enough, Hint&
             away += std::abs(view.origin[k] - place[k]) + view.half_size[k];
         }
         if (top + tolerance::bound_slack * away <= query.least) continue;
+        if (group) {
+            const SharedCut& cut = group->cuts_->of_body[b];
+            if (cut.empty()) continue;
+            query.cut = cut.nodes();
+            query.cut_nodes = cut.count();
+        }
         query.hint = hint.slot_[b];
         AxialAnswer answer;
         axial_kernels().tilted(view, body.surface, query, answer);
@@ -160,6 +215,14 @@ ToolContact ToolLift::contact_above(const ToolPose& pose, double depth, Hint& hi
     ToolContact contact;
     contact.lift = depth;
     search(pose, depth, infinity, hint, &contact);
+    return contact;
+}
+
+ToolContact ToolLift::contact_above(const ToolPose& pose, double depth, Hint& hint,
+                                    const Group& group) const {
+    ToolContact contact;
+    contact.lift = depth;
+    search(pose, depth, infinity, hint, &contact, &group);
     return contact;
 }
 

@@ -13,6 +13,7 @@
 #include "core/setup/tool_pose.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,18 @@ public:
         Hint() { slot_.fill(0xFFFFFFFFu); }
     };
 
+    /// Poses near to each other, for which it has been found out what of the mesh matters above some depth.
+    class Group {
+    public:
+        Group();
+        ~Group();
+
+    private:
+        friend class ToolLift;
+        struct Cuts;
+        std::unique_ptr<Cuts> cuts_;
+    };
+
     /// Bodies whose shadow along the axis lies in that of a body below are left out: they never stop the
     /// tool. Throws Error(out_of_range) for a tool that check_tool refuses, for negative clearances and for
     /// more than most_bodies bodies.
@@ -71,6 +84,11 @@ public:
     /// What stops it above `depth`: lift = max(depth, lift(pose)), and where that comes from; no body where
     /// nothing stops it higher than `depth`.
     ToolContact contact_above(const ToolPose& pose, double depth, Hint& hint) const;
+    /// Makes `group` one of these poses and of depths from `depth` upward. Worth its while from about eight
+    /// poses on that differ by no more than the cutter's radius and some twenty degrees.
+    void gather(std::span<const ToolPose> poses, double depth, Group& group) const;
+    /// The same lift as without a group, faster. `pose` and `depth` must be of the group.
+    ToolContact contact_above(const ToolPose& pose, double depth, Hint& hint, const Group& group) const;
     /// True when lift(pose) > depth; ends as soon as that is sure.
     bool is_deeper(const ToolPose& pose, double depth, Hint& hint) const;
 
@@ -83,7 +101,8 @@ public:
 private:
     struct Body;
     void add(const CutterProfile& profile, double offset, double clearance, ToolBody kind, int section);
-    double search(const ToolPose& pose, double least, double enough, Hint& hint, ToolContact* contact) const;
+    double search(const ToolPose& pose, double least, double enough, Hint& hint, ToolContact* contact,
+                  const Group* group = nullptr) const;
 
     ContactIndexPtr index_;
     CutterProfile cutter_;

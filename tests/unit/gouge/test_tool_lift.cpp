@@ -226,6 +226,43 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Cancelled, lift.lift(poses, many, Progress(job)));
     }
 
+    void groups_give_the_same_bits() {
+        Random rng(23);
+        int met = 0, free = 0;
+        for (const int n : {3, 20, 90}) {
+            const auto mesh = hills(n, 60, 5, 0.2);
+            const auto index = std::make_shared<ContactIndex>(mesh, Progress());
+            for (int i = 0; i < trials(300); ++i) {
+                const ToolLift lift(index, some_tool(), {.cutter = i % 3 == 0 ? 0.5 : 0});
+                // From poses that are all but one to poses that have nothing in common.
+                const double spread = std::pow(10.0, uniform(rng, -5, 0.3));
+                const Vec3 axis = random_axis(rng, 0.1),
+                           tip(uniform(rng, -5, 65), uniform(rng, -5, 65), uniform(rng, -8, 12));
+                std::vector<ToolPose> poses;
+                for (int k = whole(rng, 1, 20); k > 0; --k) {
+                    const Vec3 lean(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+                    const Vec3 move(uniform(rng, -5, 5), uniform(rng, -5, 5), uniform(rng, -5, 5));
+                    poses.push_back({tip + spread * move, (axis + spread * lean).normalized()});
+                }
+                const double depth = i % 5 == 0 ? -infinity : uniform(rng, -3, 3);
+                ToolLift::Group group;
+                lift.gather(poses, depth, group);
+                ToolLift::Hint hint, hint_in_group;
+                for (const ToolPose& pose : poses) {
+                    const double above = depth + (i % 2 == 0 ? 0 : uniform(rng, 0, 2));
+                    const ToolContact one = lift.contact_above(pose, above, hint),
+                                      other = lift.contact_above(pose, above, hint_in_group, group);
+                    QVERIFY2(std::memcmp(&one.lift, &other.lift, sizeof(double)) == 0,
+                             qPrintable(QString("%1 %2").arg(one.lift).arg(other.lift)));
+                    QCOMPARE(one.body, other.body);
+                    met += one.body != ToolBody::none;
+                    free += one.body == ToolBody::none;
+                }
+            }
+        }
+        QVERIFY(met > trials(2000) && free > trials(1000));
+    }
+
     void bodies_in_the_shadow_are_left_out_without_harm() {
         Tool tool = some_tool();
         tool.shank_diameter = 5; // never stops the tool: the cutter below is as wide
