@@ -321,6 +321,34 @@ private:
         return over - level + load(f.noise_tangent);
     }
 
+    /// The lift over a point of every facet from (x, y), from below: the one where the facet's plane touches,
+    /// with barycentric coordinates below 0 made 0. -inf where it is not surely under the cutter.
+    FACETMILL_MEMBER Float8 point_lift(const Float8& x, const Float8& y) const {
+        constexpr auto inward = float(1 - 3 * tolerance::rim_share); // a little inside of the rim
+        const Float8 ax = inward * load(f.contact_x) + x, ay = inward * load(f.contact_y) + y;
+        const Float8 sign = load(f.turn);
+        Float8 toward_x[3], toward_y[3], weight[3];
+        for (int k = 0; k < 3; ++k) {
+            toward_x[k] = load(f.x[k]) - ax;
+            toward_y[k] = load(f.y[k]) - ay;
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            weight[k] = larger(sign * (toward_x[i] * toward_y[j] - toward_x[j] * toward_y[i]), all(0.0f));
+        }
+        const Float8 share = 1.0f / (weight[0] + weight[1] + weight[2]);
+        const auto mean = [&](const float(&corner)[3][block_width]) __attribute__((always_inline)) {
+            return share
+                   * (weight[0] * load(corner[0]) + weight[1] * load(corner[1])
+                      + weight[2] * load(corner[2]));
+        };
+        const Float8 qx = mean(f.x) - x, qy = mean(f.y) - y, square = qx * qx + qy * qy;
+        const Float8 rho = root(square) + 4 * load(f.position), noise = load(f.noise_tangent);
+        return select((rho < inner) & (square >= 0.0f),
+                      mean(f.z) - (1 + float(tolerance::float_slack)) * rough_height(rho) - noise,
+                      all(-__builtin_inff()));
+    }
+
     FACETMILL_MEMBER void prepare_tangents() {
         Float8 gx, gy;
         store(facet_tangent(all(0.5f * (lo_dx + hi_dx)), all(0.5f * (lo_dy + hi_dy)), gx, gy), f.tangent);
@@ -541,6 +569,8 @@ private:
             alive[count] = bits((gap_x * gap_x + gap_y * gap_y <= reach * reach) & (cap > least[p])
                                 & ((duty & int(duty_upright)) != 0));
             if (alive[count] == 0) continue;
+            const float low = most_of(point_lift(x, y));
+            if (low > least[p]) least[p] = low;
             store(cap, caps[count]);
             place[count++] = p;
         }
