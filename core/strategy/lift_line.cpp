@@ -7,7 +7,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t block_segments = 16;
+constexpr std::size_t block_segments = 8;
 constexpr int deepest = 40;
 
 class Refiner {
@@ -18,33 +18,50 @@ public:
 
     LinePoint at(double s, LiftHint& hint) const { return {s, field_.tip_z(origin_ + s * direction_, hint)}; }
 
-    /// Appends what lies between a and b, and b.
-    void add(const LinePoint& a, const LinePoint& b, std::vector<LinePoint>& out, LiftHint& hint,
-             int depth = 0) const {
-        const double ds = b.s - a.s, dz = b.z - a.z;
-        if (ds <= tolerance_.shortest() || depth >= deepest) {
-            if (dz < 0)
+    LinePoint middle(const LinePoint& a, const LinePoint& b, LiftHint& hint) const {
+        return at(0.5 * (a.s + b.s), hint);
+    }
+
+    /// Appends what lies between a and b, with `mid` half-way, and b.
+    void add(const LinePoint& a, const LinePoint& mid, const LinePoint& b, std::vector<LinePoint>& out,
+             LiftHint& hint, int depth = 0) const {
+        if (b.s - a.s <= tolerance_.shortest() || depth >= deepest) {
+            if (b.z < a.z)
                 out.push_back({b.s, a.z});
-            else if (dz > 0)
+            else if (b.z > a.z)
                 out.push_back({a.s, b.z});
             out.push_back(b);
             return;
         }
         if (depth % 8 == 7) progress_.check();
-        const LinePoint mid = at(0.5 * (a.s + b.s), hint);
-        // Across the chord. Of a kink's height the middle sees at least half, wherever the kink is; of an arc
-        // all.
-        const double lift = (mid.z - 0.5 * (a.z + b.z)) * ds / std::hypot(ds, dz);
-        if (lift <= 0.5 * tolerance_.below && lift >= -0.5 * tolerance_.above) {
-            out.push_back(mid);
-            out.push_back(b);
+        const LinePoint before = middle(a, mid, hint), after = middle(mid, b, hint);
+        if (is_straight(a, before, mid, after, b)) {
+            out.insert(out.end(), {before, mid, after, b});
             return;
         }
-        add(a, mid, out, hint, depth + 1);
-        add(mid, b, out, hint, depth + 1);
+        add(a, before, mid, out, hint, depth + 1);
+        add(mid, after, b, out, hint, depth + 1);
     }
 
 private:
+    /// Whether quarters of a way are all near its chord, and short. The middle alone does not tell: down a
+    /// steep wall the way bends over the wall's edge and back at its foot, and what the one bend lifts the
+    /// middle over the chord the other may lower it. Of the height of a single kink, wherever it is, the
+    /// nearest quarter shows four fifths; half of what is allowed leaves room for a second one beside it.
+    bool is_straight(const LinePoint& a, const LinePoint& before, const LinePoint& mid,
+                     const LinePoint& after, const LinePoint& b) const {
+        const double ds = b.s - a.s, dz = b.z - a.z, across = ds / std::hypot(ds, dz);
+        const LinePoint* const quarter[] = {&a, &before, &mid, &after, &b};
+        for (std::size_t k = 1; k < 5; ++k) {
+            const LinePoint &p = *quarter[k - 1], &q = *quarter[k];
+            // Along the way itself, not as seen from above: that is what the cutter may pass unseen.
+            if (std::hypot(q.s - p.s, q.z - p.z) > tolerance_.spacing) return false;
+            const double off = (q.z - a.z - 0.25 * double(k) * dz) * across;
+            if (off > 0.5 * tolerance_.below || off < -0.5 * tolerance_.above) return false;
+        }
+        return true;
+    }
+
     const LiftField& field_;
     Vec2 origin_, direction_;
     LineTolerance tolerance_;
@@ -79,7 +96,7 @@ std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, con
     const Refiner refiner(field, origin, direction, tolerance, progress);
     LiftHint first;
     if (!(s1 > s0)) return {refiner.at(s0, first)};
-    const auto n = std::size_t(std::ceil((s1 - s0) / tolerance.spacing));
+    const auto n = std::size_t(std::ceil((s1 - s0) / (2 * tolerance.spacing)));
     const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
     const std::size_t blocks = (n - 1) / block_segments + 1;
     std::vector<std::vector<LinePoint>> parts(blocks);
@@ -90,7 +107,7 @@ std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, con
         if (begin == 0) part.push_back(last);
         for (std::size_t i = begin; i < end; ++i) {
             const LinePoint next = refiner.at(node(i + 1), hint);
-            refiner.add(last, next, part, hint);
+            refiner.add(last, refiner.middle(last, next, hint), next, part, hint);
             last = next;
         }
     });

@@ -24,7 +24,7 @@ struct LinePoint {
 };
 
 struct LineTolerance {
-    double spacing = 1;  ///< the lift is looked at at least this often
+    double spacing = 1;  ///< along the tip's way the lift is looked at at least this often
     double below = 0.01; ///< how far the polyline may run below the lift, measured across it (gouge)
     double above = 0.01; ///< how far above
     /// Shorter pieces are not divided; a jump that is left over becomes an upright move on its low side.
@@ -35,8 +35,8 @@ struct LineTolerance {
 /// passes any point of the part on a curve with at least that radius, so between two places looked at, a
 /// chord of length c lies below the lift by at most c^2 / 8r, whatever is between. With r = 0 it is the
 /// roundness of the rim (radius R, seen from above) that gives the bound, sideways; the kinks that are left
-/// are found by halving. The side of a tapered cutter is as round as its inner rim. A pointed cone is not round
-/// at all: there the spacing is so small that what lies hidden between two places is.
+/// are found by halving. The side of a tapered cutter is as round as its inner rim. A pointed cone is not
+/// round at all: there the spacing is so small that what lies hidden between two places is.
 double safe_spacing(const CutterProfile& profile, double below);
 
 /// Points on the line origin + s * direction for s0 <= s <= s1, both ends included, s never falling. All of

@@ -281,6 +281,53 @@ private slots:
         }
     }
 
+    void edges_of_steep_walls_are_kept_data() {
+        QTest::addColumn<double>("corner");
+        QTest::addColumn<double>("tolerance");
+        for (const auto& [corner, tolerance] : {std::pair(6.0, 0.1), {6.0, 0.3}, {2.0, 0.1}})
+            QTest::addRow("corner radius %g, tolerance %g", corner, tolerance) << corner << tolerance;
+    }
+
+    /// A pocket and a boss with walls of three degrees of draft: the tip comes over an edge, goes down a wall
+    /// and on over a floor within a fraction of a millimetre, and where passes graze a wall, down part of it.
+    /// How deep an edge comes into the cutter is measured here, at the cutter's nearest place.
+    void edges_of_steep_walls_are_kept() {
+        QFETCH(double, corner);
+        QFETCH(double, tolerance);
+        const double radius = 6;
+        const auto part = make_sample("mould", 0.1, Progress());
+        const Tool tool = bull_tool(2 * radius, corner);
+        const PlanContext context = context_of(*part, tool);
+        // The opening of the pocket and the top of the boss: lo and hi in x and y, height.
+        const std::array<std::array<double, 5>, 2> rims{{{-40, -30, 40, 30, 0}, {-8, -12, 20, 4, -8}}};
+        const auto depth = [&](const Vec3& tip) {
+            double deepest = -infinity;
+            for (const auto& [x0, y0, x1, y1, z] : rims) {
+                const double h = z - tip.z();
+                if (h <= 0) continue;
+                // Of a level rim the place nearest to the axis is the deepest.
+                const double x = std::clamp(tip.x(), x0, x1), y = std::clamp(tip.y(), y0, y1);
+                double rho = std::hypot(x - tip.x(), y - tip.y());
+                if (rho == 0) rho = std::min({tip.x() - x0, x1 - tip.x(), tip.y() - y0, y1 - tip.y()});
+                const double in = radius - corner;
+                deepest = std::max(deepest, rho > in && h < corner ? corner - std::hypot(rho - in, corner - h)
+                                                                   : std::min(h, radius - rho));
+            }
+            return deepest;
+        };
+        for (const std::string& kind : three_axis_kinds())
+            for (const char* direction : {"x", "y"}) {
+                const auto op = operation(kind, tolerance);
+                op->common().direction = {0, direction};
+                const TipLine line = tips(linked(op->plan(context, Progress()), context, *op)).front();
+                double deepest = -infinity;
+                for (std::size_t i = 1; i < line.size(); ++i)
+                    for (int k = 0; k <= 32; ++k)
+                        deepest = std::max(deepest, depth(line[i - 1] + k / 32.0 * (line[i] - line[i - 1])));
+                QVERIFY2(deepest > -1e-3 && deepest <= tolerance / 20, qPrintable(QString::number(deepest)));
+            }
+    }
+
     void an_upright_wall_is_cut_to_tolerance() {
         for (const double angle : {0.0, 0.4, 0.5 * pi}) {
             const Mesh part = turned(step(0, 8), angle);

@@ -146,6 +146,43 @@ private slots:
         }
     }
 
+    /// Over the edge of a steep wall, down it and on over the floor: the way bends one way and back again
+    /// within less than the places looked at are apart, and its middle may lie on the chord by chance. From
+    /// many starts, so that some meet it so.
+    void a_steep_wall_is_followed_from_its_edge_to_its_foot() {
+        const CutterProfile profile(AptCutter::ball(12, 50));
+        LineTolerance tolerance;
+        tolerance.below = tolerance.above = 0.0025;
+        tolerance.spacing = safe_spacing(profile, tolerance.below);
+        for (const double high : {4.0, 8.0, 12.0}) {
+            const double x[] = {-20, 0, high * std::tan(radians(3)), 20}, z[] = {0, 0, -high, -high};
+            Mesh m;
+            for (int i = 0; i < 4; ++i)
+                for (const double y : {-20.0, 20.0})
+                    m.vertices.push_back(Vec3(x[i], y, z[i]));
+            for (Index i = 0; i < 6; i += 2) {
+                m.facets.push_back({i, i + 2, i + 3});
+                m.facets.push_back({i, i + 3, i + 1});
+            }
+            const AxialLift lift(context_of(m, ball_tool(12)).contact, profile);
+            double worst = 0;
+            for (int k = 0; k < 200; ++k) {
+                const auto line = lift_line({&lift, -infinity}, Vec2(0, 0.1), Vec2(1, 0),
+                                            -3 - tolerance.spacing * k / 100, 9, tolerance, Progress());
+                for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+                    const double ds = line[i + 1].s - line[i].s, dz = line[i + 1].z - line[i].z;
+                    for (int q = 1; q < 16 && ds > 0; ++q) {
+                        const double s = line[i].s + ds * q / 16;
+                        worst = std::max(worst, (lift.tip_z(s, 0.1) - line[i].z - dz * q / 16) * ds
+                                                    / std::hypot(ds, dz));
+                    }
+                }
+            }
+            QVERIFY2(worst > 0 && worst <= tolerance.below,
+                     qPrintable(QString("wall of %1: %2").arg(high).arg(worst)));
+        }
+    }
+
     /// Teeth thinner than the places looked at are apart, under cutters that are sharp at the tip and wide at
     /// the shoulder.
     void thin_teeth_do_not_slip_between() {
