@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace facetmill {
 
@@ -275,16 +276,17 @@ private:
         out_.assign(field_.size(), in_.offset);
         grow_.assign(uncut_.size(), 0);
         enabled_.assign(uncut_.size(), true);
-        if (!in_.edits.empty()) {
-            const Pieces before = pieces(out_);
+        if (!in_.edits.empty() || !in_.drags.empty()) {
+            unedited_ = pieces(out_).of_uncut;
             for (const RegionEdit& e : in_.edits) {
                 std::size_t nearest = 0;
                 for (std::size_t i = 1; i < uncut_.size(); ++i)
                     if ((uncut_[i].point - vec(e.place)).squaredNorm()
                         < (uncut_[nearest].point - vec(e.place)).squaredNorm())
                         nearest = i;
+                edited_.push_back(nearest);
                 for (std::size_t i = 0; i < uncut_.size(); ++i)
-                    if (before.of_uncut[i] == before.of_uncut[nearest]) {
+                    if (unedited_[i] == unedited_[nearest]) {
                         grow_[i] = e.grow;
                         enabled_[i] = e.enabled;
                     }
@@ -317,13 +319,20 @@ private:
     void cut_regions() {
         const Pieces p = pieces(out_);
         std::vector<ReworkRegion> regions(p.facets.size());
+        std::set<std::pair<std::size_t, std::size_t>> parts;
         for (std::size_t i = 0; i < uncut_.size(); ++i) {
             ReworkRegion& r = regions[p.of_uncut[i]];
-            if (r.uncut++ == 0) r.place = uncut_[i].point;
+            const bool first = r.uncut++ == 0;
+            if (first) r.place = uncut_[i].point;
             r.lead_largest = std::max(r.lead_largest, uncut_[i].lead);
-            r.strip.enabled = enabled_[i];
-            r.grow = grow_[i];
+            // What has grown together is one region, cut where one of its parts is.
+            r.strip.enabled = enabled_[i] || (!first && r.strip.enabled);
+            r.grow = first ? grow_[i] : std::max(r.grow, grow_[i]);
+            if (parts.emplace(p.of_uncut[i], unedited_.empty() ? p.of_uncut[i] : unedited_[i]).second)
+                r.places.push_back(uncut_[i].point);
         }
+        for (std::size_t e = 0; e < edited_.size(); ++e)
+            regions[p.of_uncut[edited_[e]]].edits.push_back(e);
         std::vector<Index> within;
         std::vector<std::pair<Vec3, std::size_t>> order;
         for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -367,6 +376,9 @@ private:
     std::vector<Index> nearest_; ///< uncut place
     std::vector<double> out_, grow_;
     std::vector<bool> enabled_;
+    std::vector<std::size_t>
+        unedited_; ///< of each uncut place: its region without edits; empty: there are none
+    std::vector<std::size_t> edited_; ///< of each edit: the uncut place nearest to it
     std::map<const BoundaryDrag*, double> drag_way_;
     ReworkRegions result_;
 };

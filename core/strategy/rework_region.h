@@ -41,7 +41,11 @@ struct ReworkRegion {
     double lead_largest = 0;   ///< that its uncut places need; +inf: more than was looked for
     double grow = 0;           ///< of its edit
     Vec3 place = Vec3::Zero(); ///< an uncut place in it, by which edits name it
-    std::size_t uncut = 0;     ///< how many
+    /// Numbers of the edits that are about it, and one uncut place of each region that has grown together in
+    /// it: an edit of all of it is one edit for each.
+    std::vector<std::size_t> edits;
+    std::vector<Vec3> places;
+    std::size_t uncut = 0; ///< how many
 };
 
 struct ReworkRegions {
