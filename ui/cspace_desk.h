@@ -83,6 +83,8 @@ public:
     bool active() const;
     /// Along the pass and over passes, as far as there are any.
     void step(int points, int passes);
+    /// The program that the point belongs to; null: there is none.
+    const std::shared_ptr<const OperationResult>& program() const { return result_; }
     /// Number of the contact point it stands at.
     std::optional<std::size_t> point() const { return at_; }
     std::size_t point_count() const;

@@ -2,6 +2,7 @@
 
 #include "core/job/stock_solid.h"
 #include "core/strategy/manual_posture.h"
+#include "core/strategy/region_edit.h"
 #include "ui/text.h"
 
 #include <QUndoCommand>
@@ -129,9 +130,13 @@ void Document::add_operation(const std::string& kind) {
             std::find_if(all.rbegin(), all.rend(), [&](const auto& o) { return o->kind() == kind; });
         if (like != all.rend()) {
             operation = (*like)->clone();
-            // Postures were kept for contact points of that one.
+            // Postures were kept for contact points of that one, regions edited by hand were its.
             if (auto* by_hand = dynamic_cast<TakesManualPostures*>(operation.get()))
                 by_hand->set_manual_postures({});
+            if (auto* regions = dynamic_cast<TakesRegionEdits*>(operation.get())) {
+                regions->set_region_edits({});
+                regions->set_boundary_drags({});
+            }
         } else {
             static_cast<OperationCommon&>(operation->common()) = all.back()->common();
         }

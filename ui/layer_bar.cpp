@@ -31,6 +31,8 @@ constexpr Entry entries[] = {
      QT_TRANSLATE_NOOP("LayerBar", "The raw material; during playback as it is cut"), false},
     {ViewLayer::deviation, "deviation", QT_TRANSLATE_NOOP("LayerBar", "Deviation"),
      QT_TRANSLATE_NOOP("LayerBar", "The part in the colours of what the verification found"), true},
+    {ViewLayer::regions, "regions", QT_TRANSLATE_NOOP("LayerBar", "Regions"),
+     QT_TRANSLATE_NOOP("LayerBar", "Rework and clean-up regions on the part's surface"), true},
     {ViewLayer::cc, "cc", QT_TRANSLATE_NOOP("LayerBar", "CC"),
      QT_TRANSLATE_NOOP("LayerBar", "Cutter contacts: the points of the part that are cut"), false},
     {ViewLayer::cuts, "cuts", QT_TRANSLATE_NOOP("LayerBar", "CL cuts"),
@@ -172,6 +174,7 @@ void LayerBar::apply(Scene& scene) const {
     scene.set_visible(Layer::stock, shown(ViewLayer::stock));
     scene.set_visible(Layer::deviation, shown(ViewLayer::deviation));
     scene.set_visible(Layer::findings, shown(ViewLayer::deviation));
+    scene.set_visible(Layer::strips, shown(ViewLayer::regions));
     scene.set_visible(Layer::cc, shown(ViewLayer::cc));
     scene.set_visible(Layer::tool, shown(ViewLayer::tool));
     const bool links = shown(ViewLayer::links);

@@ -17,7 +17,7 @@ class Scene;
 namespace facetmill::ui {
 
 /// What a user tells apart: the scene's layers, with the motions of a path split by kind.
-enum class ViewLayer { part, edges, stock, deviation, cc, cuts, links, rapids, tool };
+enum class ViewLayer { part, edges, stock, deviation, regions, cc, cuts, links, rapids, tool };
 
 class ScaleStrip;
 

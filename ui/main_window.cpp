@@ -10,6 +10,8 @@
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/region_desk.h"
+#include "ui/region_dialog.h"
 #include "ui/report_view.h"
 #include "ui/rough_desk.h"
 #include "ui/settings.h"
@@ -64,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     column->addWidget(viewport_, 1);
     rough_ = new RoughDesk(document_, *viewport_, this);
     column->addWidget(rough_->bar());
+    regions_ = new RegionDesk(document_, *viewport_, this);
     column->addWidget(desk_->bar());
     column->addWidget(layers_);
     setCentralWidget(centre);
@@ -71,6 +74,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     build_docks();
     build_actions();
     build_menus();
+    regions_->dialog()->addActions({undo_, redo_, save_, plan_});
     build_status_bar();
     hint_ = new StartHint(sample_menu_, viewport_);
     connect(hint_, &StartHint::open_requested, this, &MainWindow::open_with_dialog);
@@ -96,6 +100,7 @@ MainWindow::~MainWindow() {
     delete inspection_;
     delete unrolled_;
     delete rough_;
+    delete regions_;
     delete cspace_;
     delete desk_;
     delete takeCentralWidget();
@@ -172,6 +177,7 @@ void MainWindow::connect_parts() {
         properties_->show_node(tree_->selected());
         report_->show_node(tree_->selected());
         rough_->show_node(tree_->selected());
+        regions_->show_node(tree_->selected());
         if (const auto node = tree_->selected(); node && node->kind == TreeNode::Kind::stock_after)
             desk_->show_stock_after(node->index);
         update_actions();
@@ -188,6 +194,10 @@ void MainWindow::connect_parts() {
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(properties_, &PropertiesPanel::choose_stock, this, &MainWindow::choose_stock);
+    connect(properties_, &PropertiesPanel::edit_regions, regions_, &RegionDesk::open);
+    connect(regions_, &RegionDesk::wanted, this, [this] { layers_->set_shown(ViewLayer::regions, true); });
+    connect(regions_, &RegionDesk::failed, this, &MainWindow::fail);
+    connect(regions_, &RegionDesk::settled, this, &MainWindow::check_settled);
     connect(rough_, &RoughDesk::layer_changed, this, &MainWindow::redraw_paths);
     connect(rough_, &RoughDesk::settled, this, &MainWindow::check_settled);
     connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
@@ -407,7 +417,7 @@ void MainWindow::ended(const JobEnd& end) {
 
 bool MainWindow::busy() const {
     return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy() || inspection_->busy()
-           || rough_->busy() || !viewport_->finished();
+           || rough_->busy() || regions_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

@@ -32,6 +32,7 @@ class LayerBar;
 class LogView;
 class ProjectTree;
 class PropertiesPanel;
+class RegionDesk;
 class ReportView;
 class RoughDesk;
 class StartHint;
@@ -82,6 +83,7 @@ public:
     InspectionDesk& inspection() { return *inspection_; }
     UnrolledDesk& unrolled() { return *unrolled_; }
     RoughDesk& roughing() { return *rough_; }
+    RegionDesk& regions() { return *regions_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -158,6 +160,10 @@ private:
     void hide_tool();
     void step_tool(int by);
     void show_motion(std::size_t source, std::size_t motion);
+    /// Place of a program among those shown; none where it is not.
+    std::optional<std::size_t> source_of(const std::shared_ptr<const OperationResult>& program) const;
+    /// The tool that a shown program is cut with. Throws Error(missing_reference).
+    const Tool& tool_of(std::size_t source) const;
     /// Number of the motion; of a contact the one that cuts it.
     std::size_t motion_of(const PathPick& pick) const;
     void edit_tool(std::optional<std::size_t> index);
@@ -191,6 +197,7 @@ private:
     InspectionDesk* inspection_ = nullptr;
     UnrolledDesk* unrolled_ = nullptr;
     RoughDesk* rough_ = nullptr;
+    RegionDesk* regions_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,
@@ -207,8 +214,8 @@ private:
     std::vector<QAction*> theme_actions_, unit_actions_, view_actions_;
 
     QString last_failure_, sample_folder_, readout_text_;
-    std::vector<std::shared_ptr<const OperationResult>>
-        shown_results_; ///< in the order of the scene's path sources
+    /// Programs of the operations in the order of the scene's path sources, and their operations.
+    std::vector<std::shared_ptr<const OperationResult>> shown_results_;
     std::vector<int> shown_ids_;
     std::optional<PathPick> tool_at_;
     StockShapePtr stock_mesh_;      ///< as read with the part

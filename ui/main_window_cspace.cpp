@@ -60,12 +60,11 @@ void MainWindow::follow_cspace(const PathPick& pick) {
 
 void MainWindow::show_cspace_tool(int operation, const std::optional<CutterLocation>& pose,
                                   const Marker& contact, const QString& readout) {
-    const auto index = document_.index_of(operation);
-    const auto source = std::find(shown_ids_.begin(), shown_ids_.end(), operation);
-    if (!index || source == shown_ids_.end()) return;
+    const auto source = source_of(cspace_->program());
+    if (!document_.index_of(operation) || !source) return;
     Scene& scene = viewport_->scene();
     try {
-        scene.set_tool(document_.project().tool_of(document_.operation(*index)));
+        scene.set_tool(tool_of(*source));
     } catch (const Error&) {
         hide_tool(); // the operation's tool was changed into none since it was planned
         return;
@@ -77,7 +76,7 @@ void MainWindow::show_cspace_tool(int operation, const std::optional<CutterLocat
     if (pose) {
         // Steps along the path go on from the motion that is nearest.
         PathPick pick;
-        pick.source = std::size_t(source - shown_ids_.begin());
+        pick.source = *source;
         const auto& motions = shown_results_[pick.source]->program.motions.motions;
         double nearest = infinity;
         for (std::size_t m = 0; m < motions.size(); ++m) {

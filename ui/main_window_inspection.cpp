@@ -46,9 +46,9 @@ void MainWindow::build_inspection() {
         const PlaybackTrack& track = playback->track();
         const double position = playback->position();
         const MotionPlace at = track.place(position);
-        const auto source = std::find(shown_ids_.begin(), shown_ids_.end(), track.operation(at.program).id);
-        if (source == shown_ids_.end()) return;
-        inspection_->set_place(std::size_t(source - shown_ids_.begin()), at.motion,
+        const auto source = source_of(track.operation(at.program).result);
+        if (!source) return;
+        inspection_->set_place(*source, at.motion,
                                std::clamp(position - (track.position_of(at) - 1), 0.0, 1.0));
     });
 }

@@ -7,6 +7,7 @@
 #include "ui/inspection_desk.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/region_desk.h"
 #include "ui/rough_desk.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
@@ -104,6 +105,7 @@ void MainWindow::plan(std::optional<std::size_t> only) {
         tell(MessageBar::Kind::warning, tr("A parameter is not valid: correct it, then plan."));
         return;
     }
+    regions_->commit();
     if (document_.operation_count() == 0) {
         tell(MessageBar::Kind::warning, tr("There is no operation to plan: add one below the project tree."));
         return;
@@ -174,16 +176,20 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
             failures << (o.failure.contains(name) ? o.failure : name + QStringLiteral(": ") + o.failure);
             continue;
         }
-        tell(MessageBar::Kind::information,
-             tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.")
-                 .arg(name, duration_text(o.result->seconds_planning),
-                      count_text(std::size_t(o.result->path.drive_planes)),
-                      shown_length(o.result->totals.cut_length, document_.unit(), 5),
-                      duration_text(o.result->totals.time_seconds)),
-             false);
-        for (const std::string& warning : o.result->warnings())
-            tell(MessageBar::Kind::warning,
-                 name + QStringLiteral(": ") + with_lengths_in(text(warning), document_.unit()), false);
+        for (const auto& program : programs_of(o.result)) {
+            const QString program_name = text(program->name);
+            tell(MessageBar::Kind::information,
+                 tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.")
+                     .arg(program_name, duration_text(program->seconds_planning),
+                          count_text(std::size_t(program->path.drive_planes)),
+                          shown_length(program->totals.cut_length, document_.unit(), 5),
+                          duration_text(program->totals.time_seconds)),
+                 false);
+            for (const std::string& warning : program->warnings())
+                tell(MessageBar::Kind::warning,
+                     program_name + QStringLiteral(": ") + with_lengths_in(text(warning), document_.unit()),
+                     false);
+        }
     }
     if (failures.isEmpty())
         last_failure_.clear();
@@ -201,10 +207,11 @@ void MainWindow::refresh_paths() {
     std::vector<std::shared_ptr<const OperationResult>> results;
     std::vector<int> ids;
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
-        if (const auto result = document_.result(i)) {
-            results.push_back(result);
-            ids.push_back(document_.operation_id(i));
-        }
+        if (const auto result = document_.result(i))
+            for (const auto& program : programs_of(result)) {
+                results.push_back(program);
+                ids.push_back(document_.operation_id(i));
+            }
     if (results == shown_results_) {
         shown_ids_ = ids;
         return;
@@ -295,7 +302,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     const Operation& operation = document_.operation(*index);
     Scene& scene = viewport_->scene();
     try {
-        scene.set_tool(document_.project().tool_of(operation));
+        scene.set_tool(tool_of(pick.source));
         scene.set_tool_pose(pick.location);
     } catch (const Error&) {
         hide_tool(); // the operation's tool was changed into none since it was planned
@@ -312,6 +319,8 @@ void MainWindow::show_tool_at(const PathPick& pick) {
                  QString::number(v.z() / mm, 'f', digits));
     };
     QString readout = text(operation.common().name);
+    if (shown_results_[pick.source] != document_.result(*index))
+        readout = text(shown_results_[pick.source]->name); // a further program of it
     if (has_contact) {
         const CutterContact& cc = path.passes[pick.pass].cc[pick.point];
         scene.set_marker(Marker{cc.point, cc.normal});
@@ -326,7 +335,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     readout_text_ = readout;
     readout_->set_text(readout);
     viewport_->refresh();
-    desk_->tool_put(*index, pick.motion);
+    desk_->tool_put(shown_results_[pick.source], pick.motion);
     inspection_->set_place(pick.source, motion_of(pick));
     unrolled_->set_place(pick.source, motion_of(pick));
     follow_cspace(pick);
@@ -351,6 +360,25 @@ void MainWindow::step_tool(int by) {
     const auto last = std::ptrdiff_t(motions.size()) - 1;
     const auto at = std::ptrdiff_t(motion_of(*tool_at_));
     show_motion(tool_at_->source, std::size_t(std::clamp<std::ptrdiff_t>(at + by, 0, last)));
+}
+
+std::optional<std::size_t>
+MainWindow::source_of(const std::shared_ptr<const OperationResult>& program) const {
+    const auto at = std::find(shown_results_.begin(), shown_results_.end(), program);
+    if (at == shown_results_.end()) return std::nullopt;
+    return std::size_t(at - shown_results_.begin());
+}
+
+const Tool& MainWindow::tool_of(std::size_t source) const {
+    const auto index = document_.index_of(shown_ids_.at(source));
+    const auto& program = shown_results_[source];
+    const Project& project = document_.project();
+    // The operation's own tool may have been renumbered since; a further one is known by its number.
+    if (index && document_.result(*index) == program) return project.tool_of(document_.operation(*index));
+    for (const Tool& t : project.tools)
+        if (t.number == program->program.tool_number) return t;
+    throw Error(ErrorCode::missing_reference, program->name, "its tool is not in the project any more",
+                "plan it again");
 }
 
 std::size_t MainWindow::motion_of(const PathPick& pick) const {

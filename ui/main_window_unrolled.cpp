@@ -40,9 +40,8 @@ void MainWindow::build_unrolled() {
         if (!desk_->engaged() || !playback->loaded()) return;
         const PlaybackTrack& track = playback->track();
         const MotionPlace at = track.place(playback->position());
-        const auto source = std::find(shown_ids_.begin(), shown_ids_.end(), track.operation(at.program).id);
-        if (source != shown_ids_.end())
-            unrolled_->set_place(std::size_t(source - shown_ids_.begin()), at.motion);
+        if (const auto source = source_of(track.operation(at.program).result))
+            unrolled_->set_place(*source, at.motion);
     });
 }
 

@@ -36,7 +36,7 @@ QString number(double v, double step) {
 
 struct PlotView::Look {
     QColor ground, ink, quiet, grid, cursor;
-    std::array<QColor, 2> series;
+    std::array<QColor, 3> series;
     QFont font;
 };
 
@@ -362,8 +362,8 @@ PlotView::Look PlotView::look() const {
             palette().color(QPalette::PlaceholderText),
             grid,
             palette().color(QPalette::Highlight),
-            dark ? std::array{QColor(0x5CC0F5), QColor(0xFF9A4A)}
-                 : std::array{QColor(0x005FA8), QColor(0xC75300)},
+            dark ? std::array{QColor(0x5CC0F5), QColor(0xFF9A4A), QColor(0x7BD88F)}
+                 : std::array{QColor(0x005FA8), QColor(0xC75300), QColor(0x1C7C46)},
             font()};
 }
 
@@ -413,7 +413,7 @@ QImage PlotView::picture(const QSize& size) const {
            QColor(0x5A6470),
            QColor(0, 0, 0, 28),
            QColor(0x2f7fc1),
-           {QColor(0x005FA8), QColor(0xC75300)},
+           {QColor(0x005FA8), QColor(0xC75300), QColor(0x1C7C46)},
            font()},
           true);
     return image;

@@ -1,6 +1,7 @@
 #include "ui/properties_panel.h"
 
 #include "core/setup/machine.h"
+#include "core/strategy/global_local.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
@@ -41,6 +42,14 @@ const ParameterTable<MachineChoice>& machine_choice() {
 
 } // namespace
 
+std::vector<FormChoice> tool_choices(const Project& project, bool none) {
+    std::vector<FormChoice> tools;
+    if (none) tools.push_back({PropertiesPanel::tr("none"), 0L});
+    for (const Tool& t : project.tools)
+        tools.push_back({PropertiesPanel::tr("T%1  %2").arg(t.number).arg(text(t.name)), t.number});
+    return tools;
+}
+
 PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
@@ -64,8 +73,16 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     edit_tool_->setObjectName(QStringLiteral("edit_tool"));
     choose_stock_ = new QPushButton(icon(Icon::open), tr("Choose mesh…"), content);
     choose_stock_->setObjectName(QStringLiteral("choose_stock"));
+    edit_regions_ = new QPushButton(icon(Icon::edit), tr("Rework regions…"), content);
+    edit_regions_->setObjectName(QStringLiteral("edit_regions"));
+    edit_regions_->setToolTip(
+        tr("Settings of Rework Region: see, limit and edit what the smaller tool cuts"));
     column->addWidget(title_);
     column->addWidget(hint_);
+    auto* region_box = new QVBoxLayout;
+    region_box->setContentsMargins(8, 4, 8, 4);
+    region_box->addWidget(edit_regions_);
+    column->addLayout(region_box);
     column->addWidget(form_);
     auto* stock_box = new QVBoxLayout;
     stock_box->setContentsMargins(8, 4, 8, 4);
@@ -92,6 +109,9 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
         if (node_ && node_->kind == TreeNode::Kind::tool) emit edit_tool(node_->index);
     });
     connect(choose_stock_, &QPushButton::clicked, this, &PropertiesPanel::choose_stock);
+    connect(edit_regions_, &QPushButton::clicked, this, [this] {
+        if (node_ && node_->kind == TreeNode::Kind::operation && commit()) emit edit_regions(node_->index);
+    });
     connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
     refresh();
@@ -130,7 +150,7 @@ void PropertiesPanel::refresh() {
     const bool build = now != shape_;
     shape_ = now;
     QString title, hint;
-    bool form = false, tool = false, mesh_stock = false;
+    bool form = false, tool = false, mesh_stock = false, regions = false;
     const auto show = [&](const Parameterized& values,
                           const std::map<std::string, std::vector<FormChoice>>& choices = {},
                           const std::vector<std::string>& hidden = {}) {
@@ -173,10 +193,9 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
-        std::vector<FormChoice> tools;
-        for (const Tool& t : project.tools)
-            tools.push_back({tr("T%1  %2").arg(t.number).arg(text(t.name)), t.number});
-        show(operation, {{"tool", tools}});
+        show(operation,
+             {{"tool", tool_choices(project, false)}, {"rework_tool", tool_choices(project, true)}});
+        regions = dynamic_cast<const GlobalLocal*>(&operation) != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));
         hint = tr("The view shows the stock as it stands when this operation has ended. The bar below the "
@@ -194,6 +213,7 @@ void PropertiesPanel::refresh() {
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
     choose_stock_->setVisible(mesh_stock);
+    edit_regions_->setVisible(regions);
     if (build && !form) form_->set_parameters({}, unit);
 }
 

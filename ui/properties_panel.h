@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/document.h"
+#include "ui/parameter_editor.h"
 #include "ui/project_tree.h"
 
 #include <QWidget>
@@ -15,6 +16,9 @@ namespace facetmill::ui {
 class ElidedLabel;
 class ParameterForm;
 class ToolSketch;
+
+/// The project's tools for a form; with `none`, number 0 before them.
+std::vector<FormChoice> tool_choices(const Project& project, bool none);
 
 class PropertiesPanel : public QWidget {
     Q_OBJECT
@@ -30,6 +34,8 @@ public:
 
 signals:
     void edit_tool(std::size_t index);
+    /// The dialog of a global-local operation's rework regions is asked for.
+    void edit_regions(std::size_t operation);
     /// A mesh for the stock is asked for.
     void choose_stock();
 
@@ -45,7 +51,7 @@ private:
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
-    QPushButton *edit_tool_ = nullptr, *choose_stock_ = nullptr;
+    QPushButton *edit_tool_ = nullptr, *choose_stock_ = nullptr, *edit_regions_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -1,6 +1,7 @@
 #include "ui/report_view.h"
 
 #include "core/setup/machine.h"
+#include "core/strategy/rework_plan.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 
@@ -162,9 +163,30 @@ QString ReportView::operation_html(std::size_t i) const {
     facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
     facts.add(tr("CC points"), count_text(result->cc_points));
     facts.add(tr("CL points"), count_text(result->cl_points));
-    facts.add(tr("Cut length"), shown_length(result->totals.cut_length, unit, 5));
-    facts.add(tr("Rapid length"), shown_length(result->totals.rapid_length, unit, 5));
-    facts.add(tr("Machining time"), duration_text(result->totals.time_seconds));
+    double cut = 0, rapid = 0, time = 0;
+    for (const auto& program : programs_of(result)) {
+        cut += program->totals.cut_length;
+        rapid += program->totals.rapid_length;
+        time += program->totals.time_seconds;
+    }
+    facts.add(tr("Cut length"), shown_length(cut, unit, 5));
+    facts.add(tr("Rapid length"), shown_length(rapid, unit, 5));
+    facts.add(tr("Machining time"), duration_text(time));
+    for (const auto& program : result->further) {
+        facts.add(tr("of it the main path"), duration_text(result->totals.time_seconds));
+        facts.add(tr("T%1 in regions").arg(program->program.tool_number),
+                  tr("%1, %2 passes")
+                      .arg(duration_text(program->totals.time_seconds),
+                           count_text(std::size_t(std::max(0, program->path.drive_planes)))));
+    }
+    if (path.rework) {
+        const ReworkRegions& r = path.rework->regions;
+        facts.add(tr("Rework regions"), r.regions.empty()
+                                            ? tr("none")
+                                            : tr("%1, %2 % of the surface")
+                                                  .arg(count_text(r.regions.size()),
+                                                       text(format_number(100 * r.area / r.part_area, 2))));
+    }
     const double tolerance = operation.common().tolerance;
     facts.add(tr("Expected cusp"), shown_length(path.cusp_max, unit, 4),
               state == OperationState::planned && path.cusp_max > tolerance * (1 + 1e-9)
@@ -192,11 +214,15 @@ QString ReportView::operations_html() const {
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         const auto result = document_.state(i) == OperationState::planned ? document_.result(i) : nullptr;
         all &= result != nullptr;
-        if (result) total += result->totals.time_seconds;
+        double time = 0;
+        if (result)
+            for (const auto& program : programs_of(result))
+                time += program->totals.time_seconds;
+        total += time;
         rows += QStringLiteral("<tr><td style=\"padding:1px 10px 1px 0\">%1</td><td align=\"right\" "
                                "style=\"padding:1px 0; color:%3\">%2</td></tr>")
                     .arg(elided(text(document_.operation(i).common().name), 24).toHtmlEscaped(),
-                         result ? duration_text(result->totals.time_seconds) : state_text(document_.state(i)),
+                         result ? duration_text(time) : state_text(document_.state(i)),
                          (result ? palette().color(QPalette::Text) : signal.quiet).name());
     }
     if (all)

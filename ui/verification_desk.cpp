@@ -100,7 +100,8 @@ std::shared_ptr<const PlanResult> VerificationDesk::plan_as_it_stands() const {
     plan->part = document_.part();
     plan->stock = stock_solid(document_.project().stock, *document_.part());
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
-        plan->operations.push_back(document_.result(i));
+        for (const auto& program : programs_of(document_.result(i)))
+            plan->operations.push_back(program);
     return plan;
 }
 
@@ -112,6 +113,8 @@ void VerificationDesk::verify() {
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         outcome->ids.push_back(document_.operation_id(i));
         outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));
+        outcome->program_operations.insert(outcome->program_operations.end(),
+                                           programs_of(document_.result(i)).size(), i);
     }
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
@@ -190,16 +193,15 @@ void VerificationDesk::follow_plan() {
     std::vector<PlaybackTrack::Operation> operations;
     const std::vector<VerifyProgram> programs = verify_programs(input->project, input->plan);
     double radius = infinity;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        PlaybackTrack::Operation o{
-            document_.operation_id(i), results[i]->name, {}, results[i], programs[i].turning};
-        try {
-            o.tool = document_.project().tool_of(document_.operation(i));
-            radius = std::min(radius, o.tool->diameter / 2);
-        } catch (const Error&) {
+    for (std::size_t i = 0; i < results.size(); ++i)
+        for (const auto& program : programs_of(results[i])) {
+            PlaybackTrack::Operation o{
+                document_.operation_id(i), program->name, {}, program, programs[operations.size()].turning};
+            for (const Tool& t : document_.project().tools)
+                if (t.number == program->program.tool_number) o.tool = t;
+            if (o.tool) radius = std::min(radius, o.tool->diameter / 2);
+            operations.push_back(std::move(o));
         }
-        operations.push_back(std::move(o));
-    }
     const double finest = std::isfinite(radius) ? cutter_share * radius : 0.0;
     const double live = viewport_.without_card() ? processor_triangles : card_triangles;
     playback_.load(
@@ -332,12 +334,16 @@ void VerificationDesk::show_stock_after(std::size_t operation) {
     playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
 }
 
-void VerificationDesk::tool_put(std::size_t operation, std::size_t motion) {
-    if (!engaged_ || !playback_.loaded() || operation >= playback_.track().operation_count()) return;
-    if (motion >= playback_.track().motions_of(operation)) return;
+void VerificationDesk::tool_put(const std::shared_ptr<const OperationResult>& program, std::size_t motion) {
+    if (!engaged_ || !playback_.loaded()) return;
+    const PlaybackTrack& track = playback_.track();
+    std::size_t at = 0;
+    while (at < track.operation_count() && track.operation(at).result != program)
+        ++at;
+    if (at == track.operation_count() || motion >= track.motions_of(at)) return;
     shown_operation_ = std::size_t(-1); // another one showed the tool
     playback_.pause();
-    playback_.go_to(MotionPlace{operation, motion});
+    playback_.go_to(MotionPlace{at, motion});
 }
 
 void VerificationDesk::go_to_finding(const Finding& finding) {

@@ -42,8 +42,8 @@ public:
 
     /// The user is playing back: keys and clicks on the path mean the playback.
     bool engaged() const { return engaged_; }
-    /// The tool was put somewhere on the path of an operation.
-    void tool_put(std::size_t operation, std::size_t motion);
+    /// The tool was put somewhere on the path of a program.
+    void tool_put(const std::shared_ptr<const OperationResult>& program, std::size_t motion);
     /// Plays back to the end of an operation, with the stock in sight.
     void show_stock_after(std::size_t operation);
     /// Space, comma, full stop; arrows while engaged. False for all others.

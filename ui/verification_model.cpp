@@ -97,7 +97,7 @@ bool VerificationModel::fits_part() const {
     return outcome_ && outcome_->part_key == Document::part_key(document_.project());
 }
 
-std::optional<std::size_t> VerificationModel::program_of(std::size_t operation) const {
+std::optional<std::size_t> VerificationModel::judged(std::size_t operation) const {
     if (!outcome_ || operation >= document_.operation_count()) return std::nullopt;
     const auto& ids = outcome_->ids;
     const auto it = std::find(ids.begin(), ids.end(), document_.operation_id(operation));
@@ -105,10 +105,15 @@ std::optional<std::size_t> VerificationModel::program_of(std::size_t operation) 
     return std::size_t(it - ids.begin());
 }
 
-bool VerificationModel::found_in(std::size_t program) const {
-    return std::any_of(findings_.begin(), findings_.end(), [&](const Finding& f) {
-        return f.kind != Finding::Kind::excess && f.by.program == program;
-    });
+bool VerificationModel::by(const Finding& finding, std::size_t judged) const {
+    const auto& operations = outcome_->program_operations;
+    return finding.by.known() && finding.by.program < operations.size()
+           && operations[finding.by.program] == judged;
+}
+
+bool VerificationModel::found_in(std::size_t judged) const {
+    return std::any_of(findings_.begin(), findings_.end(),
+                       [&](const Finding& f) { return f.kind != Finding::Kind::excess && by(f, judged); });
 }
 
 bool VerificationModel::gouges_are_cut_off() const {
@@ -125,22 +130,22 @@ Verdict VerificationModel::verdict() const {
 }
 
 Verdict VerificationModel::verdict(std::size_t operation) const {
-    const auto program = program_of(operation);
-    if (!program) return Verdict::none;
+    const auto at = judged(operation);
+    if (!at) return Verdict::none;
     if (!current_) return Verdict::stale;
     if (verification().passed()) return Verdict::verified;
-    return found_in(*program) || gouges_are_cut_off() ? Verdict::failed : Verdict::verified;
+    return found_in(*at) || gouges_are_cut_off() ? Verdict::failed : Verdict::verified;
 }
 
 QString VerificationModel::why(std::size_t operation) const {
-    const auto program = program_of(operation);
-    if (!program) return verdict_text(Verdict::none);
+    const auto at = judged(operation);
+    if (!at) return verdict_text(Verdict::none);
     if (!current_) return tr("Verification out of date: the project has changed since");
     if (verdict(operation) == Verdict::verified) return tr("Verified: no gouge, no collision");
     double deepest = 0;
     std::size_t gouges = 0, collisions = 0;
     for (const Finding& f : findings_) {
-        if (f.by.program != *program || f.kind == Finding::Kind::excess) continue;
+        if (!by(f, *at) || f.kind == Finding::Kind::excess) continue;
         if (f.kind == Finding::Kind::gouge) {
             ++gouges;
             deepest = std::max(deepest, f.depth);

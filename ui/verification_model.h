@@ -20,6 +20,8 @@ struct VerificationOutcome {
     std::shared_ptr<const PlanResult> plan;
     std::vector<int> ids;                  ///< of the operations in the document
     std::vector<std::string> fingerprints; ///< Document::fingerprint of each
+    /// Of each of the plan's programs: the place of its operation in `ids`.
+    std::vector<std::size_t> program_operations;
     std::string part_key;
     std::shared_ptr<const Verification> verification;
     DeviationDisplayPtr display;
@@ -70,8 +72,10 @@ private:
     void update();
     bool is_current() const;
     /// Place of the operation among those judged.
-    std::optional<std::size_t> program_of(std::size_t operation) const;
-    bool found_in(std::size_t program) const;
+    std::optional<std::size_t> judged(std::size_t operation) const;
+    /// By a program of the operation judged at this place.
+    bool by(const Finding& finding, std::size_t judged) const;
+    bool found_in(std::size_t judged) const;
     /// The list of gouges is full: there may be more, of any operation.
     bool gouges_are_cut_off() const;
 

@@ -218,7 +218,7 @@ void Viewport::rehearse() {
 }
 
 void Viewport::rested() {
-    if (drag_ != Drag::none) {
+    if (drag_ != Drag::none && drag_ != Drag::handle) {
         rest_timer_.start(); // held still, but not let go
         return;
     }
@@ -388,6 +388,11 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
     else if (event->button() == Qt::RightButton)
         drag_ = Drag::zoom;
     if (drag_ == Drag::turn) {
+        if (const auto handle = handle_at(press_)) {
+            drag_ = Drag::handle;
+            handle_from_ = handle_to_ = *handle;
+            return;
+        }
         // What is under the pointer stays there; off the part it turns about the middle of what is shown.
         const Box3 bounds = scene_.bounds();
         pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
@@ -423,16 +428,31 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         refresh();
         break;
     }
+    case Drag::handle: {
+        const QPointF over = device(at);
+        if (const auto pick = scene_.pick_part(over.x(), over.y())) {
+            handle_to_ = pick->point;
+            emit handle_dragged(handle_from_, handle_to_);
+        }
+        break;
+    }
     case Drag::none:
         break;
     }
 }
 
+std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
+    const QPointF p = device(at);
+    return scene_.pick_strip_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
+}
+
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const Drag was = drag_;
     drag_ = Drag::none;
+    if (was == Drag::handle && dragged_) emit handle_dropped(handle_from_, handle_to_);
     if (dragged_ || was == Drag::none) return;
-    if (was == Drag::turn && event->button() == Qt::LeftButton) click(event->position());
+    if ((was == Drag::turn || was == Drag::handle) && event->button() == Qt::LeftButton)
+        click(event->position());
     if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
 }
 
@@ -471,6 +491,10 @@ void Viewport::click(const QPointF& at) {
 void Viewport::hover() {
     if (!window_->vtk->GetReadyForRendering() || drag_ != Drag::none) return;
     const QPointF p = device(hover_at_);
+    if (handle_at(hover_at_))
+        setCursor(Qt::SizeAllCursor);
+    else
+        unsetCursor();
     emit hovered(scene_.pick_part(p.x(), p.y()));
 }
 

@@ -4,8 +4,8 @@
 // It draws only when something changed (`refresh`); between changes it shows the picture it has. Where a
 // full picture takes long, a coarse one is drawn at once, and when nothing has changed for a moment the full
 // one follows in steps, between which the window answers. Mouse:
-// left turns, middle or Shift+left moves, right or the wheel zooms about the pointer, a click picks, a double
-// click fits.
+// left turns, or moves the boundary point under it where the scene shows handles; middle or Shift+left moves,
+// right or the wheel zooms about the pointer, a click picks, a double click fits.
 #pragma once
 
 #include "ui/gl_canvas.h"
@@ -73,6 +73,10 @@ signals:
     /// The point of the part under the resting pointer, or none.
     void hovered(const std::optional<facetmill::PartPick>& pick);
     void menu_requested(const QPoint& global);
+    /// A handle of a region's boundary was taken at `from` and is over `to` of the part; then it was let go
+    /// there.
+    void handle_dragged(const facetmill::Vec3& from, const facetmill::Vec3& to);
+    void handle_dropped(const facetmill::Vec3& from, const facetmill::Vec3& to);
 
 protected:
     void initialize_gl() override;
@@ -86,12 +90,13 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Drag { none, turn, move, zoom };
+    enum class Drag { none, turn, move, zoom, handle };
     void place_overlays();
     void turn(const QPointF& by);
     void move(const QPointF& by);
     void click(const QPointF& at);
     void hover();
+    std::optional<Vec3> handle_at(const QPointF& at) const;
     bool slow() const;
     void draw(int coarseness, bool seen = true);
     void rehearse();
@@ -112,6 +117,7 @@ private:
     bool dragged_ = false;
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
+    Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();
     QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
     bool coarse_ = false;             ///< what is shown is a coarse picture
     bool fresh_ = false;              ///< the content was not drawn yet

@@ -1,0 +1,425 @@
+#include "ui/region_desk.h"
+
+#include "ui/parameter_form.h"
+#include "ui/properties_panel.h"
+#include "ui/region_dialog.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QScreen>
+
+#include <algorithm>
+#include <utility>
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr int wait_ms = 150, commit_ms = 400;
+
+std::array<double, 3> triple(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+} // namespace
+
+/// What one look came to.
+struct RegionDesk::Found {
+    std::shared_ptr<RegionPreview::Result> result;
+    StripDisplayPtr display;
+    std::string where; ///< of what is wrong
+    QString wrong;     ///< empty: nothing is
+};
+
+RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
+    : QObject(window), document_(document), viewport_(viewport), dialog_(new RegionDialog(window)) {
+    wait_timer_.setSingleShot(true);
+    wait_timer_.setInterval(wait_ms);
+    connect(&wait_timer_, &QTimer::timeout, this, &RegionDesk::look);
+    commit_timer_.setSingleShot(true);
+    commit_timer_.setInterval(commit_ms);
+    connect(&commit_timer_, &QTimer::timeout, this, &RegionDesk::commit);
+
+    connect(dialog_, &RegionDialog::edited, this, &RegionDesk::try_value);
+    connect(dialog_, &RegionDialog::finished_editing, this, &RegionDesk::commit);
+    connect(dialog_, &RegionDialog::lead_wanted, this, [this](double lead) {
+        try_value("lead_limit", lead);
+        commit_timer_.start();
+    });
+    connect(dialog_, &RegionDialog::lead_chosen, this, [this](double lead) {
+        try_value("lead_limit", lead);
+        commit();
+    });
+    connect(dialog_, &RegionDialog::region_switched, this, [this](std::size_t region, bool on) {
+        edit_region(on ? tr("Switch region on") : tr("Switch region off"), region,
+                    [on](RegionEdit& e) { e.enabled = on; });
+    });
+    connect(dialog_, &RegionDialog::region_grown, this, [this](std::size_t region, double grow) {
+        edit_region(tr("Grow region"), region, [grow](RegionEdit& e) { e.grow = grow; });
+    });
+    connect(dialog_, &RegionDialog::region_chosen, this, [this](std::optional<std::size_t> region) {
+        viewport_.scene().set_strip_chosen(region);
+        viewport_.refresh();
+    });
+    connect(dialog_, &RegionDialog::edits_dropped, this, [this] {
+        change(tr("Drop region edits"), [](TakesRegionEdits& o) {
+            o.set_region_edits({});
+            o.set_boundary_drags({});
+        });
+    });
+    connect(dialog_, &RegionDialog::closed, this, &RegionDesk::close);
+
+    connect(&viewport_, &Viewport::handle_dragged, this, [this](const Vec3& from, const Vec3& to) {
+        if (!operation()) return;
+        drag_ = BoundaryDrag{triple(from), triple(to)};
+        viewport_.scene().set_marker(Marker{to, Vec3::Zero()});
+        viewport_.refresh();
+        wait_timer_.start();
+    });
+    connect(&viewport_, &Viewport::handle_dropped, this, [this](const Vec3& from, const Vec3& to) {
+        drag_.reset();
+        viewport_.scene().set_marker(std::nullopt);
+        viewport_.refresh();
+        if (from != to)
+            change(tr("Drag boundary point"), [&](TakesRegionEdits& o) {
+                std::vector<BoundaryDrag> drags = o.boundary_drags();
+                drags.push_back({triple(from), triple(to)});
+                o.set_boundary_drags(std::move(drags));
+            });
+        refresh();
+    });
+    // A region is chosen where it is clicked.
+    connect(&viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
+        if (!found_) return;
+        double least = infinity;
+        std::optional<std::size_t> nearest;
+        const auto& regions = found_->found.regions.regions;
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            for (const auto& [a, b, c] : regions[i].strip.band) {
+                const double size = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+                const double away = ((a + b + c) / 3 - pick.point).norm();
+                if (away > size || away >= least) continue;
+                least = away;
+                nearest = i;
+            }
+        if (nearest) dialog_->choose(nearest);
+    });
+
+    connect(&document_, &Document::opened, this, [this] {
+        dialog_->hide();
+        preview_.reset();
+        refresh();
+    });
+    connect(&document_, &Document::changed, this, &RegionDesk::refresh);
+    connect(&document_, &Document::part_changed, this, &RegionDesk::refresh);
+    connect(&document_, &Document::states_changed, this, &RegionDesk::refresh);
+    connect(&job_, &BackgroundJob::started, this, [this](const QString&) {
+        if (id_ != 0) dialog_->set_busy(true);
+    });
+    connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, const QString& label) {
+        if (id_ != 0) dialog_->set_busy(true, fraction, label);
+    });
+    connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
+        if (!job_.running()) dialog_->set_busy(false);
+        if (end.how == JobEnd::How::failed) emit failed(end.message);
+        emit settled();
+    });
+}
+
+RegionDesk::~RegionDesk() {
+    dialog_->disconnect(this);
+    delete dialog_;
+}
+
+bool RegionDesk::busy() const {
+    return wait_timer_.isActive() || commit_timer_.isActive() || job_.running();
+}
+
+std::optional<std::size_t> RegionDesk::operation() const {
+    if (id_ == 0) return std::nullopt;
+    const auto i = document_.index_of(id_);
+    return i && dynamic_cast<const GlobalLocal*>(&document_.operation(*i)) ? i : std::nullopt;
+}
+
+void RegionDesk::open(std::size_t i) {
+    if (i >= document_.operation_count() || !dynamic_cast<const GlobalLocal*>(&document_.operation(i)))
+        return;
+    commit();
+    if (id_ != document_.operation_id(i)) {
+        found_.reset();
+        dialog_->clear_advice(tr("Comparing tools and limits…"));
+    }
+    id_ = document_.operation_id(i);
+    key_.clear();
+    if (!dialog_->isVisible()) {
+        // Beside the middle of the window, so that the view stays in sight.
+        const QWidget* window = dialog_->parentWidget();
+        const QRect screen = window->screen()->availableGeometry(), frame = window->frameGeometry();
+        dialog_->resize(dialog_->sizeHint().boundedTo(screen.size() - QSize(0, 40)));
+        const int x = std::min(frame.right() + 1 - dialog_->width(), screen.right() + 1 - dialog_->width());
+        const int y = std::min(frame.top() + 60, screen.bottom() + 1 - dialog_->height());
+        dialog_->move(std::max(screen.left(), x), std::max(screen.top(), y));
+    }
+    dialog_->show();
+    dialog_->raise();
+    dialog_->activateWindow();
+    emit wanted();
+    refresh();
+}
+
+void RegionDesk::close() {
+    commit();
+    id_ = 0;
+    values_.clear();
+    drag_.reset();
+    key_.clear();
+    found_.reset();
+    wait_timer_.stop();
+    commit_timer_.stop();
+    job_.cancel();
+    viewport_.scene().set_strip_handles(false);
+    viewport_.scene().set_strip_chosen(std::nullopt);
+    planned_.clear();
+    show_display(nullptr);
+    refresh();
+    emit settled();
+}
+
+void RegionDesk::show_node(const std::optional<TreeNode>& node) {
+    node_ = node;
+    refresh();
+}
+
+Project RegionDesk::tried() const {
+    Project project = document_.project();
+    const auto i = operation();
+    if (!i) return project;
+    Operation& operation = *project.operations[*i];
+    for (const auto& [key, value] : values_)
+        operation.set(key, value);
+    if (drag_)
+        if (auto* regions = dynamic_cast<TakesRegionEdits*>(&operation)) {
+            std::vector<BoundaryDrag> drags = regions->boundary_drags();
+            drags.push_back(*drag_);
+            regions->set_boundary_drags(std::move(drags));
+        }
+    return project;
+}
+
+std::string RegionDesk::key_of(const Project& project, std::size_t i) const {
+    return Document::fingerprint(project, i) + std::string(unit_name(project.unit));
+}
+
+void RegionDesk::try_value(const std::string& key, const ParameterValue& value) {
+    if (!operation()) return;
+    values_[key] = value;
+    wait_timer_.start();
+}
+
+void RegionDesk::commit() {
+    commit_timer_.stop();
+    if (values_.empty()) return;
+    const auto values = std::exchange(values_, {});
+    const auto i = operation();
+    if (!i) return;
+    const Operation& now = document_.operation(*i);
+    if (std::all_of(values.begin(), values.end(),
+                    [&](const auto& v) { return now.get(v.first) == v.second; }))
+        return refresh();
+    const QString what = values.size() == 1
+                             ? tr("Edit %1").arg(text(values.begin()->first).replace(QChar('_'), QChar(' ')))
+                             : tr("Edit region settings");
+    document_.change(what, [&](Project& p) {
+        for (const auto& [key, value] : values)
+            p.operations.at(*i)->set(key, value);
+    });
+}
+
+void RegionDesk::change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit) {
+    commit();
+    const auto i = operation();
+    if (!i) return;
+    document_.change(what, [&](Project& p) {
+        if (auto* regions = dynamic_cast<TakesRegionEdits*>(p.operations.at(*i).get())) edit(*regions);
+    });
+}
+
+void RegionDesk::edit_region(const QString& what, std::size_t region,
+                             const std::function<void(RegionEdit&)>& edit) {
+    if (!found_ || region >= found_->found.regions.regions.size()) return;
+    const auto found = found_; // stays while it is replaced
+    const ReworkRegion& r = found->found.regions.regions[region];
+    change(what, [&](TakesRegionEdits& o) {
+        std::vector<RegionEdit> edits = o.region_edits();
+        std::vector<RegionEdit> own;
+        for (const Vec3& place : r.places) {
+            RegionEdit e{triple(place), r.strip.enabled, r.grow};
+            // Edited again before the regions were found anew.
+            for (const RegionEdit& known : edits)
+                if (known.place == e.place) e = known;
+            edit(e);
+            own.push_back(e);
+        }
+        std::erase_if(edits, [&](const RegionEdit& e) {
+            const bool about = std::any_of(r.edits.begin(), r.edits.end(), [&](std::size_t k) {
+                return k < found_edits_.size() && found_edits_[k] == e;
+            });
+            return about || std::any_of(own.begin(), own.end(), [&](const RegionEdit& mine) {
+                       return mine.place == e.place;
+                   });
+        });
+        for (const RegionEdit& e : own)
+            if (!e.enabled || e.grow != 0) edits.push_back(e);
+        o.set_region_edits(std::move(edits));
+    });
+}
+
+void RegionDesk::refresh() {
+    const auto i = operation();
+    if (id_ != 0 && !i) {
+        dialog_->hide(); // the operation is gone; comes back here
+        return;
+    }
+    if (!i) return show_planned();
+    const Project project = tried();
+    const auto& operation = static_cast<const GlobalLocal&>(*project.operations[*i]);
+    dialog_->show_settings(operation, project.unit, tool_choices(project, true));
+    const auto& kept = static_cast<const GlobalLocal&>(document_.operation(*i));
+    dialog_->set_edited(!kept.region_edits().empty() || !kept.boundary_drags().empty());
+    if (!document_.part_is_current() || !document_.has_stock()) {
+        dialog_->show_no_regions(tr("The part is being read…"));
+        key_.clear();
+        return;
+    }
+    if (key_of(project, *i) != key_) wait_timer_.start();
+}
+
+/// Finds the regions of what stands in the dialog.
+void RegionDesk::look() {
+    const auto i = operation();
+    if (!i || !document_.part_is_current()) return;
+    auto project = std::make_shared<Project>(tried());
+    const std::string key = key_of(*project, *i);
+    if (key == key_) return;
+    key_ = key;
+    if (!preview_) preview_ = std::make_shared<RegionPreview>();
+    auto found = std::make_shared<Found>();
+    job_.start(
+        tr("Finding rework regions"),
+        [=, place = *i, part = document_.part(), preview = preview_](const Progress& progress) {
+            try {
+                found->result = std::make_shared<RegionPreview::Result>(
+                    preview->find(*project, place, *part, progress.part(0, 0.95)));
+                std::vector<Strip> strips;
+                for (const ReworkRegion& r : found->result->found.regions.regions)
+                    strips.push_back(r.strip);
+                found->display = prepare_strip_display(strips, project->unit, progress.part(0.95, 1));
+            } catch (const Error& e) {
+                found->where = e.where();
+                found->wrong = sentence(text(e.message()));
+                if (!e.remedy().empty()) found->wrong += QStringLiteral(": ") + text(e.remedy());
+                found->wrong = with_lengths_in(found->wrong, project->unit);
+            }
+        },
+        [=, this, place = *i](const JobEnd& end) {
+            if (key != key_ || id_ == 0) return;
+            if (!end.done()) {
+                key_.clear();
+                if (end.how == JobEnd::How::failed) dialog_->show_problem({}, sentence(end.message));
+                return;
+            }
+            found_edits_ = static_cast<const GlobalLocal&>(*project->operations[place]).region_edits();
+            take(*found);
+        });
+}
+
+void RegionDesk::take(const Found& found) {
+    const auto i = operation();
+    if (!i) return;
+    found_ = found.result;
+    dialog_->show_problem(found.where, found.wrong);
+    show_display(found.display);
+    viewport_.scene().set_strip_handles(true);
+    if (!found_) {
+        dialog_->show_no_regions(tr("There are no regions while a value is not right."));
+        dialog_->clear_advice(tr("Nothing can be compared while a value is not right."));
+        return;
+    }
+    const ReworkRegions& r = found_->found.regions;
+    const Project project = tried();
+    const auto& settings = static_cast<const GlobalLocal&>(*project.operations[*i]).settings();
+    const auto percent = [&](double area) {
+        return text(format_number(r.part_area > 0 ? 100 * area / r.part_area : 0, 2)) + QStringLiteral(" %");
+    };
+    if (r.regions.empty()) {
+        dialog_->show_no_regions(
+            tr("No place needs a lead above %1°: the main path cuts all of the part, there "
+               "is nothing to rework.")
+                .arg(text(format_number(degrees(settings.lead_limit), 3))));
+    } else {
+        const auto off = std::count_if(r.regions.begin(), r.regions.end(),
+                                       [](const ReworkRegion& region) { return !region.strip.enabled; });
+        QString status = r.regions.size() == 1 ? tr("1 region") : tr("%1 regions").arg(r.regions.size());
+        if (off > 0) status += tr(", %1 switched off").arg(off);
+        status += tr("; rework covers %1 of the surface").arg(percent(r.area));
+        if (r.uncut_area >= 0.98 * r.part_area)
+            status = tr("This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
+        dialog_->show_regions(r.regions, status);
+    }
+    double diameter = 0;
+    try {
+        diameter = project.tool_of(*project.operations[*i]).diameter;
+    } catch (const Error&) {
+    }
+    dialog_->show_advice(found_->advice, diameter, settings.lead_limit);
+    viewport_.scene().set_strip_chosen(dialog_->chosen());
+    viewport_.refresh();
+}
+
+void RegionDesk::show_display(StripDisplayPtr display) {
+    if (display == display_) return;
+    const bool first = !display_ || display_->strips.empty();
+    display_ = std::move(display);
+    viewport_.scene().set_strips(display_);
+    if (first && display_)
+        viewport_.content_changed();
+    else
+        viewport_.refresh();
+}
+
+/// Of the selected operation, where it has any; otherwise of all.
+void RegionDesk::show_planned() {
+    std::vector<std::shared_ptr<const OperationResult>> results;
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        const auto result = document_.result(i);
+        if (!result || result->path.strips.empty()) continue;
+        if (node_ && node_->kind == TreeNode::Kind::operation && node_->index == i) {
+            results.assign(1, result);
+            break;
+        }
+        results.push_back(result);
+    }
+    const LengthUnit unit = document_.unit();
+    if (results == planned_ && (results.empty() || unit == planned_unit_)) return;
+    planned_ = results;
+    planned_unit_ = unit;
+    if (results.empty()) {
+        job_.cancel();
+        show_display(nullptr);
+        return;
+    }
+    auto display = std::make_shared<StripDisplayPtr>();
+    job_.start(
+        tr("Drawing regions"),
+        [=](const Progress& progress) {
+            std::vector<Strip> strips;
+            for (const auto& result : results)
+                strips.insert(strips.end(), result->path.strips.begin(), result->path.strips.end());
+            *display = prepare_strip_display(strips, unit, progress);
+        },
+        [=, this](const JobEnd& end) {
+            if (end.done() && id_ == 0 && results == planned_) show_display(*display);
+        });
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,87 @@
+// Regions of the part's surface in the window: those of planned operations, and while the dialog "Settings of
+// Rework Region" is open those that its values would bring, found anew in the background after every change.
+// What is edited by hand (switched off, grown, shrunk, dragged in the view) goes to the document as steps of
+// its history; a value that is still being typed, or a boundary point on its way, is only tried.
+#pragma once
+
+#include "core/job/region_preview.h"
+#include "ui/background_job.h"
+#include "ui/document.h"
+#include "ui/project_tree.h"
+#include "viz/strip_display.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facetmill::ui {
+
+class RegionDialog;
+class Viewport;
+
+class RegionDesk : public QObject {
+    Q_OBJECT
+public:
+    RegionDesk(Document& document, Viewport& viewport, QWidget* window);
+    ~RegionDesk() override;
+
+    RegionDialog* dialog() { return dialog_; }
+    /// Opens the dialog for an operation; nothing for one without rework regions.
+    void open(std::size_t operation);
+    /// What is selected in the tree: of several operations with regions those of the selected one are shown.
+    void show_node(const std::optional<TreeNode>& node);
+    /// Takes over what stands in the dialog's fields.
+    void commit();
+    /// What is drawn; null: nothing.
+    const StripDisplayPtr& shown() const { return display_; }
+    /// Of the open dialog: the regions as they would be, of the newest values that were looked at.
+    const RegionPreview::Result* found() const { return found_.get(); }
+    bool busy() const;
+
+signals:
+    /// Regions are to be seen: their layer should be on.
+    void wanted();
+    void failed(const QString& message);
+    void settled();
+
+private:
+    struct Found;
+    void refresh();
+    void look();
+    void show_planned();
+    void take(const Found& found);
+    void show_display(StripDisplayPtr display);
+    void try_value(const std::string& key, const ParameterValue& value);
+    void close();
+    /// The project with what is only tried.
+    Project tried() const;
+    std::string key_of(const Project& project, std::size_t i) const;
+    std::optional<std::size_t> operation() const;
+    void change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit);
+    void edit_region(const QString& what, std::size_t region, const std::function<void(RegionEdit&)>& edit);
+
+    Document& document_;
+    Viewport& viewport_;
+    RegionDialog* dialog_ = nullptr;
+    std::optional<TreeNode> node_;
+    int id_ = 0;                                   ///< operation of the dialog; 0: it is closed
+    std::map<std::string, ParameterValue> values_; ///< tried
+    std::optional<BoundaryDrag> drag_;             ///< on its way
+    std::string key_;                              ///< of what was looked at last
+    std::shared_ptr<RegionPreview> preview_;
+    std::shared_ptr<const RegionPreview::Result> found_;
+    std::vector<RegionEdit> found_edits_;                         ///< that it was found with
+    std::vector<std::shared_ptr<const OperationResult>> planned_; ///< whose strips are shown
+    LengthUnit planned_unit_ = LengthUnit::mm;
+    StripDisplayPtr display_;
+    QTimer wait_timer_;   ///< for the next key or the next place of the pointer
+    QTimer commit_timer_; ///< for the end of a drag in the chart
+    BackgroundJob job_;   // last: it ends first
+};
+
+} // namespace facetmill::ui
