@@ -37,6 +37,20 @@ QByteArray saddle() {
     return text + "endsolid saddle\n";
 }
 
+/// A sheet over 32 x 24 mm with a dent that a flat end of 8 mm enters at a large lead only.
+QByteArray dent() {
+    QByteArray text = "solid dent\n";
+    const auto at = [](int i, int k) {
+        const double x = -16 + i, y = -12 + k;
+        return QString("%1 %2 %3").arg(x).arg(y).arg(-1.5 * std::exp(-(x * x + y * y) / 16), 0, 'f', 6);
+    };
+    for (int i = 0; i < 32; ++i)
+        for (int k = 0; k < 24; ++k)
+            text += facet(at(i, k), at(i + 1, k), at(i + 1, k + 1))
+                    + facet(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    return text + "endsolid dent\n";
+}
+
 /// A sheet that stands upright.
 QByteArray wall() {
     return "solid wall\n" + facet("0 0 0", "20 0 0", "20 0 10") + facet("0 0 0", "20 0 10", "0 0 10")
@@ -91,6 +105,71 @@ QByteArray own_machine(double top) {
 class TestFiveAxis : public QObject {
     Q_OBJECT
 private slots:
+    /// Two programs of two tools, one entry in the report; both are verified together, and regions are shown.
+    void global_local_writes_a_main_and_a_rework_program() {
+        Sandbox s;
+        s.write("dent.stl", dent());
+        s.write("job.facetmill", R"({ "facetmill": 1, "units": "mm", "part": { "file": "dent.stl" },
+  "machine": "tarus-tpi-2000",
+  "tools": [ { "number": 1, "name": "Flat", "diameter": 8, "corner_radius": 0, "flute_length": 25, "shank_diameter": 8,
+               "shank_length": 20 },
+             { "number": 7, "name": "Ball", "diameter": 3, "corner_radius": 1.5, "flute_length": 25, "shank_diameter": 3,
+               "shank_length": 20 } ],
+  "operations": [ { "kind": "global_local", "name": "GL", "tool": 1, "rework_tool": 7, "tolerance": 0.1, "direction": "x",
+                    "lead_limit": 6, "rework_offset": 1, "posture": "cm2" },
+                  { "kind": "finish3", "name": "After", "tool": 7, "tolerance": 0.5 } ] })");
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
+        QVERIFY2(run.status == 0, run.err);
+        QCOMPARE(s.files("out"),
+                 (QStringList{"01-GL-rework.apt", "01-GL.apt", "02-After.apt", "report.json"}));
+        const QJsonArray operations = json(run.out)["operations"].toArray();
+        QCOMPARE(operations.size(), 2);
+        const QJsonObject gl = operations[0].toObject();
+        QCOMPARE(operations[1].toObject()["name"].toString(), QString("After"));
+        QCOMPARE(gl["rework_regions"].toInt(), 1);
+        const QJsonObject region = gl["regions"].toArray()[0].toObject();
+        QVERIFY(region["area"].toDouble() > 20 && region["area"].toDouble() < 300);
+        QCOMPARE(region["tool"].toInt(), 7);
+        QVERIFY(region["enabled"].toBool() && !region["reason"].toString().isEmpty());
+        const QJsonObject main = gl["main"].toObject(), rework = gl["rework"].toObject();
+        for (const char* key : {"time_seconds", "cut_length", "rapid_length"})
+            QVERIFY2(std::abs(gl[key].toDouble() - main[key].toDouble() - rework[key].toDouble())
+                         <= 1e-6 * gl[key].toDouble(),
+                     key);
+        QCOMPARE(main["tool"].toInt(), 1);
+        QVERIFY(gl["lead_degrees"].toArray()[1].toDouble() <= 6 + 1e-6);
+        QVERIFY(gl["remaining_fraction"].toDouble() < 1e-3);
+        QVERIFY(bytes_of(s.path() + "/out/01-GL.apt").contains("LOADTL/1\n"));
+        QVERIFY(bytes_of(s.path() + "/out/01-GL-rework.apt").contains("LOADTL/7\n"));
+
+        const CliRun both = run_cli({"simulate", "job.facetmill", "-o", "sim", "--op", "GL"}, s.path());
+        QVERIFY2(both.status == 0, both.err);
+        const QJsonObject verdict = json(bytes_of(s.path() + "/sim/verify.json"));
+        QCOMPARE(verdict["uncut_fraction"].toDouble(-1), 0.0);
+        QCOMPARE(verdict["operations"].toArray().size(), 2);
+#ifdef FACETMILL_HAS_PICTURES
+        const CliRun picture =
+            run_cli({"render", "job.facetmill", "--op", "GL", "--show", "part,strips", "-o", "regions.png"},
+                    s.path());
+        QVERIFY2(picture.status == 0, picture.err);
+        QVERIFY(bytes_of(s.path() + "/regions.png").size() > 10000);
+#endif
+        // What is edited by hand is kept, and counts.
+        const QByteArray off =
+            bytes_of(s.path() + "/job.facetmill")
+                .replace("\"lead_limit\": 6,", "\"lead_limit\": 6, \"region_edits\": [ { "
+                                               "\"place\": [0, 0, -1.5], \"enabled\": false } ],");
+        s.write("job.facetmill", off);
+        const CliRun without = run_cli({"plan", "job.facetmill", "-o", "off", "--op", "GL"}, s.path());
+        QVERIFY2(without.status == 0, without.err);
+        QCOMPARE(s.files("off"), (QStringList{"01-GL.apt", "report.json"}));
+        QVERIFY(!json(without.out)["operations"]
+                     .toArray()[0]
+                     .toObject()["regions"]
+                     .toArray()[0]
+                     .toObject()["enabled"]
+                     .toBool(true));
+    }
 
     void the_report_has_the_keys_of_five_axes() {
         Sandbox s;
