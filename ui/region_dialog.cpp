@@ -292,8 +292,8 @@ void RegionDialog::show_regions(const std::vector<ReworkRegion>& regions, const 
     const double per = mm_per(unit_);
     const QString unit = text(unit_name(unit_));
     filling_ = true;
-    table_->setHorizontalHeaderLabels(
-        {tr("Region"), tr("Area (%1²)").arg(unit), tr("Grow (%1)").arg(unit), tr("Tool"), tr("Reason")});
+    table_->setHorizontalHeaderLabels({tr("Region"), tr("Area (%1)").arg(unit + QChar(0x00B2)),
+                                       tr("Grow (%1)").arg(unit), tr("Tool"), tr("Reason")});
     table_->setRowCount(int(regions.size()));
     grown_.clear();
     for (int row = 0; row < table_->rowCount(); ++row) {
