@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/stock_solid.h"
+#include "core/job/verification.h"
 #include "core/mesh/geometry.h"
 #include "core/strategy/manual_posture.h"
 #include "core/strategy/region_edit.h"
@@ -22,6 +23,9 @@ namespace {
 constexpr std::size_t vertices_per_block = 20000;
 /// A warning names this many of a machine's findings.
 constexpr std::size_t most_findings_told = 3;
+/// Rest material is looked for at samples, and with rays, so many radii of the tool apart that is to cut it;
+/// an axis that turns is followed to this share of the tolerance.
+constexpr double rest_sample_share = 0.25, rest_ray_share = 0.5, rest_motion_share = 0.2;
 
 /// Exact text of values, for cache keys.
 class Key {
@@ -254,13 +258,21 @@ struct Planner::Cache {
     std::vector<Planned> planned;
     std::size_t last_motions = 0;
     PlannerWork work;
+    std::string left_key; ///< of `rest`
+    std::shared_ptr<const EarlierLeft> rest;
 
     Planned* find(std::string Planned::*key, const std::string& value) {
         for (Planned& p : planned)
             if (p.*key == value) return &p;
         return nullptr;
     }
-    /// `earlier`: what names the motions of the operations before, where this one asks what stands.
+    /// What the operations of `before` leave, as far as this one asks; `motions` names theirs. Material is
+    /// kept until something of it changes.
+    std::shared_ptr<const EarlierLeft> left(const Project& project,
+                                            const std::shared_ptr<const PlanResult>& before,
+                                            const Operation& operation, std::string_view motions,
+                                            const Progress& progress);
+    /// `earlier`: what names the motions of the operations before, where this one asks for them.
     const Planned& operation(const Project& project, const Operation& operation, const PlanContext& context,
                              std::string_view earlier, const Progress& progress);
 };
@@ -427,13 +439,63 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     return planned.back();
 }
 
+std::shared_ptr<const EarlierLeft> Planner::Cache::left(const Project& project,
+                                                        const std::shared_ptr<const PlanResult>& before,
+                                                        const Operation& operation, std::string_view motions,
+                                                        const Progress& progress) {
+    auto found = std::make_shared<EarlierLeft>();
+    const Operation::ReadsLeft reads = operation.reads_left();
+    if (reads.points)
+        for (const auto& program : before->operations)
+            for (const CutterContact& c : program->path.cleanup)
+                found->points.push_back({c.point, c.normal, 0});
+    if (!reads.rest || before->operations.empty()) return found;
+    const OperationCommon& common = operation.common();
+    const double radius = 0.5 * project.tool_of(operation).diameter;
+    Key key;
+    key.add(std::string_view(part_key)).add(std::string_view(stock_key));
+    key.add_up_to(Stage::strategy, project.stock, stock_parameters());
+    key.add(motions).add(common.tolerance).add(common.allowance).add(radius);
+    if (!rest || left_key != key.text()) {
+        VerifySettings settings;
+        settings.tolerance = common.tolerance;
+        settings.allowance = common.allowance;
+        settings.sample_spacing = rest_sample_share * radius;
+        settings.motion_bound = rest_motion_share * common.tolerance;
+        // The stock itself is not asked: what is left is found by lines through the samples.
+        settings.resolution = rest_ray_share * radius;
+        const auto programs = verify_programs(project, before);
+        const Verification verified =
+            verify(*before->part->mesh, before->stock, programs, settings, progress);
+        auto all = std::make_shared<EarlierLeft>();
+        all->rest_spacing = 2 * verified.used.sample_spacing;
+        const DeviationSurface& surface = *verified.surface;
+        for (std::size_t i = 0; i < surface.points.size(); ++i) {
+            if (surface.flags[i] != DeviationSurface::counted) continue;
+            const double height = double(surface.deviation[i]);
+            if (!(height > (1 + tolerance::uncut_margin) * common.tolerance)) continue;
+            const auto vec = [](const std::array<float, 3>& v) {
+                return Vec3(double(v[0]), double(v[1]), double(v[2]));
+            };
+            all->rest.push_back({vec(surface.points[i]), vec(surface.normals[i]).normalized(), height});
+        }
+        rest = std::move(all);
+        left_key = key.text();
+    }
+    found->rest = rest->rest;
+    found->rest_spacing = rest->rest_spacing;
+    return found;
+}
+
 std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const std::string& only_operation,
                                                 const Progress& progress) {
     check_project(project);
     struct Asked {
         const Operation* operation;
-        bool result;         ///< else only for what it leaves
+        bool result;         ///< else only for those after it
         bool leaves = false; ///< an operation after it asks what stands
+        bool read = false;   ///< an operation after it asks what it came to
+        bool needed() const { return result || leaves || read; }
     };
     std::vector<Asked> asked;
     std::vector<std::string> names;
@@ -441,12 +503,14 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         names.push_back(o->common().name);
         asked.push_back({o.get(), only_operation.empty() || names.back() == only_operation});
     }
-    bool leaves = false;
+    bool leaves = false, read = false;
     for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
         a->leaves = leaves && a->operation->three_axis();
-        leaves = leaves || (a->operation->reads_stock() && (a->result || a->leaves));
+        a->read = read;
+        leaves = leaves || (a->operation->reads_stock() && a->needed());
+        read = read || (a->operation->reads_left().any() && a->needed());
     }
-    std::erase_if(asked, [](const Asked& a) { return !a.result && !a.leaves; });
+    std::erase_if(asked, [](const Asked& a) { return !a.needed(); });
     if (names.empty())
         throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
                     "add an operation");
@@ -470,8 +534,9 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
 
     PlanContext context = context_of(project, *result->part, result->stock);
     context.contact = c.index;
-    Key earlier;
+    Key earlier, before;
     std::vector<std::shared_ptr<const EarlierCuts>> cuts;
+    auto done = std::make_shared<PlanResult>(*result); // with all operations until now
     for (auto& p : c.planned)
         p.used = false;
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -481,13 +546,26 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         context.further_tools = project.further_tools_of(operation);
         context.earlier.clear();
         if (operation.reads_stock()) context.earlier = cuts;
-        const Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
+        Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
         try {
-            const Cache::Planned& planned = c.operation(
-                project, operation, context, operation.reads_stock() ? earlier.text() : std::string(), part);
+            Key asked_before;
+            if (operation.reads_stock()) asked_before.add("stock").add(std::string_view(earlier.text()));
+            context.left = nullptr;
+            if (operation.reads_left().any()) {
+                asked_before.add("left").add(std::string_view(before.text()));
+                context.left = c.left(project, done, operation, before.text(), part.part(0, 0.3));
+                part = part.part(0.3, 1);
+            }
+            const Cache::Planned& planned =
+                c.operation(project, operation, context, asked_before.text(), part);
             if (asked[i].result)
                 for (const auto& program : programs_of(planned.result))
                     result->operations.push_back(program);
+            if (asked[i].read) {
+                before.add(std::to_string(planned.motions));
+                for (const auto& program : programs_of(planned.result))
+                    done->operations.push_back(program);
+            }
             if (asked[i].leaves) {
                 earlier.add(std::to_string(planned.motions));
                 cuts.push_back(cuts_of(planned.result->program));

@@ -3,8 +3,10 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/tool_lift.h"
+#include "core/strategy/axis_tilt.h"
 #include "core/strategy/budget.h"
-#include "core/strategy/place_hash.h"
+#include "core/strategy/left_strip.h"
+#include "core/strategy/point_grid.h"
 #include "core/strategy/strip_passes.h"
 
 #include <optional>
@@ -21,20 +23,22 @@ constexpr double same_share = 0.5;
 /// Of the square of its longest edge: a facet with less area has no sure normal.
 constexpr double needle_share = 0.02;
 
+/// Of the radius: what stays is measured at places so far apart.
+constexpr double judge_share = 0.1;
+
 /// Of the tolerance: that less than this stays is not measured further.
 constexpr double good_enough = 0.5;
 
-/// Is the name one of those in a list separated by commas?
-bool is_listed(const std::string& list, const std::string& name) {
-    std::size_t at = 0;
-    while (at < list.size()) {
+/// The names in a list that is separated by commas, without the blanks around them.
+std::vector<std::string> listed(const std::string& list) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at < list.size();) {
         const std::size_t end = std::min(list.find(',', at), list.size());
         const std::size_t first = list.find_first_not_of(' ', at);
-        const std::size_t last = end > 0 ? list.find_last_not_of(' ', end - 1) : 0;
-        if (first < end && list.compare(first, last + 1 - first, name) == 0) return true;
+        if (first < end) names.push_back(list.substr(first, list.find_last_not_of(' ', end - 1) + 1 - first));
         at = end + 1;
     }
-    return false;
+    return names;
 }
 
 /// A cutter as valleys are found with it.
@@ -66,11 +70,20 @@ public:
             find(CutterProfile(AptCutter::ball(d, std::max(d, before.flute_length))), StripKind::sharp,
                  progress.part(0.4, 0.5, "Looking for sharp changes of normals"));
         }
+        if (context_.left) {
+            const EarlierLeft& left = *context_.left;
+            if (settings_.left_points)
+                find_left(left.points, ripple_, StripKind::no_posture, progress.part(0.4, 0.45));
+            if (settings_.rest_material)
+                find_left(left.rest, left.rest_spacing, StripKind::rest, progress.part(0.45, 0.5));
+        }
         if (found_.empty())
-            throw Error(ErrorCode::empty_result, settings_.name,
-                        "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than "
-                            + text(cusp_),
-                        "leave the operation out, or allow a smaller tolerance");
+            throw Error(
+                ErrorCode::empty_result, settings_.name,
+                "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than " + text(cusp_)
+                    + (settings_.left_points || settings_.rest_material ? ", nor do the operations before"
+                                                                        : ""),
+                "leave the operation out, or allow a smaller tolerance");
         name_strips();
         cut(progress.part(0.5, 0.9, "Planning passes"));
         hold(progress.part(0.9, 0.93));
@@ -79,6 +92,13 @@ public:
                             [](const Strip& s) { return s.enabled; }))
             throw Error(ErrorCode::empty_result, settings_.name, "all strips are switched off",
                         "switch one on, or leave the operation out");
+        if (result_.passes.empty() && held_ > 0)
+            throw Error(ErrorCode::empty_result, settings_.name,
+                        "the tool's " + std::string(tool_body_name(held_by_))
+                            + " would touch the part wherever there is something to cut",
+                        settings_.tilt_limit > 0
+                            ? "use a longer tool, or allow a larger tilt_limit"
+                            : "use a longer tool, or allow it to be inclined (tilt_limit)");
         if (result_.passes.empty())
             throw Error(ErrorCode::empty_result, settings_.name,
                         "the tool can stand nowhere along the " + std::to_string(found_.size())
@@ -94,7 +114,7 @@ private:
         StripKind kind;
         std::optional<ValleyCurve> curve;
         RestBand band;
-        double radius; ///< of the cutter that it was found with
+        LeftStrip left; ///< of strips from places that were left; `band` has its facets
     };
 
     std::string text(double mm) const { return length_text(mm, context_.unit); }
@@ -126,7 +146,6 @@ private:
         for (RestBand& band : bands) {
             Found f;
             f.kind = kind;
-            f.radius = profile.max_radius();
             if (band.curve >= 0) f.curve = valleys.curves[std::size_t(band.curve)];
             // What a ball that stands for a limit leaves beside its valleys is the previous cutter's.
             if (band.curve < 0 && kind == StripKind::sharp) continue;
@@ -135,46 +154,99 @@ private:
         }
     }
 
+    /// Strips around places that are on none yet.
+    void find_left(const std::vector<LeftPlace>& places, double spacing, StripKind kind,
+                   const Progress& progress) {
+        const double apart = std::max(spacing, 0.25 * radius_);
+        PointGrid known(apart);
+        for (const Found& f : found_)
+            for (const auto& t : f.band.band)
+                for (const Vec3& p : t)
+                    known.add(p);
+        std::vector<LeftPlace> others;
+        for (const LeftPlace& place : places)
+            if (!known.near_until(place.point, apart, [&](std::size_t i) {
+                    return (known.points()[i] - place.point).norm() < apart;
+                }))
+                others.push_back(place);
+        for (LeftStrip& strip : left_strips(context_, others, apart, overlap_, ripple_, progress)) {
+            Found f;
+            f.kind = kind;
+            f.band.band = strip.strip.band;
+            f.band.boundaries = strip.strip.boundaries;
+            f.band.area = strip.strip.area;
+            f.band.length = strip.strip.length;
+            f.band.depth = strip.height;
+            f.left = std::move(strip);
+            found_.push_back(std::move(f));
+        }
+    }
+
     /// Curves that are there already.
     void leave_out_known(Valleys& valleys) const {
         const std::size_t before = valleys.curves.size();
         const double within = 2 * valleys.step;
-        PlaceHash known(within);
-        std::vector<Vec3> centers;
+        PointGrid known(within);
         for (const Found& f : found_)
             if (f.curve)
-                for (const PencilPoint& p : f.curve->points) {
-                    known.add(p.center, Index(centers.size()));
-                    centers.push_back(p.center);
-                }
+                for (const PencilPoint& p : f.curve->points)
+                    known.add(p.center);
         std::erase_if(valleys.curves, [&](const ValleyCurve& c) {
             std::size_t same = 0;
             for (const PencilPoint& p : c.points) {
-                bool is = false;
-                known.near(p.center, within,
-                           [&](Index i) { is = is || (centers[i] - p.center).norm() < within; });
-                same += is;
+                same += known.near_until(p.center, within, [&](std::size_t i) {
+                    return (known.points()[i] - p.center).norm() < within;
+                });
             }
             return double(same) > same_share * double(c.points.size());
         });
         if (valleys.curves.size() == before) return;
         // Numbers of curves have changed.
-        PlaceHash tips(within);
-        std::vector<std::pair<Vec3, int>> owner;
+        PointGrid tips(within);
+        std::vector<int> owner;
         for (std::size_t c = 0; c < valleys.curves.size(); ++c)
             for (const PencilPoint& p : valleys.curves[c].points) {
-                tips.add(p.tip, Index(owner.size()));
-                owner.emplace_back(p.tip, int(c));
+                tips.add(p.tip);
+                owner.push_back(int(c));
             }
         for (Valleys::Tip& t : valleys.tips) {
             t.curve = -1;
             double least = valleys.step;
-            tips.near(t.tip, valleys.step, [&](Index i) {
-                if (const double d = (owner[i].first - t.tip).norm(); d < least) {
+            tips.near(t.tip, valleys.step, [&](std::size_t i) {
+                if (const double d = (tips.points()[i] - t.tip).norm(); d < least) {
                     least = d;
-                    t.curve = owner[i].second;
+                    t.curve = owner[i];
                 }
             });
+        }
+    }
+
+    static const char* kind_word(const Found& f) {
+        switch (f.kind) {
+        case StripKind::sharp:
+            return "Crease";
+        case StripKind::no_posture:
+            return "Points";
+        case StripKind::rest:
+            return "Rest";
+        default:
+            return f.curve ? "Valley" : "Hollow";
+        }
+    }
+    std::string reason(const Found& f) const {
+        const std::string tool = "tool " + std::to_string(settings_.previous_tool);
+        switch (f.kind) {
+        case StripKind::sharp:
+            return "normals turn by more than the limit";
+        case StripKind::no_posture:
+            return std::to_string(f.left.places)
+                   + (f.left.places == 1 ? " contact point was left" : " contact points were left")
+                   + " by operations before";
+        case StripKind::rest:
+            return "the operations before leave " + text(f.band.depth);
+        default:
+            return tool + (f.curve ? " touches both flanks, leaves " : " cannot enter, leaves ")
+                   + text(f.band.depth);
         }
     }
 
@@ -183,18 +255,10 @@ private:
         for (const Found& f : found_) {
             Strip s;
             s.kind = f.kind;
-            s.name = (f.kind == StripKind::sharp ? "Crease "
-                      : f.curve                  ? "Valley "
-                                                 : "Hollow ")
-                     + std::to_string(++number);
-            s.reason = !f.curve ? "tool " + std::to_string(settings_.previous_tool) + " cannot enter, leaves "
-                                      + text(f.band.depth)
-                       : f.kind == StripKind::sharp
-                           ? "normals turn by more than the limit"
-                           : "tool " + std::to_string(settings_.previous_tool)
-                                 + " touches both flanks, leaves " + text(f.band.depth);
+            s.name = kind_word(f) + (" " + std::to_string(++number));
+            s.reason = reason(f);
             s.tool = settings_.tool;
-            s.enabled = !is_listed(settings_.switched_off, s.name);
+            s.enabled = !is_switched_off(settings_.switched_off, s.name);
             s.band = f.band.band;
             s.boundaries = f.band.boundaries;
             if (f.curve) {
@@ -231,7 +295,9 @@ private:
             const Progress here =
                 progress.part(double(i) / double(found_.size()), double(i + 1) / double(found_.size()));
             if (!result_.strips[i].enabled) continue;
-            StripCut c = f.curve ? cut_valley(with, *f.curve, f.band, here) : cut_hollow(with, f.band, here);
+            StripCut c = f.left.piece.mesh ? cut_around_places(f, here)
+                         : f.curve         ? cut_valley(with, *f.curve, f.band, here)
+                                           : cut_hollow(with, f.band, here);
             result_.stepover_min = std::min(result_.stepover_min, c.stepover_min);
             result_.stepover_max = std::max(result_.stepover_max, c.stepover_max);
             blocked_ += c.blocked;
@@ -260,7 +326,18 @@ private:
         }
     }
 
-    /// Leaves out where shank or holder would touch.
+    StripCut cut_around_places(const Found& f, const Progress& progress) const {
+        StrategyResult path = cut_left(
+            context_, settings_, settings_.pattern == CleanupSettings::Pattern::oneway, f.left, progress);
+        StripCut cut;
+        cut.passes = std::move(path.passes);
+        if (cut.passes.empty()) cut.blocked = f.band.length;
+        cut.stepover_min = path.stepover_max > 0 ? path.stepover_min : infinity;
+        cut.stepover_max = path.stepover_max;
+        return cut;
+    }
+
+    /// Leaves out where shank or holder would touch, or inclines the tool there.
     void hold(const Progress& progress) {
         Tool tool = context_.tool;
         // A hair thinner: a shank as thick as the cutter runs along what the cutter has cut.
@@ -268,60 +345,96 @@ private:
         tool.shank_diameter = std::max(tool.shank_diameter - thinner, 0.5 * tool.shank_diameter);
         for (HolderSection& s : tool.holder)
             s.diameter = std::max(s.diameter - thinner, 0.5 * s.diameter);
-        const ToolLift whole(context_.contact, tool);
-        std::vector<std::vector<Pass>> kept(result_.passes.size());
-        std::vector<double> lost(result_.passes.size(), 0);
-        std::vector<ToolBody> by(result_.passes.size(), ToolBody::none);
+        const ToolLift whole(context_.contact, tool, {allowance_, 0, 0});
+        std::vector<TiltedPass> kept(result_.passes.size());
         parallel_for(result_.passes.size(), 1, progress, [&](std::size_t i) {
-            const Pass& pass = result_.passes[i];
-            ToolLift::Hint hint;
-            Pass run = pass;
-            run.cl.clear();
-            run.cc.clear();
-            for (std::size_t k = 0; k < pass.cl.size(); ++k) {
-                if (k % 256 == 0) progress.check();
-                const ToolContact c = whole.contact_above({pass.cl[k].tip, pass.cl[k].axis}, chord_, hint);
-                if (c.body == ToolBody::shank || c.body == ToolBody::holder) {
-                    by[i] = c.body;
-                    if (k > 0) lost[i] += (pass.cl[k].tip - pass.cl[k - 1].tip).norm();
-                    if (run.cl.size() > 1) kept[i].push_back(run);
-                    run.cl.clear();
-                    run.cc.clear();
-                    continue;
-                }
-                run.cl.push_back(pass.cl[k]);
-                run.cc.push_back(pass.cc[k]);
-            }
-            if (run.cl.size() > 1) kept[i].push_back(std::move(run));
+            kept[i] = settings_.tilt_limit > 0 ? tilted_where_held({&whole, settings_.tilt_limit, chord_},
+                                                                   result_.passes[i], progress)
+                                               : upright_where_free(whole, result_.passes[i], progress);
         });
         result_.passes.clear();
-        for (std::size_t i = 0; i < kept.size(); ++i) {
-            held_ += lost[i];
-            if (by[i] != ToolBody::none) held_by_ = by[i];
-            for (Pass& p : kept[i])
+        double largest = 0;
+        for (TiltedPass& k : kept) {
+            held_ += k.lost;
+            if (k.by != ToolBody::none) held_by_ = k.by;
+            largest = std::max(largest, k.largest);
+            for (Pass& p : k.passes)
                 result_.passes.push_back(std::move(p));
+        }
+        if (settings_.tilt_limit > 0) {
+            result_.lead_min = 0;
+            result_.lead_max = largest;
         }
         for (std::size_t i = 0; i < result_.passes.size(); ++i)
             result_.passes[i].drive = int(i);
         result_.drive_planes = int(result_.passes.size());
     }
 
+    /// A pass without the locations at which shank or holder would touch.
+    TiltedPass upright_where_free(const ToolLift& whole, const Pass& pass, const Progress& progress) const {
+        TiltedPass kept;
+        ToolLift::Hint hint;
+        Pass run = pass;
+        run.cl.clear();
+        run.cc.clear();
+        for (std::size_t k = 0; k < pass.cl.size(); ++k) {
+            if (k % 256 == 0) progress.check();
+            const ToolContact c = whole.contact_above({pass.cl[k].tip, pass.cl[k].axis}, chord_, hint);
+            if (c.body == ToolBody::shank || c.body == ToolBody::holder) {
+                kept.by = c.body;
+                if (k > 0) kept.lost += (pass.cl[k].tip - pass.cl[k - 1].tip).norm();
+                if (run.cl.size() > 1) kept.passes.push_back(run);
+                run.cl.clear();
+                run.cc.clear();
+                continue;
+            }
+            run.cl.push_back(pass.cl[k]);
+            run.cc.push_back(pass.cc[k]);
+        }
+        if (run.cl.size() > 1) kept.passes.push_back(std::move(run));
+        return kept;
+    }
+
+    /// Of facets that are small against the cutter one a cell is enough to measure what stays.
+    std::vector<std::array<Vec3, 3>> thinned(const std::vector<std::array<Vec3, 3>>& band) const {
+        const double cell = judge_share * radius_;
+        PointGrid seen(cell);
+        std::vector<std::array<Vec3, 3>> kept;
+        for (const auto& t : band) {
+            const auto& [a, b, c] = t;
+            const double longest2 =
+                std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+            if (longest2 > cell * cell || seen.add_first((a + b + c) / 3)) kept.push_back(t);
+        }
+        return kept;
+    }
+
     /// What stays of the bands, against what the cutter could reach.
     void judge(const Progress& progress) {
-        std::vector<Vec3> tips;
-        PlaceHash near(radius_);
+        std::vector<CutterLocation> stands;
+        PointGrid near(radius_);
+        bool inclined = false;
         const double spacing = std::sqrt(8 * std::max(profile_.cutter().r, 0.1 * radius_) * 0.1 * cusp_);
         for (const Pass& pass : result_.passes)
             for (std::size_t k = 0; k < pass.cl.size(); ++k) {
-                const Vec3& b = pass.cl[k].tip;
-                const Vec3& a = k > 0 ? pass.cl[k - 1].tip : b;
-                const auto parts = std::size_t((b - a).norm() / spacing) + 1;
+                const CutterLocation& b = pass.cl[k];
+                const CutterLocation& a = k > 0 ? pass.cl[k - 1] : b;
+                inclined = inclined || b.axis != Vec3::UnitZ();
+                const auto parts = std::size_t((b.tip - a.tip).norm() / spacing) + 1;
                 for (std::size_t i = 1; i <= parts; ++i) {
-                    const Vec3 p = a + (double(i) / double(parts)) * (b - a);
-                    near.add(Vec3(p.x(), p.y(), 0), Index(tips.size()));
-                    tips.push_back(p);
+                    const double t = double(i) / double(parts);
+                    stands.push_back(
+                        {a.tip + t * (b.tip - a.tip), (a.axis + t * (b.axis - a.axis)).normalized()});
+                    near.add(Vec3(stands.back().tip.x(), stands.back().tip.y(), 0));
                 }
             }
+        // An inclined cutter's contacts are farther from its tip, seen from above, by up to its radius.
+        const double reach = (inclined ? 2.1 : 1.1) * radius_ + cusp_;
+        const auto distance = [&](const Vec3& p, const CutterLocation& at) {
+            const Vec3 rel = p - at.tip;
+            const double along = rel.dot(at.axis);
+            return cover_.distance(Vec3((rel - along * at.axis).norm(), 0, along));
+        };
         const ValleyInput in = [&] {
             ValleyInput i;
             i.mesh = context_.part.get();
@@ -339,7 +452,7 @@ private:
         Sum total;
         for (std::size_t s = 0; s < found_.size(); ++s) {
             if (!result_.strips[s].enabled) continue;
-            const auto& band = found_[s].band.band;
+            const auto band = thinned(found_[s].band.band);
             total = parallel_reduce(
                 band.size(), 64, total, progress.part(double(s) / double(found_.size()), 1),
                 [&](std::size_t begin, std::size_t end) {
@@ -358,8 +471,8 @@ private:
                         const Vec3 p = (a + b + c) / 3 + allowance_ * n;
                         const double limit = nearest_touch(in, p, n, hint).gap;
                         double rest = infinity;
-                        near.near_until(Vec3(p.x(), p.y(), 0), 1.1 * radius_ + cusp_, [&](Index t) {
-                            rest = std::min(rest, cover_.distance(p - tips[t]));
+                        near.near_until(Vec3(p.x(), p.y(), 0), reach, [&](std::size_t t) {
+                            rest = std::min(rest, distance(p, stands[t]));
                             return rest <= good_enough * cusp_;
                         });
                         sum.area += area;
@@ -410,10 +523,10 @@ private:
     void finish() {
         auto record = std::make_shared<CleanupRecord>();
         record->previous = context_.further_tools.front();
-        for (const Found& f : found_)
-            if (f.curve && f.kind == StripKind::valley)
-                for (const PencilPoint& p : f.curve->points)
-                    record->touches.push_back({p.center, p.tip, p.touch, p.gap});
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            if (found_[i].curve && found_[i].kind == StripKind::valley)
+                for (const PencilPoint& p : found_[i].curve->points)
+                    record->touches.push_back({i, p.center, p.tip, p.touch, p.gap});
         result_.cleanup_record = std::move(record);
         result_.chord_tolerance = chord_;
         auto& warnings = result_.warnings;
@@ -421,8 +534,10 @@ private:
             warnings.push_back("the cutter has no place along " + text(blocked_)
                                + " of its passes: they are left out there");
         if (held_ > 0)
-            warnings.push_back("the " + std::string(tool_body_name(held_by_)) + " would touch the part along "
-                               + text(held_) + " of passes, which are left out: use a longer tool");
+            warnings.push_back(
+                "the " + std::string(tool_body_name(held_by_)) + " would touch the part along " + text(held_)
+                + " of passes, which are left out: use a longer tool"
+                + (settings_.tilt_limit > 0 ? "" : ", or allow it to be inclined (tilt_limit)"));
     }
 
     const CleanupSettings& settings_;
@@ -503,6 +618,28 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
                       .help = "zigzag cuts neighbouring passes to and fro; oneway all in the same "
                               "direction.",
                       .words = {"zigzag", "oneway"}});
+        t.add(&S::left_points,
+              {.key = "left_points",
+               .label = "Points left before",
+               .help = "Strips also around contact points that operations before left to clean-up, as those "
+                       "without a free posture.",
+               .kind = K::boolean});
+        t.add(&S::rest_material,
+              {.key = "rest_material",
+               .label = "Rest material",
+               .help = "Strips also where more than the tolerance stands after the operations before: their "
+                       "programs are verified first.",
+               .kind = K::boolean});
+        t.add(&S::tilt_limit,
+              {.key = "tilt_limit",
+               .label = "Tilt limit",
+               .help =
+                   "Largest inclination of the tool axis, used where shank or holder would touch the part. "
+                   "0 keeps the tool upright; above 0 the program is one of five axes.",
+               .kind = K::number,
+               .quantity = Quantity::angle,
+               .minimum = 0,
+               .maximum = radians(75)});
         t.add(&S::switched_off, {.key = "switched_off",
                                  .label = "Switched off",
                                  .help = "Names of strips that are found but not cut, separated by commas.",
@@ -512,11 +649,24 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
     return table;
 }
 
-const CleanupRecord::Touch* CleanupRecord::nearest(const Vec3& place) const {
-    const auto least = std::min_element(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) {
-        return (a.center - place).squaredNorm() < (b.center - place).squaredNorm();
-    });
-    return least == touches.end() ? nullptr : &*least;
+std::span<const CleanupRecord::Touch> CleanupRecord::of(std::size_t strip) const {
+    const auto [first, last] =
+        std::equal_range(touches.begin(), touches.end(), Touch{.strip = strip},
+                         [](const Touch& a, const Touch& b) { return a.strip < b.strip; });
+    return {first, last};
+}
+
+bool is_switched_off(const std::string& list, const std::string& name) {
+    const auto names = listed(list);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string with_switched(const std::string& list, const std::string& name, bool on) {
+    std::string result;
+    for (const std::string& n : listed(list))
+        if (n != name) result += (result.empty() ? "" : ", ") + n;
+    if (!on) result += (result.empty() ? "" : ", ") + name;
+    return result;
 }
 
 StrategyResult Cleanup::plan(const PlanContext& context, const Progress& progress) const {

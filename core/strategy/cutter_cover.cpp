@@ -1,5 +1,6 @@
 #include "core/strategy/cutter_cover.h"
 
+#include "core/base/golden_section.h"
 #include "core/base/tolerances.h"
 
 namespace facetmill {
@@ -135,37 +136,10 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
     if (gap(low) <= 0) return low;
     double inside = high;
     if (gap(high) > 0) {
-        // Look for a point inside, nearest first: golden section on a convex function, ended by the first
-        // success.
-        constexpr double golden = 0.6180339887498949;
-        double x1 = high - golden * (high - low), x2 = low + golden * (high - low);
-        double g1 = gap(x1), g2 = gap(x2), lo = low, hi = high;
-        inside = infinity;
-        for (int i = 0; i < 60; ++i) {
-            if (g1 <= 0) {
-                inside = x1;
-                break;
-            }
-            if (g2 <= 0) {
-                inside = x2;
-                break;
-            }
-            if (g1 < g2) {
-                hi = x2;
-                x2 = x1;
-                g2 = g1;
-                x1 = hi - golden * (hi - lo);
-                g1 = gap(x1);
-            } else {
-                lo = x1;
-                x1 = x2;
-                g1 = g2;
-                x2 = lo + golden * (hi - lo);
-                g2 = gap(x2);
-            }
-            if (hi - lo < tolerance::ray_accuracy) break;
-        }
-        if (inside == infinity) return infinity;
+        // Any point inside will do.
+        const LowPlace lowest = golden_minimum(gap, low, high, tolerance::ray_accuracy, 0);
+        if (lowest.value > 0) return infinity;
+        inside = lowest.at;
     }
     high = inside;
     while (high - low > tolerance::ray_accuracy) {

@@ -27,6 +27,19 @@ struct EarlierCuts {
     std::vector<std::array<Vec3, 2>> motions; ///< tip from, to
 };
 
+/// A place of the part that operations before left.
+struct LeftPlace {
+    Vec3 point, normal; ///< on the part; unit
+    double height = 0;  ///< of the material over it; 0: not known
+};
+
+/// What operations before leave, for those that cut it (Operation::reads_left).
+struct EarlierLeft {
+    std::vector<LeftPlace> points; ///< contact points that they left to clean-up
+    std::vector<LeftPlace> rest;   ///< where the verification finds more than the tolerance
+    double rest_spacing = 0;       ///< of its samples, mm
+};
+
 /// What every strategy gets to work with; all of it const and shared.
 struct PlanContext {
     MeshPtr part;
@@ -42,6 +55,8 @@ struct PlanContext {
     /// material is believed to stand there. A solid whose box is empty stands for the box stock_box.
     StockSolid stock;
     std::vector<std::shared_ptr<const EarlierCuts>> earlier;
+    /// For operations that ask for it; else null.
+    std::shared_ptr<const EarlierLeft> left;
     /// Those of Operation::further_tools, in their order.
     std::vector<Tool> further_tools;
     /// Of the part's vertices, where they are known better than its facets tell (a piece cut out of a part).
@@ -70,6 +85,12 @@ public:
     virtual bool three_axis() const = 0;
     /// True when the plan depends on what stands of the stock: raw material and earlier operations.
     virtual bool reads_stock() const { return false; }
+    /// What of the operations before it the plan depends on beside that.
+    struct ReadsLeft {
+        bool points = false, rest = false; ///< of EarlierLeft
+        bool any() const { return points || rest; }
+    };
+    virtual ReadsLeft reads_left() const { return {}; }
     /// Numbers of the tools that the operation uses or asks about, beside its own.
     virtual std::vector<long> further_tools() const { return {}; }
     /// A tool that it uses got another number.

@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/strategy/place_hash.h"
+#include "core/strategy/point_grid.h"
 
 #include <map>
 #include <numeric>
@@ -196,10 +196,10 @@ private:
         std::vector<std::size_t> start;
         for (std::size_t i = 0; i < seen.size(); ++i)
             if (i == 0 || seen[i][0] != seen[i - 1][0]) start.push_back(i);
-        PlaceHash tips(radius_);
+        PointGrid tips(radius_);
         for (std::size_t i = 0; i < valleys_.tips.size(); ++i) {
             const Vec3& tip = valleys_.tips[i].tip;
-            tips.add(Vec3(tip.x(), tip.y(), 0), Index(i));
+            tips.add(Vec3(tip.x(), tip.y(), 0));
         }
         gap_.assign(points_.size(), 0);
         nearest_.assign(points_.size(), -1);
@@ -223,7 +223,7 @@ private:
                     // A cutter is nearer than the distance of its axis less the radius nowhere.
                     for (const double share : {aside, 1.5, 2.5, 4.0}) {
                         const double within = share * radius_;
-                        tips.near(Vec3(p.x(), p.y(), 0), within, [&](Index t) {
+                        tips.near(Vec3(p.x(), p.y(), 0), within, [&](std::size_t t) {
                             const Valleys::Tip& tip = valleys_.tips[t];
                             const Vec3 rel = p - tip.tip;
                             if (rel.head<2>().squaredNorm() > (least + radius_) * (least + radius_)) return;
@@ -302,7 +302,7 @@ private:
         const int curves = int(valleys_.curves.size());
         std::vector<RestBand> bands;
         bands.resize(std::size_t(owners_));
-        std::vector<std::map<std::uint64_t, int>> edges(bands.size());
+        std::vector<std::unordered_map<std::uint64_t, int>> edges(bands.size());
         std::vector<std::array<Index, 2>> reach_at; // point, owner
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
             if (i % check_every == 0) progress.check();
@@ -363,9 +363,11 @@ private:
         return result;
     }
 
-    std::vector<std::vector<Vec3>> chained(const std::map<std::uint64_t, int>& edges) const {
+    std::vector<std::vector<Vec3>> chained(const std::unordered_map<std::uint64_t, int>& edges) const {
+        std::vector<std::pair<std::uint64_t, int>> ordered(edges.begin(), edges.end());
+        std::sort(ordered.begin(), ordered.end());
         std::multimap<Index, Index> next;
-        for (const auto& [edge, count] : edges)
+        for (const auto& [edge, count] : ordered)
             for (int k = 0; k < count; ++k)
                 next.emplace(Index(edge >> 32), Index(edge & 0xFFFFFFFFu));
         std::vector<std::vector<Vec3>> loops;
@@ -399,9 +401,9 @@ private:
             const std::vector<Vec3> along = tangents(curve);
             band.reach.assign(curve.points.size(), {0, 0});
             std::vector<std::array<double, 2>> flanks(curve.points.size(), {0, 0});
-            PlaceHash centers(radius_);
+            PointGrid centers(radius_);
             for (std::size_t k = 0; k < curve.points.size(); ++k)
-                centers.add(curve.points[k].center, Index(k));
+                centers.add(curve.points[k].center);
             for (std::size_t k = 1; k < curve.points.size() + (curve.closed ? 1 : 0); ++k)
                 band.length +=
                     (curve.points[k % curve.points.size()].center - curve.points[k - 1].center).norm();
@@ -412,7 +414,7 @@ private:
                 std::size_t nearest = curve.points.size();
                 double least = infinity;
                 for (double r = radius_; nearest == curve.points.size() && r < 64 * radius_; r *= 2)
-                    centers.near(p, r, [&](Index k) {
+                    centers.near(p, r, [&](std::size_t k) {
                         const double d = (curve.points[k].center - p).squaredNorm();
                         if (d < least || (d == least && k < nearest)) {
                             least = d;

@@ -1,10 +1,11 @@
 #include "core/strategy/strip_passes.h"
 
+#include "core/base/golden_section.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/vector_lift.h"
 #include "core/strategy/lift_line.h"
-#include "core/strategy/place_hash.h"
+#include "core/strategy/point_grid.h"
 
 #include <optional>
 
@@ -21,7 +22,7 @@ constexpr double most_raise = 1.5, most_raise_z = 4;
 /// Against the fitted vector it goes no deeper than this, in radii, beyond the plane across it.
 constexpr double most_sink = 0.25;
 /// The first pass is looked for so far beside the centre, in radii.
-constexpr double aside_share = 0.3;
+constexpr double aside_share = 0.3, aside_accuracy = 7e-4;
 constexpr int most_passes = 400, most_tries = 8;
 /// Step-overs are no smaller, in radii of the cutter.
 constexpr double smallest_step = 0.01;
@@ -82,49 +83,60 @@ private:
         for (const auto& r : band_.reach)
             widest = std::max({widest, r[0], r[1]});
         const double about = widest + with_.overlap + 2.5 * radius_;
-        const CutterProfile& profile = with_.cover->profile();
+        // First and last point of each stretch.
+        std::vector<std::array<std::size_t, 2>> chunks;
         for (std::size_t first = 0; first < count_;) {
-            progress.set(double(first) / double(count_));
             std::size_t last = first;
-            double way = 0;
-            Vec3 up = at(first).up;
-            while (last + 1 < count_ && way < chunk_radii * radius_) {
+            for (double way = 0; last + 1 < count_ && way < chunk_radii * radius_; ++last)
                 way += spacing(last, last + 1);
-                ++last;
-                up += at(last).up;
-            }
-            up.normalize();
-            std::vector<Index> facets;
-            for (std::size_t i = first; i <= last; ++i) {
-                if (i > first && i < last && (i - first) % 4 != 0) continue;
-                const Vec3 c = at(i).center;
-                with_.grid->near(c.head<2>(), about, [&](Index f) {
-                    const Mesh& m = *with_.mesh;
-                    const Vec3 &a = m.corner(f, 0), &b = m.corner(f, 1), &d = m.corner(f, 2);
-                    const Vec3 lo = a.cwiseMin(b).cwiseMin(d), hi = a.cwiseMax(b).cwiseMax(d);
-                    if ((lo - c).maxCoeff() > about || (c - hi).maxCoeff() > about) return;
-                    if (with_.side->towards_tool(m.facet_normal(f)).dot(up) > facing) facets.push_back(f);
-                });
-            }
-            std::sort(facets.begin(), facets.end());
-            facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-            std::shared_ptr<const VectorLift> lift;
-            if (!facets.empty()) {
-                auto part = std::make_shared<Mesh>();
-                for (const Index f : facets) {
-                    const auto v = Index(part->vertices.size());
-                    for (int k = 0; k < 3; ++k)
-                        part->vertices.push_back(with_.mesh->corner(f, k));
-                    part->facets.push_back({v, v + 1, v + 2});
-                }
-                lift = std::make_shared<VectorLift>(
-                    std::make_shared<ContactIndex>(std::move(part), progress.part(0, 0)), profile,
-                    std::span<const BodySection>(), with_.allowance);
-            }
-            for (std::size_t i = first; i <= last; ++i)
-                lift_of_[i] = lift;
+            chunks.push_back({first, last});
             first = last + 1;
         }
+        parallel_for(chunks.size(), 1, progress, [&](std::size_t k) {
+            const auto [first, last] = chunks[k];
+            const auto lift = lift_about(first, last, about, progress);
+            for (std::size_t i = first; i <= last; ++i)
+                lift_of_[i] = lift;
+        });
+    }
+
+    /// The facets within `about` of a stretch that face along its vector; null where there are none.
+    std::shared_ptr<const VectorLift> lift_about(std::size_t first, std::size_t last, double about,
+                                                 const Progress& progress) const {
+        Vec3 up = Vec3::Zero();
+        Box3 box;
+        std::vector<Vec3> centers;
+        for (std::size_t i = first; i <= last; ++i) {
+            up += at(i).up;
+            box.add(at(i).center);
+            if (i == first || i == last || (i - first) % 4 == 0) centers.push_back(at(i).center);
+        }
+        up.normalize();
+        const Mesh& mesh = *with_.mesh;
+        std::vector<Index> facets;
+        with_.grid->near(box.center().head<2>(), about + 0.5 * box.size().head<2>().norm(), [&](Index f) {
+            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
+            const Vec3 lo = a.cwiseMin(b).cwiseMin(c), hi = a.cwiseMax(b).cwiseMax(c);
+            const bool is_near = std::any_of(centers.begin(), centers.end(), [&](const Vec3& p) {
+                return (lo - p).maxCoeff() <= about && (p - hi).maxCoeff() <= about;
+            });
+            if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing)
+                facets.push_back(f);
+        });
+        progress.check();
+        std::sort(facets.begin(), facets.end());
+        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        if (facets.empty()) return nullptr;
+        auto part = std::make_shared<Mesh>();
+        for (const Index f : facets) {
+            const auto v = Index(part->vertices.size());
+            for (int k = 0; k < 3; ++k)
+                part->vertices.push_back(mesh.corner(f, k));
+            part->facets.push_back({v, v + 1, v + 2});
+        }
+        return std::make_shared<VectorLift>(
+            std::make_shared<ContactIndex>(std::move(part), progress.part(0, 0)), with_.cover->profile(),
+            std::span<const BodySection>(), with_.allowance);
     }
 
     /// The cutter at `offset` to the left of point i of the curve.
@@ -166,26 +178,9 @@ private:
         const auto height = [&](double x) {
             return lift_of_[i]->lift({tip + x * left, Vec3::UnitZ(), at(i).up});
         };
-        constexpr double golden = 0.6180339887498949;
-        double lo = -aside_share * radius_, hi = aside_share * radius_;
-        double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo), ha = height(a), hb = height(b);
-        for (int k = 0; k < 14; ++k) {
-            if (ha < hb) {
-                hi = b;
-                b = a;
-                hb = ha;
-                a = hi - golden * (hi - lo);
-                ha = height(a);
-            } else {
-                lo = a;
-                a = b;
-                ha = hb;
-                b = lo + golden * (hi - lo);
-                hb = height(b);
-            }
-        }
-        const double best = 0.5 * (lo + hi);
-        return height(best) < height(0) ? best : 0;
+        const double aside = aside_share * radius_;
+        const LowPlace low = golden_minimum(height, -aside, aside, aside_accuracy * radius_, -infinity);
+        return low.value < height(0) ? low.at : 0;
     }
 
     /// Touching both flanks, or the flank at the place beside the centre.
@@ -604,16 +599,16 @@ StripCut cut_hollow(const StripCutting& with, const RestBand& band, const Progre
     while (step > smallest_step * radius && ridge(with.cover->profile(), step * v, u) > with.cusp)
         step *= 0.9;
     step *= 0.7; // of what a floor that leans by 45 degrees asks for
-    PlaceHash hollow(0.5 * radius);
+    PointGrid hollow(0.5 * radius);
     for (const auto& t : band.band) {
         progress.check();
         for (const Vec3& p : t)
-            hollow.add_first(Vec3(p.x(), p.y(), 0), 1);
+            hollow.add_first(Vec3(p.x(), p.y(), 0));
     }
     const auto wanted = [&](const Vec3& p) {
-        bool is = false;
-        hollow.near(Vec3(p.x(), p.y(), 0), 0.5 * radius, [&](Index) { is = true; });
-        return is;
+        return hollow.near_until(Vec3(p.x(), p.y(), 0), radius, [&](std::size_t i) {
+            return (hollow.points()[i] - p).head<2>().norm() <= radius;
+        });
     };
     const double v0 = box.lo.dot(v), v1 = box.hi.dot(v), u0 = box.lo.dot(u), u1 = box.hi.dot(u);
     const int lines = std::max(1, int(std::ceil((v1 - v0) / step)));

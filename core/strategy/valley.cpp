@@ -3,7 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/facet_rows.h"
-#include "core/strategy/place_hash.h"
+#include "core/strategy/point_grid.h"
 
 #include <numeric>
 #include <optional>
@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t block_facets = 256;
 constexpr double most_samples = 4e6;
+constexpr std::size_t check_every = 8192;
+/// Of the samples' spacing: facets with shorter edges are small.
+constexpr double small_share = 0.6;
 /// Steps along a curve, in radii of the cutter.
 constexpr double step_share = 0.08;
 /// Of the cutter's radius: touched points nearer to each other are the same flank's. More than noise lets a
@@ -139,6 +142,32 @@ private:
         return true;
     }
 
+    /// Those that a tool can come to; of facets that are small against the spacing one a cell is enough, and
+    /// one of those that face another way.
+    std::vector<Index> asked_facets(double spacing, const Progress& progress) const {
+        const Mesh& mesh = *in_.mesh;
+        std::array<PointGrid, 5> seen{PointGrid(spacing), PointGrid(spacing), PointGrid(spacing),
+                                      PointGrid(spacing), PointGrid(spacing)};
+        std::vector<Index> asked;
+        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+            if (f % check_every == 0) progress.check();
+            const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
+            if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
+            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
+            const double longest2 =
+                std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+            if (longest2 < small_share * small_share * spacing * spacing) {
+                const Vec3 size = n.cwiseAbs();
+                const std::size_t facing = size.z() >= size.x() && size.z() >= size.y() ? 0
+                                           : size.x() >= size.y()                       ? (n.x() > 0 ? 1 : 2)
+                                                                                        : (n.y() > 0 ? 3 : 4);
+                if (!seen[facing].add_first((a + b + c) / 3)) continue;
+            }
+            asked.push_back(Index(f));
+        }
+        return asked;
+    }
+
     void sample(const Progress& progress) {
         const Mesh& mesh = *in_.mesh;
         double spacing =
@@ -147,15 +176,16 @@ private:
         for (std::size_t f = 0; f < mesh.facet_count(); ++f)
             area += 0.5 * mesh.facet_cross(f).norm();
         spacing = std::max(spacing, std::sqrt(area / most_samples));
+        const std::vector<Index> asked = asked_facets(spacing, progress);
         using Samples = std::vector<RestSample>;
         out_.samples = parallel_reduce(
-            mesh.facet_count(), block_facets, Samples(), progress,
+            asked.size(), block_facets, Samples(), progress,
             [&](std::size_t begin, std::size_t end) {
                 Samples found;
                 LiftHint hint;
-                for (std::size_t f = begin; f < end; ++f) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Index f = asked[i];
                     const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
-                    if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
                     const FacetRows rows(mesh, f, spacing);
                     for (std::size_t r = 0; r < rows.rows(); ++r)
                         for (std::size_t c = 0; c < rows.columns(r); ++c) {
@@ -198,10 +228,10 @@ private:
 
     std::vector<PencilPoint> converged(const Progress& progress) const {
         // One sample a cell is enough to meet every curve many times.
-        PlaceHash seen(2 * step_);
+        PointGrid seen(2 * step_);
         std::vector<std::size_t> chosen;
         for (std::size_t i = 0; i < out_.samples.size(); ++i)
-            if (seen.add_first(out_.samples[i].point, Index(i))) chosen.push_back(i);
+            if (seen.add_first(out_.samples[i].point)) chosen.push_back(i);
         std::vector<std::optional<PencilPoint>> found(chosen.size());
         parallel_for(chosen.size(), 32, progress,
                      [&](std::size_t i) { found[i] = converge(out_.samples[chosen[i]]); });
@@ -303,15 +333,13 @@ private:
 
     bool joins(const PencilPoint& p) const { return near_done(p, 0.5 * step_); }
     bool near_done(const PencilPoint& p, double within) const {
-        bool is = false;
-        done_.near(p.tip, within, [&](Index i) {
+        return done_.near_until(p.tip, within, [&](std::size_t i) {
             const PencilPoint& q = all_[i];
-            if ((q.tip - p.tip).norm() > within) return;
+            if ((q.tip - p.tip).norm() > within) return false;
             PencilPoint turned = q;
             std::swap(turned.touch[0], turned.touch[1]);
-            is = is || moved(p, q) < most_move || moved(p, turned) < most_move;
+            return moved(p, q) < most_move || moved(p, turned) < most_move;
         });
-        return is;
     }
 
     void follow(const std::vector<PencilPoint>& seeds, const Progress& progress) {
@@ -362,7 +390,7 @@ private:
             }
             ends_.push_back({parts[1].end, parts[0].end});
             for (const PencilPoint& p : curve.points) {
-                done_.add(p.tip, Index(all_.size()));
+                done_.add(p.tip);
                 all_.push_back(p);
             }
             out_.curves.push_back(std::move(curve));
@@ -486,24 +514,19 @@ private:
             return runs[a].points.size() > runs[b].points.size();
         });
         std::vector<char> keep(runs.size(), 1);
-        PlaceHash known(2 * step_);
-        std::vector<Vec3> centers;
+        PointGrid known(2 * step_);
         for (const std::size_t r : order) {
             std::size_t same = 0;
-            for (const PencilPoint& p : runs[r].points) {
-                bool is = false;
-                known.near(p.center, step_,
-                           [&](Index i) { is = is || (centers[i] - p.center).norm() < step_; });
-                same += is;
-            }
+            for (const PencilPoint& p : runs[r].points)
+                same += known.near_until(p.center, step_, [&](std::size_t i) {
+                    return (known.points()[i] - p.center).norm() < step_;
+                });
             if (2 * same > runs[r].points.size()) {
                 keep[r] = 0;
                 continue;
             }
-            for (const PencilPoint& p : runs[r].points) {
-                known.add(p.center, Index(centers.size()));
-                centers.push_back(p.center);
-            }
+            for (const PencilPoint& p : runs[r].points)
+                known.add(p.center);
         }
         std::size_t kept = 0;
         for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -517,21 +540,21 @@ private:
         runs.resize(kept);
         open.resize(kept);
         // Which tip is whose.
-        PlaceHash tips(2 * step_);
-        std::vector<std::array<Index, 2>> owner;
+        PointGrid tips(2 * step_);
+        std::vector<int> owner;
         for (std::size_t r = 0; r < runs.size(); ++r)
-            for (std::size_t i = 0; i < runs[r].points.size(); ++i) {
-                tips.add(runs[r].points[i].tip, Index(owner.size()));
-                owner.push_back({Index(r), Index(i)});
+            for (const PencilPoint& p : runs[r].points) {
+                tips.add(p.tip);
+                owner.push_back(int(r));
             }
         for (const PencilPoint& p : all_) {
             int curve = -1;
             double least = step_;
-            tips.near(p.tip, step_, [&](Index i) {
-                const double d = (runs[owner[i][0]].points[owner[i][1]].tip - p.tip).norm();
+            tips.near(p.tip, step_, [&](std::size_t i) {
+                const double d = (tips.points()[i] - p.tip).norm();
                 if (d < least) {
                     least = d;
-                    curve = int(owner[i][0]);
+                    curve = owner[i];
                 }
             });
             out_.tips.push_back({p.tip, curve});
@@ -651,7 +674,7 @@ private:
     Valleys& out_;
     double radius_, reach_, step_;
     std::vector<PencilPoint> all_; ///< of all finished curves
-    PlaceHash done_;
+    PointGrid done_;
     std::vector<std::array<End, 2>> ends_;
 };
 

@@ -1,0 +1,331 @@
+// Clean-up beyond what an upright tool reaches in valleys: inclined where its holder needs it, around contact
+// points that an operation of five axes left, and around material that the verification finds.
+#include "core/job/planner.h"
+#include "core/job/verification.h"
+#include "core/link/motion.h"
+#include "core/mesh/mesh_io.h"
+#include "core/strategy/axis_tilt.h"
+#include "core/strategy/cleanup.h"
+#include "core/strategy/finish3.h"
+#include "core/verify/verify.h"
+#include "tests/property/shapes.h"
+#include "tests/support/error_code.h"
+#include "tests/support/random_meshes.h"
+#include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+constexpr double tau = 0.1;
+
+/// A floor and a tall wall that leans back by `draft`, their crease along X at the origin.
+Mesh tall_wall(double draft) {
+    const double high = 30;
+    const std::vector<Vec2> corner{{-30, 0}, {0, 0}, {high * std::tan(draft), high}, {25, high}};
+    std::vector<Vec2> line{corner.front()};
+    for (std::size_t i = 1; i < corner.size(); ++i)
+        for (int k = 1; k <= 12; ++k)
+            line.push_back(corner[i - 1] + (k / 12.0) * (corner[i] - corner[i - 1]));
+    Mesh m;
+    const int columns = 16;
+    for (const Vec2& p : line)
+        for (int i = 0; i <= columns; ++i)
+            m.vertices.emplace_back(-16 + 32.0 * i / columns, p.x(), p.y());
+    const auto at = [&](int i, int j) { return Index(j * (columns + 1) + i); };
+    for (int j = 0; j + 1 < int(line.size()); ++j)
+        for (int i = 0; i < columns; ++i) {
+            m.facets.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            m.facets.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return m;
+}
+
+/// A plane with a dimple at the origin, whose bottom has a radius of 2.67 mm.
+Mesh dimpled() {
+    return height_field([](double x, double y) { return -3 * std::exp(-(x * x + y * y) / 16); },
+                        Vec2(-20, -16), Vec2(20, 16), 120, 96);
+}
+
+/// Short, with a holder that no wall leaves room for.
+Tool short_tool() {
+    Tool t = ball_tool(4);
+    t.number = 2;
+    t.flute_length = 12;
+    t.shank_length = 6;
+    t.holder = {{24, 30}};
+    return t;
+}
+
+Verification judged(const Mesh& mesh, const std::vector<VerifyProgram>& programs, double gouge_limit) {
+    StockSolid stock;
+    stock.box = mesh.box();
+    stock.box.hi.z() += 1;
+    VerifySettings v;
+    v.resolution = 0.5;
+    v.sample_spacing = 0.5;
+    v.motion_bound = 0.01;
+    v.tolerance = tau;
+    v.gouge_limit = gouge_limit;
+    return verify(mesh, stock, programs, v, Progress());
+}
+
+VerifyProgram program_of(const Operation& op, const StrategyResult& path, const PlanContext& context) {
+    return {op.common().name,
+            VerifyTool(context.tool),
+            std::make_shared<ToolMotions>(link_operation(op, path, context, Progress())),
+            {}};
+}
+
+/// A project on disk over a part.
+class Workplace {
+    QTemporaryDir dir_;
+
+public:
+    Project project;
+
+    explicit Workplace(const Mesh& part) {
+        const std::filesystem::path folder(dir_.path().toStdString());
+        save_stl(part, folder / "part.stl", LengthUnit::mm, {});
+        project.path = folder / "p.facetmill";
+        project.part.file = "part.stl";
+        project.unit = project.part.unit = LengthUnit::mm;
+        for (const double diameter : {12.0, 4.0, 5.0}) {
+            Tool t = ball_tool(diameter);
+            t.number = long(project.tools.size()) + 1;
+            t.name = "Ball " + std::to_string(int(diameter));
+            project.tools.push_back(t);
+        }
+    }
+    Operation& add(const char* kind, const char* name, long tool) {
+        auto o = make_operation(kind);
+        o->common().name = name;
+        o->common().tool = tool;
+        o->common().tolerance = tau;
+        project.operations.push_back(std::move(o));
+        return *project.operations.back();
+    }
+};
+
+} // namespace
+
+class TestCleanupReach : public QObject {
+    Q_OBJECT
+private slots:
+    /// The place that a cutter touches stays where it is when the axis turns about it.
+    void an_inclined_cutter_touches_the_same_place() {
+        Random rng(5);
+        for (const ShapedTool& shaped : tools_of_every_shape()) {
+            const CutterProfile cutter(shaped.tool.cutter());
+            for (int i = 0; i < 200; ++i) {
+                const double slope = uniform(rng, 0, radians(35)), way = uniform(rng, 0, 2 * pi),
+                             tilt = uniform(rng, 0, radians(35)), turn = uniform(rng, 0, 2 * pi);
+                const Vec3 n(std::sin(slope) * std::cos(way), std::sin(slope) * std::sin(way),
+                             std::cos(slope));
+                const Vec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
+                                std::cos(tilt));
+                const Vec3 p(uniform(rng, -9, 9), uniform(rng, -9, 9), uniform(rng, -9, 9));
+                CutterLocation turned;
+                QVERIFY(turned_about_contact(cutter, {p, n}, tip_at_contact(cutter, p, n, Vec3::UnitZ()),
+                                             axis, turned));
+                // Against points of the cutter: none is below the plane, one touches it.
+                double least = infinity;
+                const Eigen::Quaterniond q = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
+                for (const ProfilePiece& piece : cutter.pieces())
+                    for (int k = 0; k <= 60; ++k) {
+                        Vec2 at = piece.from + (k / 60.0) * (piece.to - piece.from);
+                        if (piece.kind == ProfilePiece::Kind::arc)
+                            at = piece.centre + piece.radius * (at - piece.centre).normalized();
+                        for (int a = 0; a < 180; ++a) {
+                            const Vec3 local(at.x() * std::cos(2 * pi * a / 180),
+                                             at.x() * std::sin(2 * pi * a / 180), at.y());
+                            least = std::min(least, n.dot(turned.tip + q * local - p));
+                        }
+                    }
+                QVERIFY2(least > -1e-9 && least < 0.01,
+                         qPrintable(QString("%1 %2").arg(shaped.name).arg(least)));
+            }
+        }
+    }
+
+    void a_tall_wall_is_cleaned_by_an_inclined_tool() {
+        const Mesh mesh = tall_wall(radians(10));
+        Tool before = ball_tool(12);
+        PlanContext context = context_of(mesh, short_tool());
+        context.further_tools = {before};
+        CleanupSettings s;
+        s.tool = 2;
+        s.tolerance = tau;
+        QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
+        try {
+            Cleanup(s).plan(context, Progress());
+        } catch (const Error& e) {
+            QVERIFY2(e.message().find("holder") != std::string::npos, e.what());
+        }
+        s.tilt_limit = radians(40);
+        const Cleanup op(s);
+        QVERIFY(!op.three_axis());
+        const StrategyResult path = op.plan(context, Progress());
+        for (const auto& w : path.warnings)
+            qInfo("%s", w.c_str());
+        QVERIFY(path.lead_max > radians(5) && path.lead_max <= radians(40) + 1e-9);
+        double turned = 0;
+        for (const Pass& pass : path.passes)
+            for (std::size_t i = 0; i < pass.cl.size(); ++i) {
+                QVERIFY(std::acos(std::min(pass.cl[i].axis.z(), 1.0)) <= radians(40) + 1e-9);
+                if (i > 0) turned = std::max(turned, (pass.cl[i].axis - pass.cl[i - 1].axis).norm());
+            }
+        QVERIFY2(turned < radians(41), qPrintable(QString::number(degrees(turned))));
+
+        const PlanContext first = context_of(mesh, before);
+        Finish3Settings f;
+        f.tolerance = tau;
+        const Finish3 finish(f);
+        const std::vector<VerifyProgram> programs{program_of(finish, finish.plan(first, Progress()), first),
+                                                  program_of(op, path, context)};
+        const Verification v = judged(mesh, programs, path.chord_tolerance);
+        QVERIFY2(!v.gouged(), qPrintable(QString("%1 %2").arg(v.figures.gouge_max).arg(v.border.gouge_max)));
+        for (const Collision& c : v.collisions)
+            QVERIFY2(c.at.program != 1, "the inclined tool meets something");
+        // Beside the crease, as far as the small ball comes to touch: r / tan 50 degrees and a little.
+        const DeviationSurface& d = *v.surface;
+        std::size_t asked = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < d.points.size(); ++i) {
+            const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]);
+            const double away = std::hypot(p.y(), p.z());
+            if ((d.flags[i] & ~DeviationSurface::away) != 0 || std::abs(p.x()) > 12 || away < 1.8 || away > 6
+                || p.z() > 6)
+                continue;
+            ++asked;
+            most = std::max(most, double(d.deviation[i]));
+        }
+        const QString figures =
+            QString("%1 samples, at most %2; tilt %3").arg(asked).arg(most).arg(degrees(path.lead_max));
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(asked > 200 && most <= 1.15 * tau, qPrintable(figures));
+    }
+
+    /// Around places on a dish that every tool fits into.
+    void places_that_were_left_are_cut() {
+        const Mesh dish = height_field([](double x, double y) { return 0.01 * (x * x + y * y); },
+                                       Vec2(-20, -16), Vec2(20, 16), 40, 32);
+        PlanContext context = context_of(dish, ball_tool(4));
+        context.further_tools = {ball_tool(12)};
+        auto left = std::make_shared<EarlierLeft>();
+        for (int i = -4; i <= 4; ++i)
+            for (int k = -4; k <= 4; ++k) {
+                const double x = 8 + i, y = -5 + k;
+                left->points.push_back(
+                    {Vec3(x, y, 0.01 * (x * x + y * y)), Vec3(-0.02 * x, -0.02 * y, 1).normalized(), 0});
+            }
+        CleanupSettings s;
+        s.tool = 2;
+        s.tolerance = tau;
+        context.left = left;
+        QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
+        s.left_points = true;
+        const Cleanup op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        QCOMPARE(path.strips.size(), std::size_t(1));
+        QVERIFY(path.strips[0].kind == StripKind::no_posture);
+        QVERIFY2(path.strips[0].reason.find("81 contact points") != std::string::npos,
+                 path.strips[0].reason.c_str());
+        for (const Pass& pass : path.passes)
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY(std::abs(c.tip.x() - 8) < 9 && std::abs(c.tip.y() + 5) < 9);
+        const Verification v = judged(dish, {program_of(op, path, context)}, path.chord_tolerance);
+        QVERIFY(!v.gouged());
+        const DeviationSurface& d = *v.surface;
+        std::size_t asked = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < d.points.size(); ++i) {
+            const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]);
+            if (std::abs(p.x() - 8) > 4 || std::abs(p.y() + 5) > 4) continue;
+            ++asked;
+            most = std::max(most, double(d.deviation[i]));
+        }
+        QVERIFY2(asked > 100 && most <= 1.1 * tau, qPrintable(QString("%1 %2").arg(asked).arg(most)));
+        // Switched off it is not cut.
+        s.switched_off = path.strips[0].name;
+        QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
+    /// A large ball cannot enter the dimple; no previous tool says so, the verification does.
+    void material_that_was_left_is_found_and_cut() {
+        Workplace w(dimpled());
+        w.add("finish3", "Finish", 1);
+        Operation& op = w.add("cleanup", "Clean-up", 2);
+        op.set("previous_tool", ParameterValue(3l));
+        Planner planner;
+        QCOMPARE(code_of([&] { planner.plan(w.project, "", Progress()); }), std::string("empty_result"));
+        op.set("rest_material", ParameterValue(true));
+        const auto plan = planner.plan(w.project, "", Progress());
+        QCOMPARE(plan->operations.size(), std::size_t(2));
+        const StrategyResult& path = plan->operations[1]->path;
+        QCOMPARE(path.strips.size(), std::size_t(1));
+        QVERIFY(path.strips[0].kind == StripKind::rest);
+        for (const auto& t : path.strips[0].band)
+            for (const Vec3& p : t)
+                QVERIFY(p.head<2>().norm() < 10);
+        const auto most_left = [&](std::size_t count) {
+            auto some = std::make_shared<PlanResult>(*plan);
+            some->operations.resize(count);
+            const Verification v = judged(*plan->part->mesh, verify_programs(w.project, some), 0.01);
+            return v.gouged() ? infinity : v.figures.excess_max;
+        };
+        const double before = most_left(1), after = most_left(2);
+        QVERIFY2(before > 5 * tau && after <= 1.15 * tau,
+                 qPrintable(QString("%1 %2").arg(before).arg(after)));
+        // Alone it is the same; planned again nothing is done; what is before it matters.
+        const auto alone = Planner().plan(w.project, "Clean-up", Progress());
+        QCOMPARE(alone->operations.size(), std::size_t(1));
+        QCOMPARE(alone->operations[0]->cl_points, plan->operations[1]->cl_points);
+        const PlannerWork work = planner.work();
+        planner.plan(w.project, "", Progress());
+        QVERIFY(planner.work() == work);
+        w.project.operations[0]->common().tolerance = 0.5 * tau;
+        planner.plan(w.project, "", Progress());
+        QCOMPARE(planner.work().strategies, work.strategies + 2);
+    }
+
+    /// Points of a 5-axis path that have no free posture.
+    void contact_points_without_a_posture_are_cut() {
+        Workplace w(dimpled());
+        w.project.machine = "tarus-tpi-2000";
+        Tool flat = flat_tool(8);
+        flat.number = 4;
+        w.project.tools.push_back(flat);
+        Operation& five = w.add("finish5", "Five axes", 4);
+        five.set("grid_degrees", ParameterValue(radians(9)));
+        five.set("normal_limit", ParameterValue(radians(20)));
+        five.set("posture", ParameterValue(std::string("cm2")));
+        Operation& op = w.add("cleanup", "Clean-up", 2);
+        op.set("previous_tool", ParameterValue(3l));
+        op.set("left_points", ParameterValue(true));
+        const auto plan = Planner().plan(w.project, "", Progress());
+        const auto& left = plan->operations[0]->path.cleanup;
+        QVERIFY(left.size() > 3);
+        const StrategyResult& path = plan->operations[1]->path;
+        QVERIFY(!path.strips.empty() && !path.passes.empty());
+        for (const Strip& strip : path.strips)
+            QVERIFY(strip.kind == StripKind::no_posture);
+        // Every one of them is near to a strip.
+        for (const CutterContact& c : left) {
+            double least = infinity;
+            for (const Strip& strip : path.strips)
+                for (const auto& t : strip.band)
+                    for (const Vec3& p : t)
+                        least = std::min(least, (p - c.point).norm());
+            QVERIFY2(least < 1, qPrintable(QString::number(least)));
+        }
+    }
+};
+
+FACETMILL_TEST(TestCleanupReach)
+#include "test_cleanup_reach.moc"
