@@ -247,15 +247,22 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
     alone.stock = project.stock;
     alone.stock.file = project.stock_path().string();
     alone.machine = project.machine;
+    const auto add = [&](const Operation& operation) {
+        std::vector<long> numbers = operation.further_tools();
+        numbers.insert(numbers.begin(), operation.common().tool);
+        for (const Tool& t : project.tools)
+            if (std::find(numbers.begin(), numbers.end(), t.number) != numbers.end()
+                && std::find_if(alone.tools.begin(), alone.tools.end(), [&](const Tool& known) {
+                       return known.number == t.number;
+                   }) == alone.tools.end())
+                alone.tools.push_back(t);
+        alone.operations.push_back(operation.clone());
+    };
     const Operation& operation = *project.operations.at(i);
-    for (const Tool& t : project.tools)
-        if (t.number == operation.common().tool) alone.tools = {t};
-    const std::vector<long> further = operation.further_tools();
-    for (const Tool& t : project.tools)
-        if (t.number != operation.common().tool
-            && std::find(further.begin(), further.end(), t.number) != further.end())
-            alone.tools.push_back(t);
-    alone.operations.push_back(operation.clone());
+    // What the operations before come to is part of what it is planned from.
+    for (std::size_t k = 0; k < i && operation.reads_left().any(); ++k)
+        add(*project.operations[k]);
+    add(operation);
     // The unit is left out: it is one of the display and of the files, not of the path.
     return project_to_json(alone);
 }

@@ -16,6 +16,7 @@
 #include "ui/rough_desk.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
+#include "ui/strip_desk.h"
 #include "ui/text.h"
 #include "ui/unrolled_desk.h"
 #include "ui/verification_desk.h"
@@ -95,10 +96,11 @@ MainWindow::~MainWindow() {
     // its field.
     properties_->form()->disconnect();
     for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_,
-                              log_dock_, chart_dock_, unrolled_dock_})
+                              log_dock_, chart_dock_, unrolled_dock_, strips_dock_})
         delete dock;
     delete inspection_;
     delete unrolled_;
+    delete strips_;
     delete rough_;
     delete regions_;
     delete cspace_;
@@ -129,6 +131,7 @@ void MainWindow::build_docks() {
     tabifyDockWidget(report_dock_, verification_dock_);
     build_cspace();
     build_unrolled();
+    build_strips();
     report_dock_->raise();
     tree_->set_verification(desk_->model());
     tree_->tree()->installEventFilter(desk_);
@@ -210,6 +213,7 @@ void MainWindow::connect_parts() {
     connect(desk_, &VerificationDesk::tool_moved, this, [this](const QString& readout) {
         readout_text_ = readout;
         readout_->set_text(readout);
+        hide_touch();
         check_settled();
     });
     connect(layers_, &LayerBar::toggled, this, [this] {
@@ -268,8 +272,11 @@ void MainWindow::connect_parts() {
     });
 
     connect(viewport_, &Viewport::drawn, this, &MainWindow::check_settled);
-    connect(viewport_, &Viewport::path_picked, this, &MainWindow::show_tool_at);
+    connect(viewport_, &Viewport::path_picked, this, [this](const PathPick& pick) {
+        if (!pick_strip(pick)) show_tool_at(pick);
+    });
     connect(viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
+        if (strips_->pick(pick.point)) return;
         viewport_->scene().set_marker(Marker{pick.point, pick.normal});
         viewport_->refresh();
     });
@@ -310,7 +317,7 @@ void MainWindow::arrange_report() {
     if (width() < narrow) {
         if (properties_dock_->isFloating() || dockWidgetArea(properties_dock_) != Qt::LeftDockWidgetArea)
             return;
-        for (QDockWidget* dock : {report_dock_, verification_dock_, cspace_dock_}) {
+        for (QDockWidget* dock : {report_dock_, verification_dock_, cspace_dock_, strips_dock_}) {
             if (dock->isFloating() || dock->isHidden() || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
                 continue;
             tabifyDockWidget(properties_dock_, dock);
@@ -324,6 +331,8 @@ void MainWindow::arrange_report() {
             tabifyDockWidget(report_dock_, verification_dock_);
             if (dockWidgetArea(report_dock_) == dockWidgetArea(cspace_dock_))
                 tabifyDockWidget(verification_dock_, cspace_dock_);
+            if (dockWidgetArea(report_dock_) == dockWidgetArea(strips_dock_) && !strips_dock_->isHidden())
+                tabifyDockWidget(verification_dock_, strips_dock_);
             report_dock_->raise();
         }
         resizeDocks({report_dock_}, {250}, Qt::Horizontal);
@@ -371,6 +380,7 @@ void MainWindow::set_theme(Theme theme) {
     viewport_->view_cube()->update();
     viewport_->refresh();
     cspace_->set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
+    strips_->colour();
     message_->colour();
     for (std::size_t i = 0; i < theme_actions_.size(); ++i)
         theme_actions_[i]->setChecked(i == std::size_t(theme));
@@ -417,7 +427,7 @@ void MainWindow::ended(const JobEnd& end) {
 
 bool MainWindow::busy() const {
     return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy() || inspection_->busy()
-           || rough_->busy() || regions_->busy() || !viewport_->finished();
+           || rough_->busy() || strips_->busy() || regions_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

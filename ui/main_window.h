@@ -3,6 +3,7 @@
 // Planner, so one at a time), and one that makes planned paths ready to be drawn.
 #pragma once
 
+#include "core/strategy/cleanup.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/icons.h"
@@ -36,6 +37,7 @@ class RegionDesk;
 class ReportView;
 class RoughDesk;
 class StartHint;
+class StripDesk;
 class ToolDialog;
 class UnrolledDesk;
 class VerificationDesk;
@@ -84,6 +86,7 @@ public:
     UnrolledDesk& unrolled() { return *unrolled_; }
     RoughDesk& roughing() { return *rough_; }
     RegionDesk& regions() { return *regions_; }
+    StripDesk& strips() { return *strips_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -182,6 +185,14 @@ private:
     void offer_unrolled();
     void export_unrolled();
 
+    // main_window_strips.cpp
+    void build_strips();
+    void offer_strips();
+    void show_touch(const Tool& tool, const CleanupRecord::Touch& touch);
+    void hide_touch();
+    /// The contact or place that was picked lies on a strip that the list has.
+    bool pick_strip(const PathPick& pick);
+
     Document document_;
     std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
 
@@ -198,10 +209,11 @@ private:
     UnrolledDesk* unrolled_ = nullptr;
     RoughDesk* rough_ = nullptr;
     RegionDesk* regions_ = nullptr;
+    StripDesk* strips_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,
-                *chart_dock_ = nullptr, *unrolled_dock_ = nullptr;
+                *chart_dock_ = nullptr, *unrolled_dock_ = nullptr, *strips_dock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* activity_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -221,6 +233,7 @@ private:
     StockShapePtr stock_mesh_;      ///< as read with the part
     bool cspace_offered_ = false;   ///< the room came to light once
     bool unrolled_offered_ = false; ///< the unrolled view came to light once
+    bool strips_offered_ = false;   ///< the list of strips came to light once
     bool chart_sized_ = false;      ///< the charts' dock had its height given
     bool settling_ = false;
     bool verify_next_ = false;           ///< when the planning under way is through

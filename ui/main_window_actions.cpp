@@ -162,7 +162,7 @@ void MainWindow::build_menus() {
     }
     view_menu_->addSeparator();
     for (QDockWidget* dock : {project_dock_, properties_dock_, report_dock_, verification_dock_, cspace_dock_,
-                              unrolled_dock_, chart_dock_, log_dock_})
+                              unrolled_dock_, strips_dock_, chart_dock_, log_dock_})
         view_menu_->addAction(dock->toggleViewAction());
 
     QMenu* plan = menuBar()->addMenu(tr("&Plan"));

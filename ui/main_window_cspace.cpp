@@ -63,6 +63,7 @@ void MainWindow::show_cspace_tool(int operation, const std::optional<CutterLocat
     const auto source = source_of(cspace_->program());
     if (!document_.index_of(operation) || !source) return;
     Scene& scene = viewport_->scene();
+    hide_touch();
     try {
         scene.set_tool(tool_of(*source));
     } catch (const Error&) {

@@ -9,6 +9,7 @@
 #include "ui/properties_panel.h"
 #include "ui/region_desk.h"
 #include "ui/rough_desk.h"
+#include "ui/strip_desk.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/unrolled_desk.h"
@@ -224,6 +225,7 @@ void MainWindow::refresh_paths() {
         viewport_->scene().set_path(nullptr);
         inspection_->set_paths({});
         unrolled_->set_paths({});
+        strips_->set_paths({}, {});
         viewport_->refresh();
         return;
     }
@@ -241,6 +243,8 @@ void MainWindow::refresh_paths() {
             unrolled_->set_paths(results);
             offer_unrolled();
             show_start_of_path();
+            strips_->set_paths(results, shown_ids_);
+            offer_strips();
         });
 }
 
@@ -301,6 +305,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     if (!index) return;
     const Operation& operation = document_.operation(*index);
     Scene& scene = viewport_->scene();
+    hide_touch();
     try {
         scene.set_tool(tool_of(pick.source));
         scene.set_tool_pose(pick.location);
@@ -343,6 +348,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
 
 void MainWindow::hide_tool() {
     tool_at_.reset();
+    hide_touch();
     cspace_->leave();
     inspection_->clear_place();
     unrolled_->clear_place();

@@ -182,6 +182,7 @@ void RegionDesk::close() {
     planned_.clear();
     show_display(nullptr);
     refresh();
+    emit ended();
     emit settled();
 }
 
@@ -376,10 +377,17 @@ void RegionDesk::take(const Found& found) {
     viewport_.refresh();
 }
 
+void RegionDesk::give_way(bool on) {
+    if (std::exchange(gives_way_, on) == on || on) return;
+    viewport_.scene().set_strips(display_);
+    viewport_.refresh();
+}
+
 void RegionDesk::show_display(StripDisplayPtr display) {
     if (display == display_) return;
     const bool first = !display_ || display_->strips.empty();
     display_ = std::move(display);
+    if (gives_way_ && id_ == 0) return;
     viewport_.scene().set_strips(display_);
     if (first && display_)
         viewport_.content_changed();

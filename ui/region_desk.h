@@ -35,6 +35,9 @@ public:
     void open(std::size_t operation);
     /// What is selected in the tree: of several operations with regions those of the selected one are shown.
     void show_node(const std::optional<TreeNode>& node);
+    /// Other strips are in the view (ui/strip_desk.h): those of planned operations are not drawn until they
+    /// go.
+    void give_way(bool on);
     /// Takes over what stands in the dialog's fields.
     void commit();
     /// What is drawn; null: nothing.
@@ -48,6 +51,8 @@ signals:
     void wanted();
     void failed(const QString& message);
     void settled();
+    /// The dialog is closed: its regions are not to be seen any more.
+    void ended();
 
 private:
     struct Found;
@@ -79,6 +84,7 @@ private:
     std::vector<std::shared_ptr<const OperationResult>> planned_; ///< whose strips are shown
     LengthUnit planned_unit_ = LengthUnit::mm;
     StripDisplayPtr display_;
+    bool gives_way_ = false;
     QTimer wait_timer_;   ///< for the next key or the next place of the pointer
     QTimer commit_timer_; ///< for the end of a drag in the chart
     BackgroundJob job_;   // last: it ends first

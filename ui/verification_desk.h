@@ -44,6 +44,8 @@ public:
     bool engaged() const { return engaged_; }
     /// The tool was put somewhere on the path of a program.
     void tool_put(const std::shared_ptr<const OperationResult>& program, std::size_t motion);
+    /// The view was given another tool from elsewhere.
+    void tool_taken() { shown_operation_ = std::size_t(-1); }
     /// Plays back to the end of an operation, with the stock in sight.
     void show_stock_after(std::size_t operation);
     /// Space, comma, full stop; arrows while engaged. False for all others.

@@ -271,6 +271,13 @@ void Scene::set_marker(const std::optional<Marker>& marker) {
     impl_->marker = marker;
 }
 
+void Scene::set_touches(const std::vector<Vec3>& points) {
+    impl_->touches = points;
+}
+const std::vector<Vec3>& Scene::touches() const {
+    return impl_->touches;
+}
+
 void Scene::set_title(const std::string& title, const std::string& subtitle) {
     impl_->title = printable(title, 1000);
     impl_->subtitle = printable(subtitle, 1000);
@@ -310,7 +317,7 @@ bool Scene::has(Layer layer) const {
     case Layer::tool:
         return impl_->tool && impl_->pose;
     case Layer::marker:
-        return impl_->marker.has_value();
+        return impl_->marker.has_value() || !impl_->touches.empty();
     case Layer::axes:
         return true;
     case Layer::scale:

@@ -61,7 +61,7 @@ enum class Layer {
     cc,        ///< cutter contacts
     cl,        ///< tool tip, coloured by the kind of motion
     tool,      ///< cutter, shank and holder at the pose
-    marker,    ///< picked point
+    marker,    ///< picked point, and where a tool touches
     axes,      ///< orientation axes in the corner
     scale,     ///< scale bar with its unit
     legend,    ///< colours of what is shown
@@ -224,6 +224,9 @@ public:
     const std::optional<CutterLocation>& tool_pose() const;
 
     void set_marker(const std::optional<Marker>& marker);
+    /// Where the tool that is shown touches the part: dots of the layer `marker`, over everything else.
+    void set_touches(const std::vector<Vec3>& points);
+    const std::vector<Vec3>& touches() const;
 
     /// Top left; both lines are shortened in the middle to the width of the window. Bytes that are not UTF-8
     /// and control characters are replaced.

@@ -121,6 +121,7 @@ struct Scene::Impl {
     std::optional<ToolShape> tool;
     std::optional<CutterLocation> pose;
     std::optional<Marker> marker;
+    std::vector<Vec3> touches;
     std::optional<LevelMarks> levels;
     std::array<std::vector<float>, 2> level_points; ///< behind the actors' data
     std::array<std::vector<std::int32_t>, 2> level_segments;

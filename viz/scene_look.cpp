@@ -394,6 +394,8 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
     found(FindingMark::Kind::collision, c.collision, "Collisions");
     found(FindingMark::Kind::excess, c.excess, "Largest excess");
     add_strip_legend(all);
+    if (on(Layer::marker) && !touches.empty())
+        all.push_back({Sample::spot, c.contacts, 1, "Touches of the tool"});
     if (on(Layer::cc) && contact_dots.filled) all.push_back({Sample::dot, c.contacts, 1, "Contact points"});
     const auto add = [&](MotionKind kind, const char* label) {
         const auto k = std::size_t(kind);
@@ -444,6 +446,9 @@ OverlayContent Scene::Impl::overlay_content() const {
         for (const Sample sample : {Sample::surface, Sample::box, Sample::dot, Sample::line, Sample::dashes})
             content.legend.push_back({sample, colors_of(palette).stock, 1, "-"});
     }
+    if (on(Layer::marker))
+        for (const Vec3& p : touches)
+            content.spots.push_back({Vec2(display_of(p) / ratio), colors_of(palette).contacts});
     if (marker && on(Layer::marker)) {
         content.marker = Vec2(display_of(marker->point) / ratio);
         const Vec3 n = camera_frame() * marker->normal;

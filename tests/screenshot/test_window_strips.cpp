@@ -1,0 +1,291 @@
+// Clean-up in the window: the list of strips, switching them, choosing them in the list and in the view, and
+// how the previous tool stands over them.
+#include "core/job/planner.h"
+#include "core/mesh/mesh_io.h"
+#include "core/strategy/cleanup.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/elided_label.h"
+#include "ui/project_tree.h"
+#include "ui/strip_desk.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSlider>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include <cmath>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using namespace facetmill::ui;
+
+namespace {
+
+/// Radius of the previous ball, and where the two grooves run along X; mm.
+constexpr double previous_radius = 6, groove_y = 12;
+
+/// Two level grooves with flanks of 45 degrees.
+Mesh grooves() {
+    Mesh m;
+    const int columns = 10, rows = 24;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i) {
+            const double x = -20 + 4.0 * i, y = -24 + 2.0 * j;
+            m.vertices.emplace_back(x, y, std::abs(std::abs(y) - groove_y));
+        }
+    const auto at = [&](int i, int j) { return Index(j * (columns + 1) + i); };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            m.facets.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            m.facets.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return m;
+}
+
+Tool ball(long number, double diameter) {
+    Tool t;
+    t.number = number;
+    t.name = "Ball " + std::to_string(int(diameter));
+    t.diameter = t.shank_diameter = diameter;
+    t.corner_radius = 0.5 * diameter;
+    t.flute_length = 30;
+    return t;
+}
+
+} // namespace
+
+class TestWindowStrips : public QObject, public WindowFixture {
+    Q_OBJECT
+
+    StripDesk& desk() { return w().strips(); }
+    QTreeWidget* list() { return desk().panel()->list(); }
+    QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("strips_dock")); }
+    QString readout() { return desk().panel()->readout()->text(); }
+    QTreeWidgetItem* row(const char* name) {
+        const auto found = list()->findItems(QLatin1String(name), Qt::MatchExactly);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+    const StrategyResult& path() { return w().document().result(0)->path; }
+    bool open_grooves() {
+        const QString file = scratch_folder(QStringLiteral("grooves")) + QStringLiteral("/grooves.stl");
+        save_stl(grooves(), file.toStdString(), LengthUnit::mm, {});
+        w().open_file(file, LengthUnit::mm);
+        if (!wait_until_settled(w())) return false;
+        w().document().add_operation("cleanup");
+        w().document().remove_operation(0);
+        w().document().change(QStringLiteral("Tools"), [](Project& p) {
+            p.tools = {ball(1, 2 * previous_radius), ball(2, 4)};
+            p.operations[0]->common().tool = 2;
+            p.operations[0]->common().tolerance = 0.1;
+            p.operations[0]->set("previous_tool", ParameterValue(1l));
+        });
+        return wait_until_settled(w());
+    }
+    bool plan() {
+        w().plan();
+        return wait_until_settled(w()) && w().document().state(0) == OperationState::planned;
+    }
+    bool open_and_plan() { return open_grooves() && plan(); }
+    /// In the middle of the groove at y.
+    bool click_groove(double y) {
+        Viewport& view = w().viewport();
+        const Vec2 at = view.scene().display_of(Vec3(3, y, 0)) / view.devicePixelRatioF();
+        QTest::mouseClick(&view, Qt::LeftButton, {},
+                          QPoint(int(std::lround(at.x())), int(std::lround(at.y()))));
+        return wait_until_settled(w());
+    }
+    /// The ball that is drawn stands on both flanks of the groove at y.
+    bool stands_over(double y) {
+        const Scene& scene = w().viewport().scene();
+        const auto& pose = scene.tool_pose();
+        if (!pose || scene.touches().size() != 2) return false;
+        const Vec3 centre = pose->tip + Vec3(0, 0, previous_radius);
+        if (std::abs(centre.y() - y) > 1e-3) return false;
+        for (const Vec3& p : scene.touches())
+            if (std::abs((p - centre).norm() - previous_radius) > 1e-3
+                || std::abs(p.z() - std::abs(std::abs(p.y()) - groove_y)) > 1e-3)
+                return false;
+        return (scene.touches()[0].y() - y) * (scene.touches()[1].y() - y) < 0;
+    }
+
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void it_says_why_there_is_nothing() {
+        QVERIFY(open_part());
+        dock()->show();
+        dock()->raise();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("add a clean-up")),
+                 qPrintable(desk().panel()->empty_text()));
+        QVERIFY(!list()->isVisible());
+        shot(w(), QStringLiteral("strips-empty"));
+        close_window();
+        QVERIFY(show_window());
+        QVERIFY(open_grooves());
+        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("Plan")),
+                 qPrintable(desk().panel()->empty_text()));
+        // A tolerance at which nothing is left says so in its place.
+        w().document().change(QStringLiteral("tolerance"),
+                              [](Project& p) { p.operations[0]->common().tolerance = 5; });
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("leaves nowhere")),
+                 qPrintable(desk().panel()->empty_text()));
+        QVERIFY(!w().viewport().scene().has(Layer::strips));
+    }
+
+    void a_plan_lists_its_strips() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        QVERIFY(dock()->isVisible());
+        QCOMPARE(path().strips.size(), std::size_t(2));
+        QCOMPARE(list()->topLevelItemCount(), 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Strip& strip = path().strips[i];
+            QTreeWidgetItem* item = row(strip.name.c_str());
+            QVERIFY(item);
+            QCOMPARE(item->checkState(0), Qt::Checked);
+            QCOMPARE(item->text(1), QStringLiteral("Two contacts"));
+            // Both flanks up to where the tolerance is left: 2 (R - sqrt((R + t)^2 - R^2)).
+            const double wide =
+                2
+                * (previous_radius
+                   - std::sqrt(std::pow(previous_radius + 0.1, 2) - previous_radius * previous_radius));
+            QVERIFY2(std::abs(item->text(2).toDouble() - wide) < 0.2, qPrintable(item->text(2)));
+            QVERIFY2(std::abs(item->text(3).toDouble() - 40) < 1, qPrintable(item->text(3)));
+            QVERIFY2(item->text(4).contains(QStringLiteral("both flanks")), qPrintable(item->text(4)));
+        }
+        QVERIFY(w().viewport().scene().has(Layer::strips));
+        QVERIFY2(desk().panel()->note()->text().contains(QStringLiteral("2 strips")),
+                 qPrintable(desk().panel()->note()->text()));
+        // Lengths go with the unit.
+        w().set_unit(LengthUnit::inch);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(std::abs(row("Valley 1")->text(3).toDouble() - 40 / 25.4) < 0.05);
+        QVERIFY(list()->headerItem()->text(3).contains(QStringLiteral("in")));
+        w().set_unit(LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("strips"));
+    }
+
+    void switching_one_off_is_a_step_of_the_history() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        const std::size_t passes = path().passes.size();
+        const QImage both = view_picture(w());
+        // By the keyboard, as a user may.
+        list()->setFocus();
+        list()->setCurrentItem(row("Valley 2"));
+        QVERIFY(wait_until_settled(w()));
+        QTest::keyClick(list(), Qt::Key_Space);
+        QVERIFY(wait_until_settled(w()));
+        const auto off = [&] {
+            return dynamic_cast<const Cleanup&>(w().document().operation(0)).settings().switched_off;
+        };
+        QCOMPARE(off(), std::string("Valley 2"));
+        QCOMPARE(row("Valley 2")->checkState(0), Qt::Unchecked);
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QVERIFY2(desk().panel()->note()->text().contains(QStringLiteral("out of date")),
+                 qPrintable(desk().panel()->note()->text()));
+        QVERIFY(changed_pixels(both, view_picture(w())) > 200);
+        shot(w(), QStringLiteral("strips-switched-off"));
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(off(), std::string());
+        QCOMPARE(row("Valley 2")->checkState(0), Qt::Checked);
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        w().document().undo_stack().redo();
+        QVERIFY(plan());
+        QCOMPARE(row("Valley 2")->checkState(0), Qt::Unchecked);
+        QVERIFY(path().passes.size() < passes && !path().passes.empty());
+        for (const Pass& pass : path().passes)
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY((c.tip.y() > 0) == (path().strips[0].centers[0][0].y() > 0));
+        row("Valley 2")->setCheckState(0, Qt::Checked);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(off(), std::string());
+    }
+
+    void a_strip_chosen_in_the_list_is_flown_to_and_shows_the_previous_tool() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        const Scene& scene = w().viewport().scene();
+        const CameraPlace before = scene.camera_place();
+        QVERIFY(scene.touches().empty());
+        const double y = path().strips[1].centers[0][0].y();
+        const QRect cell = list()->visualItemRect(row("Valley 2"));
+        QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, cell.center() + QPoint(20, 0));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(desk().chosen(), std::optional<std::size_t>(1));
+        const CameraPlace after = scene.camera_place();
+        QVERIFY(std::abs(after.target.y() - y) < 1 && std::abs(before.target.y() - y) > 5);
+        QVERIFY(stands_over(y));
+        QVERIFY2(readout().startsWith(QStringLiteral("Tool 1 touches")), qPrintable(readout()));
+        shot(w(), QStringLiteral("strips-touch"));
+        // Along the strip.
+        const double x = scene.tool_pose()->tip.x();
+        QSlider* place = desk().panel()->place();
+        place->setValue(place->maximum() / 8);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stands_over(y) && std::abs(scene.tool_pose()->tip.x() - x) > 5);
+        // Without it the operation's own tool is back, at its path.
+        desk().panel()->touch_box()->setChecked(false);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(scene.touches().empty());
+        QVERIFY(scene.tool_pose() && !stands_over(y));
+        desk().panel()->touch_box()->setChecked(true);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(stands_over(y));
+        // Stepping along the path takes the tool.
+        QTest::keyClick(&w(), Qt::Key_Right);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(scene.touches().empty());
+    }
+
+    void a_click_in_the_view_chooses_the_strip() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        for (const double y : {groove_y, -groove_y, groove_y}) {
+            const CameraPlace before = w().viewport().scene().camera_place();
+            QVERIFY(click_groove(y));
+            QVERIFY(desk().chosen());
+            const Strip& strip = path().strips[*desk().chosen()];
+            QVERIFY(std::abs(strip.centers[0][0].y() - y) < 0.1);
+            QCOMPARE(list()->currentItem()->text(0), text(strip.name));
+            QVERIFY(stands_over(y));
+            QVERIFY(std::abs(w().viewport().scene().tool_pose()->tip.x() - 3) < 1.2);
+            QVERIFY((w().viewport().scene().camera_place().target - before.target).norm() < 1e-9);
+        }
+        // Between the grooves there is no strip: what was chosen stays, and the place is marked.
+        const auto chosen = desk().chosen();
+        QVERIFY(click_groove(0.5));
+        QCOMPARE(desk().chosen(), chosen);
+        // With the list out of sight strips, tool and touches are, too.
+        dock()->close();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!w().viewport().scene().has(Layer::strips));
+        QVERIFY(w().viewport().scene().touches().empty());
+    }
+
+    void a_small_dark_window() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        w().set_theme(Theme::dark);
+        w().resize(800, 600);
+        QVERIFY(wait_until_settled(w()));
+        dock()->raise();
+        desk().choose(0, true);
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("strips-small-dark"));
+        QVERIFY(w().width() <= 800);
+        QVERIFY(list()->isVisible() && list()->height() >= 60);
+        w().set_theme(Theme::light);
+    }
+};
+
+FACETMILL_TEST(TestWindowStrips)
+#include "test_window_strips.moc"

@@ -1,0 +1,549 @@
+#include "ui/strip_desk.h"
+
+#include "ui/camera_flight.h"
+#include "ui/elided_label.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+#include "viz/strip_display.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStackedWidget>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace facetmill::ui {
+
+namespace {
+
+enum Column { name_column, type_column, width_column, length_column, reason_column };
+constexpr int strip_role = Qt::UserRole, sort_role = Qt::UserRole + 1;
+constexpr int swatch = 12;
+/// Of a strip's size, and at least of the part's: what the view shows around it.
+constexpr double strip_room = 1.3, part_room = 0.15;
+/// Of the part's size: a place that is no farther from a strip's facets lies on it.
+constexpr double on_strip = 1e-4;
+
+/// Sorted by numbers where there are some.
+class StripItem : public QTreeWidgetItem {
+public:
+    bool operator<(const QTreeWidgetItem& other) const override {
+        const int column = treeWidget()->sortColumn();
+        const QVariant a = data(column, sort_role), b = other.data(column, sort_role);
+        if (a.isValid() && b.isValid()) return a.toDouble() < b.toDouble();
+        return QString::localeAwareCompare(text(column), other.text(column)) < 0;
+    }
+};
+
+QString type_text(const Strip& strip) {
+    switch (strip.kind) {
+    case StripKind::rework:
+        return StripDesk::tr("Rework");
+    case StripKind::sharp:
+        return StripDesk::tr("Normal change");
+    case StripKind::valley:
+        return strip.centers.empty() ? StripDesk::tr("Hollow") : StripDesk::tr("Two contacts");
+    case StripKind::no_posture:
+        return StripDesk::tr("No posture");
+    case StripKind::rest:
+        return StripDesk::tr("Rest material");
+    }
+    return {};
+}
+
+QIcon swatch_icon(const Rgb& color) {
+    QPixmap pixmap(swatch, swatch);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor::fromRgbF(float(color.r), float(color.g), float(color.b)));
+    painter.drawRoundedRect(QRectF(1, 1, swatch - 2, swatch - 2), 2, 2);
+    return QIcon(pixmap);
+}
+
+/// Square of the distance of a point from a triangle.
+double distance2(const Vec3& p, const std::array<Vec3, 3>& t) {
+    const Vec3 cross = (t[1] - t[0]).cross(t[2] - t[0]);
+    const double area2 = cross.squaredNorm();
+    bool inside = area2 > 0;
+    double least = infinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 &a = t[k], e = t[(k + 1) % 3] - a;
+        inside = inside && cross.cross(e).dot(p - a) >= 0;
+        const double length2 = e.squaredNorm();
+        const double s = length2 > 0 ? std::clamp((p - a).dot(e) / length2, 0.0, 1.0) : 0;
+        least = std::min(least, (p - a - s * e).squaredNorm());
+    }
+    if (!inside) return least;
+    const double height = cross.dot(p - t[0]);
+    return height * height / area2;
+}
+
+} // namespace
+
+StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("strips"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 4, 6, 6);
+    column->setSpacing(4);
+    pages_ = new QStackedWidget(this);
+    column->addWidget(pages_);
+    empty_ = new QLabel(pages_);
+    empty_->setObjectName(QStringLiteral("strips_empty"));
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setMargin(12);
+    empty_->setTextFormat(Qt::PlainText);
+    empty_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    pages_->addWidget(empty_);
+
+    auto* page = new QWidget(pages_);
+    pages_->addWidget(page);
+    column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    operation_ = new QComboBox(page);
+    operation_->setObjectName(QStringLiteral("strips_operation"));
+    operation_->setToolTip(tr("Of which operation"));
+    operation_->setFocusPolicy(Qt::TabFocus);
+    operation_->setMinimumContentsLength(8);
+    column->addWidget(operation_);
+    note_ = new ElidedLabel(page);
+    note_->setObjectName(QStringLiteral("strips_note"));
+    column->addWidget(note_);
+    list_ = new QTreeWidget(page);
+    list_->setObjectName(QStringLiteral("strip_list"));
+    list_->setHeaderLabels({tr("Strip"), tr("Type"), tr("Width"), tr("Length"), tr("Reason")});
+    list_->setToolTip(tr("Click: the view goes there. Check mark: whether the strip is cut."));
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setSortingEnabled(true);
+    list_->setTextElideMode(Qt::ElideRight);
+    list_->setIconSize(QSize(swatch, swatch));
+    list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
+    list_->header()->setSectionsMovable(false);
+    list_->header()->setStretchLastSection(true);
+    column->addWidget(list_, 1);
+    touch_ = new QCheckBox(tr("Previous tool at the picked point"), page);
+    touch_->setObjectName(QStringLiteral("strip_touch"));
+    touch_->setToolTip(tr(
+        "Shows the tool that cut before, where it touches the part at two places over the strip and can go "
+        "no deeper. Clicks on a strip in the view then mean the strip, not the path on it."));
+    touch_->setChecked(true);
+    touch_->setFocusPolicy(Qt::TabFocus);
+    touch_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    column->addWidget(touch_);
+    place_ = new QSlider(Qt::Horizontal, page);
+    place_->setObjectName(QStringLiteral("strip_place"));
+    place_->setToolTip(tr("Place along the strip; a click on the strip in the view goes there, too"));
+    place_->setAccessibleName(tr("Place along the strip"));
+    place_->setFocusPolicy(Qt::StrongFocus);
+    column->addWidget(place_);
+    readout_ = new QLabel(page);
+    readout_->setObjectName(QStringLiteral("strip_readout"));
+    readout_->setWordWrap(true);
+    readout_->setTextFormat(Qt::PlainText);
+    readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    column->addWidget(readout_);
+}
+
+void StripPanel::set_empty_text(const QString& text) {
+    empty_->setText(text);
+    pages_->setCurrentIndex(text.isEmpty() ? 1 : 0);
+}
+
+QString StripPanel::empty_text() const {
+    return empty_->text();
+}
+
+StripDesk::StripDesk(Document& document, Viewport& viewport, QWidget* window)
+    : QObject(window), document_(document), viewport_(viewport), panel_(new StripPanel(window)),
+      flight_(new CameraFlight(viewport)) {
+    QTreeWidget* list = panel_->list();
+    connect(list, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == name_column) switch_strip(*item);
+    });
+    connect(list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        choose(item ? std::optional(std::size_t(item->data(name_column, strip_role).toULongLong()))
+                    : std::nullopt,
+               true);
+    });
+    connect(panel_->operation_box(), &QComboBox::currentIndexChanged, this, &StripDesk::refresh);
+    connect(panel_->touch_box(), &QCheckBox::toggled, this, &StripDesk::take_tool);
+    connect(panel_->place(), &QSlider::valueChanged, this, &StripDesk::take_tool);
+    connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
+        if (end.how == JobEnd::How::failed) emit failed(end.message);
+        emit settled();
+    });
+    connect(&document_, &Document::changed, this, &StripDesk::refresh);
+    connect(&document_, &Document::states_changed, this, &StripDesk::refresh);
+    connect(&document_, &Document::opened, this, &StripDesk::refresh);
+    refresh();
+}
+
+StripDesk::~StripDesk() = default;
+
+bool StripDesk::busy() const {
+    return job_.running() || flight_->flying();
+}
+
+void StripDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>> results, std::vector<int> ids) {
+    results_ = std::move(results);
+    ids_ = std::move(ids);
+    sources_.clear();
+    {
+        QComboBox* box = panel_->operation_box();
+        const QSignalBlocker quiet(box);
+        const QString was = box->currentText();
+        box->clear();
+        for (std::size_t i = 0; i < results_.size(); ++i) {
+            if (!results_[i]->path.cleanup_record) continue;
+            sources_.push_back(i);
+            box->addItem(elided(text(results_[i]->name), 40));
+        }
+        box->setCurrentIndex(std::max(sources_.empty() ? -1 : 0, box->findText(was)));
+        box->setVisible(sources_.size() > 1);
+    }
+    tool_left_ = false;
+    refresh();
+}
+
+std::optional<std::size_t> StripDesk::source() const {
+    const auto at = std::size_t(std::max(0, panel_->operation_box()->currentIndex()));
+    if (at >= sources_.size()) return std::nullopt;
+    return sources_[at];
+}
+
+const OperationResult* StripDesk::result() const {
+    const auto at = source();
+    return at ? results_[*at].get() : nullptr;
+}
+
+const CleanupSettings* StripDesk::settings() const {
+    const auto at = source();
+    if (!at) return nullptr;
+    const auto index = document_.index_of(ids_[*at]);
+    const auto* cleanup = index ? dynamic_cast<const Cleanup*>(&document_.operation(*index)) : nullptr;
+    return cleanup ? &cleanup->settings() : nullptr;
+}
+
+/// Why there is no strip to be listed.
+QString StripDesk::empty_reason() const {
+    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+        const Operation& operation = document_.operation(i);
+        if (!dynamic_cast<const Cleanup*>(&operation)) continue;
+        if (document_.state(i) == OperationState::failed)
+            return with_lengths_in(sentence(document_.failure(i)), document_.unit());
+        return tr("Plan “%1” to see its strips here").arg(text(operation.common().name));
+    }
+    return tr("Strips of clean-up come here: add a clean-up operation and plan it");
+}
+
+/// Everything that the list, its states and the view show, as far as it changed.
+void StripDesk::refresh() {
+    const OperationResult* now = result();
+    panel_->set_empty_text(now ? QString() : empty_reason());
+    if (now != listed_ || listed_unit_ != document_.unit()) {
+        // A plan made anew has the same strips under the same names, but for what was changed.
+        const std::optional<std::size_t> was = chosen_;
+        std::string name;
+        if (was && listed_name_.size() > *was) name = listed_name_[*was];
+        fill();
+        std::optional<std::size_t> again;
+        for (std::size_t i = 0; i < listed_name_.size(); ++i)
+            if (!name.empty() && listed_name_[i] == name) again = i;
+        chosen_.reset();
+        choose(again, false);
+    }
+    show_states();
+    show_strips();
+    show_touch();
+}
+
+void StripDesk::fill() {
+    QTreeWidget* list = panel_->list();
+    const QSignalBlocker quiet(list);
+    listed_ = result();
+    listed_unit_ = document_.unit();
+    listed_name_.clear();
+    list->setSortingEnabled(false);
+    list->clear();
+    if (!listed_) return;
+    const double per = mm_per(listed_unit_);
+    const auto& strips = listed_->path.strips;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const Strip& s = strips[i];
+        listed_name_.push_back(s.name);
+        auto* item = new StripItem;
+        item->setData(name_column, strip_role, qulonglong(i));
+        item->setData(name_column, sort_role, double(i));
+        item->setText(name_column, text(s.name));
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
+        item->setText(type_column, type_text(s));
+        const auto number = [&](int column, double mm) {
+            item->setText(column, mm > 0 ? text(format_number(mm / per, 3)) : QStringLiteral("–"));
+            item->setData(column, sort_role, mm);
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        };
+        number(width_column, s.width);
+        number(length_column, s.length);
+        const QString reason = with_lengths_in(sentence(text(s.reason)), listed_unit_);
+        item->setText(reason_column, reason);
+        const QString size = s.width > 0 ? tr("%1 wide, %2 long")
+                                               .arg(shown_length(s.width, listed_unit_, 3),
+                                                    shown_length(s.length, listed_unit_, 3))
+                                         : tr("%1 long").arg(shown_length(s.length, listed_unit_, 3));
+        for (int c = name_column; c <= reason_column; ++c)
+            item->setToolTip(c, tr("%1: %2. %3").arg(text(s.name), size, reason));
+        list->addTopLevelItem(item);
+    }
+    const QString unit = text(unit_name(listed_unit_));
+    list->headerItem()->setText(width_column, tr("Width, %1").arg(unit));
+    list->headerItem()->setText(length_column, tr("Length, %1").arg(unit));
+    list->setSortingEnabled(true);
+    list->sortByColumn(name_column, Qt::AscendingOrder);
+    for (int c = name_column; c < reason_column; ++c)
+        list->resizeColumnToContents(c);
+}
+
+/// Check marks and colours as the operation's settings stand now, planned with them or not.
+void StripDesk::show_states() {
+    const CleanupSettings* now = settings();
+    if (!listed_ || !now) {
+        panel_->note()->hide();
+        return;
+    }
+    const Palette palette = viewport_.scene().palette();
+    QTreeWidget* list = panel_->list();
+    const QSignalBlocker quiet(list);
+    std::size_t on = 0;
+    for (int row = 0; row < list->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = list->topLevelItem(row);
+        const auto i = std::size_t(item->data(name_column, strip_role).toULongLong());
+        const bool enabled = !is_switched_off(now->switched_off, listed_name_[i]);
+        on += enabled;
+        item->setCheckState(name_column, enabled ? Qt::Checked : Qt::Unchecked);
+        item->setIcon(name_column, swatch_icon(strip_color(i, enabled, palette)));
+    }
+    const auto n = std::size_t(list->topLevelItemCount());
+    QString note =
+        on == n ? tr("%1 strips, all of them cut").arg(n) : tr("%1 of %2 strips cut").arg(on).arg(n);
+    if (n == 1) note = on == 1 ? tr("1 strip, cut") : tr("1 strip, switched off");
+    const auto index = document_.index_of(ids_[*source()]);
+    if (index && document_.state(*index) == OperationState::stale)
+        note += tr("; the path is out of date: plan again");
+    panel_->note()->set_text(note);
+    panel_->note()->show();
+}
+
+/// The check mark was changed by hand.
+void StripDesk::switch_strip(const QTreeWidgetItem& item) {
+    const CleanupSettings* now = settings();
+    const auto i = std::size_t(item.data(name_column, strip_role).toULongLong());
+    if (!now || i >= listed_name_.size()) return;
+    const std::string name = listed_name_[i];
+    const bool on = item.checkState(name_column) == Qt::Checked;
+    if (on == !is_switched_off(now->switched_off, name)) return;
+    const std::string list = with_switched(now->switched_off, name, on);
+    const std::size_t index = *document_.index_of(ids_[*source()]);
+    document_.change(
+        (on ? tr("Switch %1 on") : tr("Switch %1 off")).arg(text(name)),
+        [index, list](Project& p) { p.operations[index]->set("switched_off", ParameterValue(list)); });
+}
+
+QTreeWidgetItem* StripDesk::item_of(std::size_t strip) const {
+    QTreeWidget* list = panel_->list();
+    for (int row = 0; row < list->topLevelItemCount(); ++row)
+        if (list->topLevelItem(row)->data(name_column, strip_role).toULongLong() == strip)
+            return list->topLevelItem(row);
+    return nullptr;
+}
+
+void StripDesk::look() {
+    show_strips();
+    take_tool();
+}
+
+/// In the view while the list is seen, in the states of the settings.
+void StripDesk::show_strips() {
+    const CleanupSettings* now = settings();
+    const bool wanted = listed_ && now && panel_->isVisible();
+    if (!wanted) {
+        job_.cancel();
+        wanted_.clear();
+        if (shown_) {
+            shown_ = nullptr;
+            viewport_.scene().set_strips(nullptr);
+            viewport_.refresh();
+            emit strips_shown(false);
+        }
+        return;
+    }
+    const LengthUnit unit = document_.unit();
+    const std::string key = now->switched_off + '\n' + std::string(unit_name(unit)) + '\n'
+                            + std::to_string(std::uintptr_t(listed_));
+    if (key == wanted_) return;
+    wanted_ = key;
+    auto display = std::make_shared<StripDisplayPtr>();
+    job_.start(
+        tr("Drawing the strips"),
+        [display, unit, off = now->switched_off, result = results_[*source()]](const Progress& p) {
+            std::vector<Strip> strips = result->path.strips;
+            for (Strip& s : strips)
+                s.enabled = !is_switched_off(off, s.name);
+            *display = prepare_strip_display(strips, unit, p);
+        },
+        [this, display, key](const JobEnd& end) {
+            if (!end.done() || key != wanted_) return;
+            shown_ = *display;
+            emit strips_shown(true);
+            show_again();
+        });
+}
+
+void StripDesk::show_again() {
+    if (!shown_) return;
+    viewport_.scene().set_strips(shown_);
+    viewport_.scene().set_strip_chosen(chosen_);
+    viewport_.refresh();
+}
+
+void StripDesk::choose(std::optional<std::size_t> strip, bool fly) {
+    if (strip && (!listed_ || *strip >= listed_->path.strips.size())) strip.reset();
+    chosen_ = strip;
+    QTreeWidget* list = panel_->list();
+    {
+        const QSignalBlocker quiet(list);
+        QTreeWidgetItem* item = strip ? item_of(*strip) : nullptr;
+        list->setCurrentItem(item);
+        if (item) list->scrollToItem(item);
+    }
+    viewport_.scene().set_strip_chosen(strip);
+    QSlider* place = panel_->place();
+    {
+        const QSignalBlocker quiet(place);
+        const auto touches = strip && listed_ ? listed_->path.cleanup_record->of(*strip)
+                                              : std::span<const CleanupRecord::Touch>();
+        place->setRange(0, std::max(0, int(touches.size()) - 1));
+        place->setValue(int(touches.size() / 2));
+        place->setPageStep(std::max(1, int(touches.size() / 20)));
+        place->setEnabled(touches.size() > 1);
+    }
+    if (fly && strip && panel_->isVisible()) show_place();
+    take_tool();
+    viewport_.refresh();
+}
+
+/// The view goes to the chosen strip.
+void StripDesk::show_place() {
+    const Strip& strip = listed_->path.strips[*chosen_];
+    Box3 box;
+    Vec3 normal = Vec3::Zero();
+    for (const auto& [a, b, c] : strip.band) {
+        for (const Vec3* p : {&a, &b, &c})
+            box.add(*p);
+        normal += (b - a).cross(c - a);
+    }
+    if (box.empty()) return;
+    normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3::UnitZ();
+    const double across = document_.part() ? document_.part()->box.diagonal() : box.diagonal();
+    flight_->fly_to(viewport_.scene().place_to_see(
+        box.center(), normal, std::max(strip_room * box.diagonal(), part_room * across)));
+}
+
+bool StripDesk::takes_path_clicks() const {
+    return listed_ && panel_->isVisible() && panel_->touch_box()->isChecked();
+}
+
+bool StripDesk::pick(const Vec3& place) {
+    if (!listed_ || !panel_->isVisible() || !document_.part()) return false;
+    const auto& strips = listed_->path.strips;
+    std::optional<std::size_t> nearest;
+    const double reach = on_strip * document_.part()->box.diagonal();
+    double least = reach * reach;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        for (const auto& t : strips[i].band)
+            if (const double d = distance2(place, t); d < least) {
+                least = d;
+                nearest = i;
+            }
+    if (!nearest) return false;
+    choose(nearest, false);
+    const auto touches = listed_->path.cleanup_record->of(*nearest);
+    const auto at = std::min_element(touches.begin(), touches.end(), [&](const auto& a, const auto& b) {
+        return (a.center - place).squaredNorm() < (b.center - place).squaredNorm();
+    });
+    if (at != touches.end()) panel_->place()->setValue(int(at - touches.begin()));
+    return true;
+}
+
+void StripDesk::take_tool() {
+    tool_left_ = false;
+    show_touch();
+}
+
+void StripDesk::leave_tool() {
+    tool_left_ = true;
+    touch_shown_ = false;
+}
+
+void StripDesk::colour() {
+    show_states();
+}
+
+/// The previous tool at the chosen place, in the view and in words.
+void StripDesk::show_touch() {
+    QString words;
+    const CleanupRecord::Touch* touch = nullptr;
+    if (listed_ && chosen_) {
+        const CleanupRecord& record = *listed_->path.cleanup_record;
+        const auto touches = record.of(*chosen_);
+        const Strip& strip = listed_->path.strips[*chosen_];
+        if (!touches.empty()) {
+            touch = &touches[std::min(std::size_t(panel_->place()->value()), touches.size() - 1)];
+            const LengthUnit unit = document_.unit();
+            const auto place = [&](const Vec3& v) {
+                const int digits = unit == LengthUnit::inch ? 4 : 3;
+                const double mm = mm_per(unit);
+                return QStringLiteral("(%1, %2, %3)")
+                    .arg(QString::number(v.x() / mm, 'f', digits), QString::number(v.y() / mm, 'f', digits),
+                         QString::number(v.z() / mm, 'f', digits));
+            };
+            words = tr("Tool %1 touches at %2 and %3 %4; it stays %5 above the bottom.")
+                        .arg(record.previous.number)
+                        .arg(place(touch->touch[0]), place(touch->touch[1]), text(unit_name(unit)),
+                             shown_length(touch->gap, unit, 4));
+        } else if (strip.kind == StripKind::sharp) {
+            words = tr("Tool %1 fits into it: its normals turn faster than the limit.")
+                        .arg(record.previous.number);
+        } else {
+            words = tr("Tool %1 does not touch at two places along it.").arg(record.previous.number);
+        }
+    } else if (listed_) {
+        words = tr("Click on a strip, here or in the view.");
+    }
+    panel_->readout()->setText(words);
+    const bool wanted = touch && panel_->isVisible() && panel_->touch_box()->isChecked() && !tool_left_;
+    if (wanted) {
+        touch_shown_ = true;
+        emit touch_wanted(listed_->path.cleanup_record->previous, *touch);
+    } else if (std::exchange(touch_shown_, false)) {
+        emit touch_gone();
+    }
+}
+
+} // namespace facetmill::ui
