@@ -16,12 +16,10 @@ constexpr std::size_t most_knots = 4000;
 /// The grid of axes: steps of inclination, and around.
 constexpr double tilt_step = pi / 36;
 constexpr int around = 16;
-/// Of the radius: a tool is drawn out of what it would cut by no more.
-constexpr double most_raise = 0.1;
 /// An axis turns by no more between two knots.
 constexpr double most_turn = pi / 4.5;
-/// Weights of inclination, turn and raise (in radii), squared.
-constexpr double tilt_weight = 0.1, turn_weight = 1, raise_weight = 25;
+/// Weights of inclination, turn and raise (of the largest), squared.
+constexpr double tilt_weight = 0.1, turn_weight = 1, raise_weight = 0.05;
 constexpr int most_divisions = 6;
 /// Of the chord tolerance, as for passes of five axes: what is used of it at the places looked at.
 constexpr double chord_share = 0.6;
@@ -76,7 +74,7 @@ private:
     bool stand(std::size_t k, const Vec3& axis, CutterLocation& at, double& raise) {
         if (!turned_about_contact(in_.whole->cutter(), pass_.cc[k], pass_.cl[k].tip, axis, at)) return false;
         raise = std::max(0.0, in_.whole->lift({at.tip, at.axis}, hint_));
-        if (raise > most_raise * radius_) return false;
+        if (raise > in_.raise) return false;
         at.tip += raise * axis;
         return true;
     }
@@ -113,7 +111,7 @@ private:
                 if (!stand(knots_[i].cl, axes_[a], at, raise)) continue;
                 const double tilt = std::acos(std::min(axes_[a].z(), 1.0));
                 const double own =
-                    tilt_weight * tilt * tilt + raise_weight * (raise / radius_) * (raise / radius_);
+                    tilt_weight * tilt * tilt + raise_weight * (raise / in_.raise) * (raise / in_.raise);
                 double before = i == begin ? 0 : infinity;
                 if (i > begin)
                     for (std::size_t b = 0; b < m; ++b) {
@@ -201,7 +199,7 @@ private:
         if (divisions == most_divisions) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);
         const double lift = in_.whole->lift({middle.tip, middle.axis}, hint_);
-        if (lift > most_raise * radius_) return false;
+        if (lift > in_.raise) return false;
         if (lift > 0) middle.tip += lift * middle.axis;
         const std::size_t size = run.cl.size();
         if (between(a, middle, cc, divisions + 1, run)) {

@@ -20,6 +20,7 @@ struct TiltInput {
     const ToolLift* whole = nullptr; ///< cutter (with the allowance), shank and holder
     double limit = 0;                ///< of the angle between axis and +Z; 0: upright only
     double chord = 0.0025;           ///< how far a motion may run into the part
+    double raise = 0.0125;           ///< the tool is drawn out of what it would cut by no more: so much stays
 };
 
 struct TiltedPass {

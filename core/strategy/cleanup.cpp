@@ -26,6 +26,9 @@ constexpr double needle_share = 0.02;
 /// Of the radius: what stays is measured at places so far apart.
 constexpr double judge_share = 0.1;
 
+/// Of the tolerance: an inclined tool that would cut elsewhere is drawn out by no more.
+constexpr double raise_share = 0.25;
+
 /// Of the tolerance: that less than this stays is not measured further.
 constexpr double good_enough = 0.5;
 
@@ -158,6 +161,8 @@ private:
     void find_left(const std::vector<LeftPlace>& places, double spacing, StripKind kind,
                    const Progress& progress) {
         const double apart = std::max(spacing, 0.25 * radius_);
+        // A point stands for all that its line was to cut there; a sample for itself.
+        const double smallest = kind == StripKind::rest ? ripple_ : 0;
         PointGrid known(apart);
         for (const Found& f : found_)
             for (const auto& t : f.band.band)
@@ -169,7 +174,7 @@ private:
                     return (known.points()[i] - place.point).norm() < apart;
                 }))
                 others.push_back(place);
-        for (LeftStrip& strip : left_strips(context_, others, apart, overlap_, ripple_, progress)) {
+        for (LeftStrip& strip : left_strips(context_, others, apart, overlap_, smallest, progress)) {
             Found f;
             f.kind = kind;
             f.band.band = strip.strip.band;
@@ -348,9 +353,10 @@ private:
         const ToolLift whole(context_.contact, tool, {allowance_, 0, 0});
         std::vector<TiltedPass> kept(result_.passes.size());
         parallel_for(result_.passes.size(), 1, progress, [&](std::size_t i) {
-            kept[i] = settings_.tilt_limit > 0 ? tilted_where_held({&whole, settings_.tilt_limit, chord_},
-                                                                   result_.passes[i], progress)
-                                               : upright_where_free(whole, result_.passes[i], progress);
+            kept[i] = settings_.tilt_limit > 0
+                          ? tilted_where_held({&whole, settings_.tilt_limit, chord_, raise_share * cusp_},
+                                              result_.passes[i], progress)
+                          : upright_where_free(whole, result_.passes[i], progress);
         });
         result_.passes.clear();
         double largest = 0;

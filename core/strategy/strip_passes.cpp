@@ -19,8 +19,9 @@ constexpr double chunk_radii = 4;
 constexpr double facing = 0.01;
 /// A tip that the part holds up by more than this many radii above where it should be has no place there.
 constexpr double most_raise = 1.5, most_raise_z = 4;
-/// Against the fitted vector it goes no deeper than this, in radii, beyond the plane across it.
-constexpr double most_sink = 0.25;
+/// Against the fitted vector it goes no deeper than this, in radii, beyond the plane across it; beyond a
+/// valley's end as deep as it takes to roll over the rim of both flanks.
+constexpr double most_sink = 0.25, most_sink_beyond = 1.5;
 /// The first pass is looked for so far beside the centre, in radii.
 constexpr double aside_share = 0.3, aside_accuracy = 7e-4;
 constexpr int most_passes = 400, most_tries = 8;
@@ -153,7 +154,7 @@ private:
             if (offset == 0) tip += lowest(i, tip, left) * left;
             const VectorContact c = lift_of_[i]->contact({tip, Vec3::UnitZ(), p.up});
             // Past the end of the flanks it would slide on to whatever comes.
-            if (!(c.lift > -most_sink * radius_)) return s;
+            if (!(c.lift > -(p.on_part ? most_sink : most_sink_beyond) * radius_)) return s;
             s.touch = c.point;
             // A hair off what it touches: an upright wall would hold it up to its top else.
             s.tip = tip + (c.lift + tolerance::contact_distance) * p.up;

@@ -196,6 +196,7 @@ private slots:
         const DeviationSurface& d = *v.surface;
         std::size_t asked = 0;
         double most = 0;
+        Vec3 where = Vec3::Zero();
         for (std::size_t i = 0; i < d.points.size(); ++i) {
             const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]);
             const double away = std::hypot(p.y(), p.z());
@@ -203,10 +204,18 @@ private slots:
                 || p.z() > 6)
                 continue;
             ++asked;
-            most = std::max(most, double(d.deviation[i]));
+            if (double(d.deviation[i]) > most) {
+                most = double(d.deviation[i]);
+                where = p;
+            }
         }
-        const QString figures =
-            QString("%1 samples, at most %2; tilt %3").arg(asked).arg(most).arg(degrees(path.lead_max));
+        const QString figures = QString("%1 samples, at most %2 at (%3, %4, %5); tilt %6")
+                                    .arg(asked)
+                                    .arg(most)
+                                    .arg(where.x())
+                                    .arg(where.y())
+                                    .arg(where.z())
+                                    .arg(degrees(path.lead_max));
         qInfo("%s", qPrintable(figures));
         QVERIFY2(asked > 200 && most <= 1.15 * tau, qPrintable(figures));
     }
@@ -322,7 +331,13 @@ private slots:
                 for (const auto& t : strip.band)
                     for (const Vec3& p : t)
                         least = std::min(least, (p - c.point).norm());
-            QVERIFY2(least < 1, qPrintable(QString::number(least)));
+            QVERIFY2(least < 1, qPrintable(QString("%1 at (%2, %3, %4), normal z %5, %6 strips")
+                                               .arg(least)
+                                               .arg(c.point.x())
+                                               .arg(c.point.y())
+                                               .arg(c.point.z())
+                                               .arg(c.normal.z())
+                                               .arg(path.strips.size())));
         }
     }
 };
