@@ -192,7 +192,8 @@ private slots:
         QVERIFY2(!v.gouged(), qPrintable(QString("%1 %2").arg(v.figures.gouge_max).arg(v.border.gouge_max)));
         for (const Collision& c : v.collisions)
             QVERIFY2(c.at.program != 1, "the inclined tool meets something");
-        // Beside the crease, as far as the small ball comes to touch: r / tan 50 degrees and a little.
+        // On the band, beyond where the small ball comes to touch: r / tan 50 degrees and a little. What lies
+        // outside of it is the finish's, with its cusps.
         const DeviationSurface& d = *v.surface;
         std::size_t asked = 0;
         double most = 0;
@@ -200,8 +201,8 @@ private slots:
         for (std::size_t i = 0; i < d.points.size(); ++i) {
             const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]);
             const double away = std::hypot(p.y(), p.z());
-            if ((d.flags[i] & ~DeviationSurface::away) != 0 || std::abs(p.x()) > 12 || away < 1.8 || away > 6
-                || p.z() > 6)
+            if ((d.flags[i] & ~DeviationSurface::away) != 0 || std::abs(p.x()) > 12 || away < 1.8
+                || away > 3.8 || p.z() > 6)
                 continue;
             ++asked;
             if (double(d.deviation[i]) > most) {
@@ -324,8 +325,9 @@ private slots:
         QVERIFY(!path.strips.empty() && !path.passes.empty());
         for (const Strip& strip : path.strips)
             QVERIFY(strip.kind == StripKind::no_posture);
-        // Every one of them is near to a strip.
+        // Every one of them is near to a strip, but for those beyond the part's border.
         for (const CutterContact& c : left) {
+            if (std::abs(c.point.x()) > 20 || std::abs(c.point.y()) > 16) continue;
             double least = infinity;
             for (const Strip& strip : path.strips)
                 for (const auto& t : strip.band)
