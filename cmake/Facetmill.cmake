@@ -69,25 +69,29 @@ endfunction()
 set(FACETMILL_TEST_TIMEOUT 1800)
 set(FACETMILL_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=1800000) # ms
 
+# facetmill_moc(TARGET SOURCES ...): runs moc for the sources that include their .moc. One short command for each, where
+# AUTOMOC takes seconds per target to look for them.
+function(facetmill_moc target)
+    foreach(source IN LISTS ARGN)
+        cmake_path(GET source STEM stem)
+        file(STRINGS ${source} included REGEX "^#include \"${stem}\\.moc\"")
+        if(included)
+            qt6_generate_moc(${source} ${CMAKE_CURRENT_BINARY_DIR}/${stem}.moc)
+            target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${stem}.moc)
+        endif()
+    endforeach()
+    target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
 # facetmill_test(NAME ROOM room [LABELS ...] [TIMEOUT s] SOURCES ...): a QtTest program whose classes register themselves
-# with FACETMILL_TEST (tests/support/test_runner.h).
+# with FACETMILL_TEST (tests/support/test_runner.h). Those without a label are the target unit_tests.
 function(facetmill_test name)
     cmake_parse_arguments(ARG "" "ROOM;TIMEOUT" "SOURCES;LABELS" ${ARGN})
-    add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/support/test_runner.cpp
-        ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
-    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    add_executable(${name} ${ARG_SOURCES})
+    facetmill_moc(${name} ${ARG_SOURCES})
     facetmill_link_core(${name} ${ARG_ROOM})
-    target_link_libraries(${name} PRIVATE Qt6::Core Qt6::Test)
+    target_link_libraries(${name} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
     target_compile_definitions(${name} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
-    # One for all tests: it takes as long to make as several of them. A program of its own makes it, which is compiled
-    # as they are, but for Qt6::Test, whose definitions name the folder.
-    if(NOT TARGET facetmill_test_header)
-        file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/test_header.cpp CONTENT "int main() {}\n")
-        add_executable(facetmill_test_header ${PROJECT_BINARY_DIR}/generated/test_header.cpp)
-        target_link_libraries(facetmill_test_header PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
-            nlohmann_json::nlohmann_json Threads::Threads Qt6::Core)
-        target_precompile_headers(facetmill_test_header PRIVATE ${PROJECT_SOURCE_DIR}/cmake/test_pch.h)
-    endif()
     target_precompile_headers(${name} REUSE_FROM facetmill_test_header)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT ARG_TIMEOUT)
@@ -95,4 +99,7 @@ function(facetmill_test name)
     endif()
     set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
         ENVIRONMENT "${FACETMILL_TEST_ENVIRONMENT}")
+    if(NOT ARG_LABELS)
+        add_dependencies(unit_tests ${name})
+    endif()
 endfunction()
