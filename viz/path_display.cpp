@@ -1,6 +1,7 @@
 #include "viz/path_display.h"
 
 #include "core/job/planner.h"
+#include "core/strategy/five_axis_record.h"
 
 #include <cmath>
 
@@ -9,6 +10,13 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t check_every = 1u << 16; // points: about 1 ms
+
+void append(std::vector<float>& points, const Vec3& p) {
+    points.insert(points.end(), {float(p.x()), float(p.y()), float(p.z())});
+}
+void append(Polylines& lines, const Vec3& p) {
+    append(lines.points, p);
+}
 
 class Dasher {
 public:
@@ -35,8 +43,8 @@ public:
 
 private:
     void segment(const Vec3& a, const Vec3& b) {
-        for (const Vec3& p : {Vec3(a - centre_), Vec3(b - centre_)})
-            out_.points.insert(out_.points.end(), {float(p.x()), float(p.y()), float(p.z())});
+        for (const Vec3& p : {a, b})
+            append(out_, p - centre_);
         out_.offsets.push_back(std::int32_t(out_.points.size() / 3));
     }
     Polylines& out_;
@@ -44,10 +52,6 @@ private:
     const double dash_;
     double phase_ = 0.0;
 };
-
-void append(Polylines& lines, const Vec3& p) {
-    lines.points.insert(lines.points.end(), {float(p.x()), float(p.y()), float(p.z())});
-}
 
 /// Ends the polyline that is being built; one of a single point is dropped unless `keep_single`.
 void finish(Polylines& lines, bool keep_single) {
@@ -111,6 +115,9 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                     tick();
                     if (c.point.allFinite()) display->box.add(c.point);
                 }
+        if (s.contacts)
+            for (const CutterContact& c : s.contacts->cleanup)
+                if (c.point.allFinite()) display->box.add(c.point);
         if (s.motions) {
             const auto& motions = s.motions->motions;
             for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -150,6 +157,17 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 }
                 finish(display->contacts, true);
             }
+        if (s.contacts && s.layer < 0) {
+            for (const CutterContact& c : s.contacts->cleanup) {
+                tick();
+                if (c.point.allFinite()) append(display->left_points, c.point - centre);
+            }
+            if (s.contacts->five_axis)
+                for (const FiveAxisRecord::Point& p : s.contacts->five_axis->points) {
+                    tick();
+                    if (p.place.kept) append(display->kept_points, p.place.surface - centre);
+                }
+        }
         if (!s.motions) continue;
         const auto& motions = s.motions->motions;
         Dasher rapid(display->motions[std::size_t(MotionKind::rapid)], centre, dash);

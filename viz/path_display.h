@@ -45,6 +45,9 @@ struct PathDisplay {
     Vec3 centre = Vec3::Zero();
     Box3 box; ///< of all CC and CL points
     Polylines contacts;
+    /// Dots, 3 numbers each as in Polylines: contact points left to clean-up, and those of a posture kept by
+    /// hand.
+    std::vector<float> left_points, kept_points;
     double contact_spacing = 0;                  ///< mean distance of neighbours on a pass, mm
     std::array<Polylines, motion_kinds> motions; ///< by MotionKind; rapids are dashed
     /// Fewer points, drawn while the view moves; of long paths only, otherwise empty.

@@ -202,6 +202,8 @@ void Scene::set_path(PathDisplayPtr path) {
     set(impl_->contact_lines, polyline_data(p.contacts), p.centre);
     set(impl_->contact_dots, dot_data(p.contacts), p.centre);
     set(impl_->contact_preview, polyline_data(p.contacts_preview), p.centre);
+    set(impl_->left_dots, dot_data(p.left_points), p.centre);
+    set(impl_->kept_dots, dot_data(p.kept_points), p.centre);
     for (std::size_t k = 0; k < motion_kinds; ++k) {
         set(impl_->motion_lines[k], polyline_data(p.motions[k]), p.centre);
         set(impl_->motion_preview[k], polyline_data(p.motions_preview[k]), p.centre);

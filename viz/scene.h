@@ -58,13 +58,13 @@ enum class Layer {
     deviation, ///< the part's surface in the colours of its deviations; stands for the surface of `part`
     findings,  ///< dots where something was found
     strips,    ///< regions for rework and clean-up, translucent, with labels
-    cc,        ///< cutter contacts
-    cl,        ///< tool tip, coloured by the kind of motion
-    tool,      ///< cutter, shank and holder at the pose
-    marker,    ///< picked point, and where a tool touches
-    axes,      ///< orientation axes in the corner
-    scale,     ///< scale bar with its unit
-    legend,    ///< colours of what is shown
+    cc,     ///< cutter contacts; those left to clean-up and those of kept postures with either of cc and cl
+    cl,     ///< tool tip, coloured by the kind of motion
+    tool,   ///< cutter, shank and holder at the pose
+    marker, ///< picked point, and where a tool touches
+    axes,   ///< orientation axes in the corner
+    scale,  ///< scale bar with its unit
+    legend, ///< colours of what is shown
     title,
 };
 

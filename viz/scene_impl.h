@@ -141,7 +141,7 @@ struct Scene::Impl {
     std::array<SceneActor, finding_kinds> finding_dots;
     std::array<std::vector<float>, finding_kinds> finding_points;
     std::vector<std::unique_ptr<SceneActor>> strip_bands, strip_lines, strip_handles; ///< one each per strip
-    SceneActor contact_lines, contact_dots, contact_preview;
+    SceneActor contact_lines, contact_dots, contact_preview, left_dots, kept_dots;
     std::array<SceneActor, motion_kinds> motion_lines, motion_preview;
     std::array<SceneActor, motion_kinds> tint_lines, tint_preview; ///< stand for them where they have data
     std::array<SceneActor, 3> tool_bodies, tool_rings;             ///< cutter, shank, holder

@@ -84,7 +84,7 @@ Scene::Impl::Impl() {
     for (auto& a : finding_dots)
         renderer->AddActor(a.actor);
     add_all(part_surface, part_preview, deviation_surface, deviation_preview, part_lines, part_edges,
-            contact_preview, stock_faces, stock_lines, contact_lines, contact_dots);
+            contact_preview, stock_faces, stock_lines, contact_lines, contact_dots, left_dots, kept_dots);
     for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             renderer->AddActor(a.actor);
@@ -98,7 +98,7 @@ Scene::Impl::Impl() {
         axes_renderer->AddActor(axes[k].actor);
     }
     for (SceneActor* a : {&part_lines, &part_edges, &stock_faces, &stock_lines, &contact_lines, &contact_dots,
-                          &contact_preview})
+                          &contact_preview, &left_dots, &kept_dots})
         unlit(*a);
     for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
@@ -159,6 +159,8 @@ Scene::Impl::Impl() {
     nearer(contact_lines, 40);
     nearer(contact_preview, 40);
     nearer(contact_dots, 48);
+    nearer(left_dots, 50);
+    nearer(kept_dots, 52);
     for (auto* lines : {&motion_lines, &motion_preview, &tint_lines, &tint_preview})
         for (auto& a : *lines)
             nearer(a, 44);
@@ -166,7 +168,8 @@ Scene::Impl::Impl() {
         nearer(a, 20);
     // The stock's faces lie behind the part's where both have the same plane.
     stock_faces.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
-    contact_dots.actor->GetProperty()->SetRenderPointsAsSpheres(true);
+    for (SceneActor* dots : {&contact_dots, &left_dots, &kept_dots})
+        dots->actor->GetProperty()->SetRenderPointsAsSpheres(true);
     for (auto& a : finding_dots)
         a.actor->GetProperty()->SetRenderPointsAsSpheres(true);
 
@@ -213,6 +216,8 @@ void Scene::Impl::apply_palette() {
     set_color(finding_dots[std::size_t(FindingMark::Kind::collision)], c.collision);
     set_color(contact_lines, c.contacts);
     set_color(contact_dots, c.contacts);
+    set_color(left_dots, c.left);
+    set_color(kept_dots, c.kept);
     for (std::size_t k = 0; k < motion_kinds; ++k)
         set_color(motion_lines[k], c.motions[k]);
     const Rgb tool_colors[3] = {c.cutter, c.shank, c.holder};
@@ -259,6 +264,8 @@ void Scene::Impl::apply_line_widths() {
         set(a, 2.2);
     for (auto& a : finding_dots)
         a.actor->GetProperty()->SetPointSize(float(10 * ratio));
+    left_dots.actor->GetProperty()->SetPointSize(float(6 * ratio));
+    kept_dots.actor->GetProperty()->SetPointSize(float(9 * ratio));
 }
 
 void Scene::Impl::apply_visibility() {
@@ -301,6 +308,8 @@ void Scene::Impl::apply_visibility() {
     show(contact_lines, on(Layer::cc) && !coarse_contacts);
     show(contact_dots, on(Layer::cc) && !coarse_contacts);
     show(contact_preview, on(Layer::cc) && coarse_contacts);
+    for (SceneActor* dots : {&left_dots, &kept_dots}) // what the path leaves is shown with it
+        show(*dots, on(Layer::cc) || on(Layer::cl));
     for (std::size_t k = 0; k < motion_kinds; ++k) {
         const bool shown = on(Layer::cl) && motion_on[k], tinted = tint_lines[k].filled;
         const bool coarse = moving && (tinted ? tint_preview[k] : motion_preview[k]).filled;
@@ -397,6 +406,11 @@ std::vector<LegendEntry> Scene::Impl::legend() const {
     if (on(Layer::marker) && !touches.empty())
         all.push_back({Sample::spot, c.contacts, 1, "Touches of the tool"});
     if (on(Layer::cc) && contact_dots.filled) all.push_back({Sample::dot, c.contacts, 1, "Contact points"});
+    const auto mark = [&](const SceneActor& dots, const Rgb& color, const char* label) {
+        if (dots.filled && (on(Layer::cc) || on(Layer::cl))) all.push_back({Sample::spot, color, 1, label});
+    };
+    mark(left_dots, c.left, "Left to clean-up");
+    mark(kept_dots, c.kept, "Posture kept by hand");
     const auto add = [&](MotionKind kind, const char* label) {
         const auto k = std::size_t(kind);
         if (moves(kind))

@@ -2,6 +2,7 @@
 // the colours are to be found in the picture.
 #include "core/job/planner.h"
 #include "core/output/motion_time.h"
+#include "core/strategy/five_axis_record.h"
 #include "tests/screenshot/scene_parts.h"
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace facetmill;
@@ -250,6 +252,51 @@ private slots:
         QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
         scene.set_path_tint(prepare_tinted_path(figures, PathQuantity::feed, LengthUnit::mm, {}));
         scene.set_path(prepare_path_display({path_source(result)}, {}));
+        QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
+    }
+
+    void what_is_left_and_what_is_kept_is_marked() {
+        const auto result = std::make_shared<OperationResult>(*hill_operation(15, 60, true));
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
+        scene.set_path(prepare_path_display({path_source(result)}, {}));
+        window_.show(scene, 720, 540);
+        scene.set_view(StandardView::iso);
+        const Colors& colors = colors_of(Palette::light);
+        const Picture plain = window_.render();
+        const auto shows = [&](const Rgb& color) { return count_near(window_.render(), color, 12); };
+        const std::size_t left_before = shows(colors.left), kept_before = shows(colors.kept);
+
+        const auto at = [](double x, double y) { return Vec3(x, y, hill(x, y)); };
+        for (int i = 0; i < 12; ++i)
+            result->path.cleanup.push_back({at(40 + i, 30), Vec3::UnitZ()});
+        result->path.cleanup.push_back({Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), Vec3::UnitZ()});
+        auto record = std::make_shared<FiveAxisRecord>();
+        record->points.resize(2);
+        record->points[0].place.surface = at(70, 50);
+        record->points[0].place.kept = {{0.1, 0.2}};
+        record->points[1].place.surface = at(20, 20);
+        result->path.five_axis = record;
+        const auto path = prepare_path_display({path_source(result)}, {});
+        QCOMPARE(path->left_points.size(), std::size_t(3 * 12));
+        QCOMPARE(path->kept_points.size(), std::size_t(3));
+        QVERIFY((Vec3(path->kept_points[0], path->kept_points[1], path->kept_points[2]) + path->centre
+                 - at(70, 50))
+                    .norm()
+                < 1e-4);
+        scene.set_path(path);
+        QVERIFY(shows(colors.left) > left_before + 100);
+        QVERIFY(shows(colors.kept) > kept_before + 20);
+        const std::string wrong =
+            check_picture(window_.render(), "path-left-and-kept", FACETMILL_PICTURE_OUT);
+        QVERIFY2(wrong.empty(), wrong.c_str());
+        scene.set_visible(Layer::cc, false);
+        QVERIFY(shows(colors.left) > left_before + 100);
+        scene.set_visible(Layer::cl, false);
+        QVERIFY(shows(colors.left) <= left_before);
+        scene.set_visible(Layer::cc, true);
+        scene.set_visible(Layer::cl, true);
+        scene.set_path(prepare_path_display({path_source(hill_operation(15, 60, true))}, {}));
         QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
     }
 
