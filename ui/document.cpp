@@ -5,11 +5,25 @@
 #include "core/strategy/region_edit.h"
 #include "ui/text.h"
 
+#include <QFileInfo>
 #include <QUndoCommand>
 
 #include <algorithm>
 
 namespace facetmill::ui {
+
+namespace {
+
+/// Part, mesh stock and machine, where they are files.
+std::vector<std::filesystem::path> files_of(const Project& project) {
+    std::vector<std::filesystem::path> files;
+    if (!project.part.file.empty()) files.push_back(project.part_path());
+    if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) files.push_back(stock);
+    if (is_machine_file(project.machine)) files.push_back(project.machine_path());
+    return files;
+}
+
+} // namespace
 
 /// One step of the history: the project before and after. Projects hold no meshes, so whole copies are cheap
 /// and no step can be undone wrongly.
@@ -30,6 +44,15 @@ private:
 Document::Document(QObject* parent) : QObject(parent) {
     undo_.setUndoLimit(200);
     connect(&undo_, &QUndoStack::cleanChanged, this, &Document::modified_changed);
+    settled_.setSingleShot(true);
+    settled_.setInterval(300);
+    for (const auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
+        connect(&files_, signal, &settled_, qOverload<>(&QTimer::start));
+    connect(&settled_, &QTimer::timeout, this, [this] {
+        watch_files();
+        emit states_changed();
+        if (part_ && !part_is_current()) emit part_changed();
+    });
 }
 
 QString Document::name() const {
@@ -49,6 +72,7 @@ void Document::open(Project project, const QString& name, bool unsaved) {
     part_key_.clear();
     undo_.clear();
     undo_.setClean();
+    watch_files();
     emit opened();
     emit part_changed();
     emit states_changed();
@@ -75,6 +99,7 @@ void Document::saved(const Project& written) {
         if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
     never_saved_ = false;
     undo_.setClean();
+    watch_files();
     emit modified_changed();
     emit changed();
 }
@@ -99,6 +124,7 @@ void Document::restore(const Snapshot& snapshot) {
     project_.path = path;
     project_.part.file = part_file;
     ids_ = snapshot.ids;
+    watch_files();
     emit changed();
     emit states_changed();
     if (has_part() && part_ && !part_is_current()) emit part_changed();
@@ -218,6 +244,19 @@ void Document::remove_tool(std::size_t i) {
     change(tr("Remove tool"), [&](Project& p) { p.tools.erase(p.tools.begin() + std::ptrdiff_t(i)); });
 }
 
+void Document::watch_files() {
+    QStringList wanted;
+    for (const std::filesystem::path& file : files_of(project_)) {
+        wanted << path_text(file);
+        wanted << path_text(file.parent_path()); // a file that is replaced, or comes back
+    }
+    const QStringList watched = files_.files() + files_.directories();
+    for (const QString& path : watched)
+        if (!wanted.contains(path)) files_.removePath(path);
+    for (const QString& path : wanted)
+        if (!watched.contains(path) && QFileInfo::exists(path)) files_.addPath(path);
+}
+
 void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::string& key) {
     part_ = std::move(part);
     part_key_ = key;
@@ -226,12 +265,12 @@ void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::str
 }
 
 std::string Document::part_key(const Project& project) {
-    std::string key = project.part_path().string() + "|" + std::string(unit_name(project.part.unit));
+    std::string key = file_stamp(project.part_path()) + "|" + std::string(unit_name(project.part.unit));
     for (const auto& three : {project.part.rotate, project.part.translate})
         for (const double v : three)
             key += "|" + format_number(v, 17);
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) {
-        key += "|" + stock.string() + "|" + std::string(unit_name(project.stock.unit));
+        key += "|" + file_stamp(stock) + "|" + std::string(unit_name(project.stock.unit));
         for (const auto& three : {project.stock.rotate, project.stock.translate})
             for (const double v : three)
                 key += "|" + format_number(v, 17);
@@ -264,7 +303,10 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
         add(*project.operations[k]);
     add(operation);
     // The unit is left out: it is one of the display and of the files, not of the path.
-    return project_to_json(alone);
+    std::string text = project_to_json(alone);
+    for (const std::filesystem::path& file : files_of(project))
+        text += file_stamp(file) + "\n";
+    return text;
 }
 
 OperationState Document::state(std::size_t i) const {

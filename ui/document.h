@@ -5,8 +5,10 @@
 #include "core/job/planner.h"
 #include "core/job/project.h"
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -75,7 +77,7 @@ public:
     // the part as read
     void set_part(std::shared_ptr<const PreparedPart> part, const std::string& key);
     const std::shared_ptr<const PreparedPart>& part() const { return part_; }
-    /// Files, units and placements: what the meshes of part and stock depend on.
+    /// Files as they are on disk, units and placements: what the meshes of part and stock depend on.
     static std::string part_key(const Project& project);
     /// False when the project says something else than what was read.
     bool part_is_current() const { return part_ && part_key_ == part_key(project_); }
@@ -90,7 +92,8 @@ public:
     QString failure(std::size_t i) const;
     void set_planning(const std::vector<int>& ids);
     void take(const std::vector<OperationOutcome>& outcomes);
-    /// Everything the result of operation `i` depends on, as text.
+    /// Everything the result of operation `i` depends on, as text; the files of part, stock and machine as
+    /// they are on disk.
     static std::string fingerprint(const Project& project, std::size_t i);
     /// The results of all operations in order, in the project's present unit; null when one is missing or
     /// stale.
@@ -124,6 +127,7 @@ private:
     void restore(const Snapshot& snapshot);
     void push(const QString& what, Snapshot after);
     Snapshot snapshot() const { return {project_, ids_}; }
+    void watch_files();
 
     Project project_;
     std::vector<int> ids_;
@@ -134,6 +138,8 @@ private:
     std::shared_ptr<const PreparedPart> part_;
     std::string part_key_;
     std::map<int, Record> records_;
+    QFileSystemWatcher files_; ///< of part, stock and machine, and their folders
+    QTimer settled_;           ///< a file that is being written changes many times
 };
 
 } // namespace facetmill::ui

@@ -33,6 +33,7 @@ struct MainWindow::PlanWork {
 MainWindow::LoadedPart MainWindow::load_part(Planner& planner, const Project& project,
                                              const Progress& progress) {
     LoadedPart loaded;
+    loaded.key = Document::part_key(project); // before: a file that changes meanwhile is read again
     const Progress reading = progress.part(0, 0.7, "Reading the part");
     try {
         loaded.part = planner.prepare(project, reading);
@@ -47,7 +48,6 @@ MainWindow::LoadedPart MainWindow::load_part(Planner& planner, const Project& pr
     loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 0.9, "Preparing the view"));
     if (loaded.part->stock_mesh)
         loaded.stock = make_stock_shape(stock_solid(project.stock, *loaded.part), progress.part(0.9, 1));
-    loaded.key = Document::part_key(project);
     return loaded;
 }
 

@@ -80,19 +80,6 @@ private:
     std::string text_;
 };
 
-/// Changes when the file does.
-std::string file_stamp(const fs::path& path) {
-    std::error_code ec;
-    const fs::path real = fs::weakly_canonical(path, ec);
-    Key key;
-    key.add(std::string_view(ec ? path.string() : real.string()));
-    const auto time = fs::last_write_time(path, ec);
-    key.add(std::to_string(ec ? 0 : time.time_since_epoch().count()));
-    const auto size = fs::file_size(path, ec);
-    key.add(std::to_string(ec ? 0 : size));
-    return key.text();
-}
-
 /// `Spec`: of the part or its stock.
 template <class Spec>
 MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) {

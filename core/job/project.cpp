@@ -113,6 +113,16 @@ fs::path Project::machine_path() const {
     return from_project(path, machine);
 }
 
+std::string file_stamp(const fs::path& path) {
+    std::error_code ec;
+    const fs::path real = fs::weakly_canonical(path, ec);
+    std::string text = ec ? path.string() : real.string();
+    const auto time = fs::last_write_time(path, ec);
+    text += "|" + std::to_string(ec ? 0 : time.time_since_epoch().count());
+    const auto size = fs::file_size(path, ec);
+    return text + "|" + std::to_string(ec ? 0 : size);
+}
+
 Machine project_machine(const Project& project) {
     return is_machine_file(project.machine) ? load_machine(project.machine_path())
                                             : find_machine(project.machine);

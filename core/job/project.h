@@ -67,6 +67,8 @@ std::string project_to_json(const Project& project);
 /// The machine by its name or from its file. Throws Error(missing_reference, files, load_machine) that names
 /// `machine` or the file.
 Machine project_machine(const Project& project);
+/// Place, size and time of writing of a file as text: another one once the file was written anew or is gone.
+std::string file_stamp(const std::filesystem::path& path);
 /// Gives the project a new place and rewrites relative files of part, stock and machine so that they still
 /// name the same files.
 void move_project(Project& project, const std::filesystem::path& path);

@@ -1,9 +1,12 @@
 // Files in and out of the window: opening, asking, dropping, saving, exporting, and what is refused.
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/part_dialog.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
+#include "ui/text.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -18,6 +21,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
@@ -177,6 +181,51 @@ private slots:
         // Writing into a place that cannot be.
         QVERIFY(!w().save_to(folder + QStringLiteral("/nowhere/job.facetmill")));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("nowhere")));
+    }
+
+    /// Part and machine are files that others may write, too.
+    void files_that_change_on_disk() {
+        const QString folder = scratch_folder(QStringLiteral("changing"));
+        const auto write = [&](const char* name, const std::string& text) {
+            QFile f(folder + QChar('/') + QLatin1String(name));
+            return f.open(QIODevice::WriteOnly)
+                   && f.write(QByteArray::fromStdString(text)) == qint64(text.size());
+        };
+        const std::string machine = find_machine("generic-3-axis").source;
+        QVERIFY(write("own.json", machine));
+        QVERIFY(open_part());
+        QVERIFY(w().save_to(folder + QStringLiteral("/job.facetmill")));
+        w().document().change(QStringLiteral("Own machine"), [](Project& p) { p.machine = "own.json"; });
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        const auto plan = [&] {
+            QTest::keyClick(&w(), Qt::Key_F5);
+            return wait_until_settled(w()) && w().document().state(0) == OperationState::planned;
+        };
+        QVERIFY(plan());
+        QSignalSpy states(&w().document(), &ui::Document::states_changed);
+        QVERIFY(write("own.json", machine + "\n"));
+        QTRY_VERIFY(states.count() > 0); // the window hears of it by itself
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QVERIFY(plan());
+
+        const QString part = ui::path_text(w().document().project().part_path());
+        const std::size_t facets = w().document().part()->mesh->facets.size();
+        save_stl(*make_sample("convex", 2.0, {}), part.toStdString(), LengthUnit::inch, {});
+        QTRY_VERIFY(w().document().part()->mesh->facets.size() != facets);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().part_is_current());
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QVERIFY(plan());
+        // Gone: said, and what was read stays in sight.
+        QVERIFY(QFile::rename(part, part + QStringLiteral(".away")));
+        QTRY_VERIFY(!w().message_bar().message().isEmpty());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().viewport().scene().has(Layer::part));
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        // Back: as before.
+        QVERIFY(QFile::rename(part + QStringLiteral(".away"), part));
+        QTRY_COMPARE(w().document().state(0), OperationState::planned);
     }
 
     void closing_asks_for_unsaved_changes() {
