@@ -9,8 +9,10 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -38,16 +40,22 @@ QString stock_in_tree(ui::MainWindow& window) {
     return tree->topLevelItem(1)->text(0);
 }
 
-/// Turns the next file dialog down, as soon as it is there.
-void turn_down_dialog(bool& asked) {
+/// Answers the next file dialog as soon as it is there: with a file, or by Cancel when `file` is empty.
+void answer_dialog(bool& asked, const QString& file = {}) {
     auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, timer, [&asked, timer] {
+    QObject::connect(timer, &QTimer::timeout, timer, [&asked, file, timer] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         if (!dialog) return;
         timer->stop();
         timer->deleteLater();
         asked = true;
-        dialog->reject();
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
+        if (file.isEmpty() || !name || !buttons) return dialog->reject();
+        name->setFocus();
+        name->selectAll();
+        QTest::keyClicks(name, file);
+        QTest::mouseClick(buttons->button(QDialogButtonBox::Open), Qt::LeftButton);
     });
     timer->start(50);
 }
@@ -127,14 +135,17 @@ private slots:
         const auto& stock = w().document().project().stock;
         // Nothing chosen: nothing changes.
         bool asked = false;
-        turn_down_dialog(asked);
+        answer_dialog(asked);
         choose(w(), "kind", "mesh");
         QVERIFY(asked);
         QVERIFY(stock.kind == StockSpec::Kind::box);
         QCOMPARE(shown(w(), "kind"), QStringLiteral("box"));
         QVERIFY(!w().document().undo_stack().canUndo());
 
-        w().set_stock_file(raw);
+        asked = false;
+        answer_dialog(asked, raw);
+        choose(w(), "kind", "mesh");
+        QVERIFY(asked);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(stock.kind == StockSpec::Kind::mesh);
         QCOMPARE(QString::fromStdString(w().document().project().stock_path().string()), raw);
@@ -143,8 +154,21 @@ private slots:
         const Box3 part = w().document().part()->box, all = w().viewport().scene().bounds();
         QVERIFY((all.size() - part.size() - Vec3::Constant(50.8)).norm() < 1e-3);
         QVERIFY(w().message_bar().message().isEmpty());
-        QVERIFY(w().properties().findChild<QPushButton*>(QStringLiteral("choose_stock"))->isVisible());
+        auto* button = w().properties().findChild<QPushButton*>(QStringLiteral("choose_stock"));
+        QVERIFY(button->isVisible());
         shot(w(), QStringLiteral("stock-mesh"));
+        // Another one, by the button.
+        const QString other = folder + QStringLiteral("/other.stl");
+        QVERIFY(QFile::copy(raw, other));
+        asked = false;
+        answer_dialog(asked, other);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(asked);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: other.stl"));
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: raw.stl"));
 
         // It stays the same file when the project is saved beside it.
         const QString saved = folder + QStringLiteral("/p.facetmill");
