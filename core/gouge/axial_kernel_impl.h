@@ -62,32 +62,34 @@ struct Search : Bounds<tilted> {
     FACETMILL_MEMBER Float8 child_bounds(const TreeNode& node) const {
         const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1], az = load(node.cz);
         const Float8 hx = load(node.hx), hy = load(node.hy), hz = load(node.hz);
-        const Float8 roof = load(node.roof), px = load(node.slope_x), py = load(node.slope_y);
         if constexpr (!tilted) {
-            return bounds(ax, ay, hx, hy, az + hz, ax, ay, roof, px,
-                          py); // unused lanes reach nowhere: hx < 0
+            return bounds(ax, ay, hx, hy, az + hz, ax, ay, load(node.roof), load(node.slope_x),
+                          load(node.slope_y)); // unused lanes reach nowhere: hx < 0
         } else {
             const auto& m = turn;
             const auto size = [](float v) { return v < 0 ? -v : v; };
-            const Float8 bz = az + at[2], rz = roof + at[2];
+            const Float8 bz = az + at[2];
             const Float8 cx = m[0][0] * ax + m[0][1] * ay + m[0][2] * bz;
             const Float8 cy = m[1][0] * ax + m[1][1] * ay + m[1][2] * bz;
             const Float8 cz = m[2][0] * ax + m[2][1] * ay + m[2][2] * bz;
             const Float8 ex = size(m[0][0]) * hx + size(m[0][1]) * hy + size(m[0][2]) * hz;
             const Float8 ey = size(m[1][0]) * hx + size(m[1][1]) * hy + size(m[1][2]) * hz;
             const Float8 ez = size(m[2][0]) * hx + size(m[2][1]) * hy + size(m[2][2]) * hz;
-            // The roof's plane in the frame, where it is still a roof and not too steep.
-            const Float8 up = m[2][2] - m[2][0] * px - m[2][1] * py;
-            const Float8 nx = m[0][2] - m[0][0] * px - m[0][1] * py,
-                         ny = m[1][2] - m[1][0] * px - m[1][1] * py;
-            const Int8 roofed = larger(magnitude(nx), magnitude(ny)) <= float(tolerance::steepest_roof) * up;
-            const Float8 zero8 = all(0.0f), per = 1.0f / select(roofed, up, all(1.0f));
-            const Float8 sx = select(roofed, -nx * per, zero8), sy = select(roofed, -ny * per, zero8);
-            const Float8 rx = m[0][0] * ax + m[0][1] * ay + m[0][2] * rz;
-            const Float8 ry = m[1][0] * ax + m[1][1] * ay + m[1][2] * rz;
-            const Float8 rh = m[2][0] * ax + m[2][1] * ay + m[2][2] * rz;
+            // The slab's side that faces the tool, in the frame, where it is not too steep for a roof.
+            const Float8 px = load(node.normal_x), py = load(node.normal_y), pz = load(node.normal_z);
+            const Float8 nx = m[0][0] * px + m[0][1] * py + m[0][2] * pz;
+            const Float8 ny = m[1][0] * px + m[1][1] * py + m[1][2] * pz;
+            const Float8 nz = m[2][0] * px + m[2][1] * py + m[2][2] * pz;
+            const Float8 up = magnitude(nz), zero8 = all(0.0f);
+            const Int8 roofed =
+                (larger(magnitude(nx), magnitude(ny)) <= float(tolerance::steepest_roof) * up) & (up > 0.0f);
+            const Float8 per = 1.0f / select(roofed, up, all(1.0f));
+            const Float8 down = select(nz < 0.0f, per, -per);
+            const Float8 sx = select(roofed, nx * down, zero8), sy = select(roofed, ny * down, zero8);
+            const Float8 thick = select(nz < 0.0f, load(node.below), load(node.above));
             const Float8 top = cz + ez;
-            const Float8 b = bounds(cx, cy, ex, ey, top, rx, ry, select(roofed, rh, top), sx, sy);
+            const Float8 b =
+                bounds(cx, cy, ex, ey, top, cx, cy, select(roofed, cz + thick * per, top), sx, sy);
             return select(hx >= 0.0f, b, all(-__builtin_inff()));
         }
     }

@@ -27,15 +27,19 @@ struct alignas(64) FacetBlock {
     std::uint8_t turned[block_width]; ///< corner 0 of the block is this corner of the mesh's facet
 };
 
-/// Eight children: boxes, rounded outward, and a roof over each: no point of the child's facets is higher
-/// than the plane z = roof + slope_x (x - cx) + slope_y (y - cy). Relative to the index's origin. Unused
-/// lanes have hx < 0.
+/// Eight children: boxes, rounded outward, a roof over each and a slab about it. The roof, for a vertical
+/// axis: no point of the child's facets is higher than the plane z = roof + slope_x (x - cx) + slope_y
+/// (y - cy). The slab, for an axis from anywhere: for all of the facets' points q, and c = (cx, cy, cz),
+/// -below <= normal . (q - c) <= above; the normal is a unit vector but for rounding, or zero where there is
+/// none. Relative to the index's origin. Unused lanes have hx < 0.
 struct alignas(64) TreeNode {
     static constexpr std::uint32_t leaf = 0x80000000u;       ///< child is a block
     float cx[block_width], cy[block_width], cz[block_width]; ///< middles
     float hx[block_width], hy[block_width], hz[block_width]; ///< half sizes
     float roof[block_width], slope_x[block_width], slope_y[block_width];
     std::uint32_t child[block_width];
+    float normal_x[block_width], normal_y[block_width], normal_z[block_width];
+    float above[block_width], below[block_width];
 };
 
 /// What the kernels see of an index.

@@ -123,10 +123,33 @@ struct Roof {
     double z = 0, x = 0, y = 0;
 };
 
+/// Two planes about a box: -below <= normal . (q - middle) <= above for all q in it. The normal is made of
+/// floats, a unit vector but for their rounding; zero: none.
+struct Slab {
+    Vec3 normal = Vec3::Zero();
+    double above = 0, below = 0;
+};
+
 /// What a node knows of a child, relative to the index's origin.
 struct Cover {
     Box3 box;
     Roof roof;
+    Slab slab;
+};
+
+/// Sums up normals whose sign says nothing, as the winding of a scan may not.
+class NormalSum {
+public:
+    void add(const Vec3& n) { sum_ += sum_.dot(n) < 0 ? Vec3(-n) : n; }
+    /// Made of floats; zero where nothing is left.
+    Vec3 normal() const {
+        const double length = sum_.norm();
+        if (!(length > 0)) return Vec3::Zero();
+        return (sum_ / length).cast<float>().cast<double>();
+    }
+
+private:
+    Vec3 sum_ = Vec3::Zero();
 };
 
 /// The plane with these slopes over all points, or the level one where that is lower in the middle. Points
@@ -150,6 +173,15 @@ Cover cover_of(const FacetBlock& block, const Vec3& origin) {
                 cover.box.add(points[n++]);
             }
     const Vec3 middle = cover.box.center();
+    NormalSum normals;
+    for (std::size_t i = 0; i < n; i += 3)
+        normals.add((points[i + 1] - points[i]).cross(points[i + 2] - points[i]));
+    cover.slab = {normals.normal(), -infinity, -infinity};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double out = cover.slab.normal.dot(points[i] - middle);
+        cover.slab.above = std::max(cover.slab.above, out);
+        cover.slab.below = std::max(cover.slab.below, -out);
+    }
     double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
     Vec3 mean = Vec3::Zero();
     for (std::size_t i = 0; i < n; ++i)
@@ -177,12 +209,27 @@ Cover cover_of(const FacetBlock& block, const Vec3& origin) {
 Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
     Cover cover;
     double slope_x = 0, slope_y = 0;
+    NormalSum normals;
     for (std::size_t i = 0; i < n; ++i) {
         cover.box.add(parts[i].box);
+        normals.add(parts[i].slab.normal);
         slope_x += parts[i].roof.x / double(n);
         slope_y += parts[i].roof.y / double(n);
     }
     const Vec3 middle = cover.box.center();
+    const Vec3 normal = normals.normal();
+    cover.slab = {normal, -infinity, -infinity};
+    for (std::size_t i = 0; i < n; ++i) {
+        const Slab& part = parts[i].slab;
+        const Vec3 half = 0.5 * parts[i].box.size();
+        const bool turned = part.normal.dot(normal) < 0;
+        const double out = normal.dot(parts[i].box.center() - middle), by_box = normal.cwiseAbs().dot(half),
+                     by_slab = (normal - (turned ? -1 : 1) * part.normal).cwiseAbs().dot(half);
+        cover.slab.above =
+            std::max(cover.slab.above, out + std::min(by_box, by_slab + (turned ? part.below : part.above)));
+        cover.slab.below =
+            std::max(cover.slab.below, -out + std::min(by_box, by_slab + (turned ? part.above : part.below)));
+    }
     cover.roof = lower_roof(slope_x, slope_y, cover.box.hi.z(), [&](double sx, double sy) {
         double z = -infinity;
         for (std::size_t i = 0; i < n; ++i) {
@@ -212,6 +259,13 @@ void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child
     node.slope_y[lane] = float(roof.y);
     node.roof[lane] = round_up(roof.z + roof.x * (double(node.cx[lane]) - middle.x())
                                + roof.y * (double(node.cy[lane]) - middle.y()));
+    const Slab& slab = cover.slab;
+    const double shift = slab.normal.dot(middle - Vec3(node.cx[lane], node.cy[lane], node.cz[lane]));
+    node.normal_x[lane] = float(slab.normal.x()); // they are floats
+    node.normal_y[lane] = float(slab.normal.y());
+    node.normal_z[lane] = float(slab.normal.z());
+    node.above[lane] = round_up(slab.above + shift);
+    node.below[lane] = round_up(slab.below - shift);
     node.child[lane] = child;
 }
 
@@ -308,7 +362,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
         fill_block(impl_->blocks[b], *mesh_, duties, items, b * block_width,
                    std::min(items.size(), (b + 1) * block_width));
     });
-    // Boxes and roofs bottom up: children of a node come after it.
+    // Boxes, roofs and slabs bottom up: children of a node come after it.
     std::vector<Cover> block_covers(whole_blocks), covers(impl_->nodes.size());
     parallel_for(whole_blocks, 2000, covering,
                  [&](std::size_t b) { block_covers[b] = cover_of(impl_->blocks[b], origin); });

@@ -13,6 +13,7 @@ void SharedCut::fill(const Children& children, std::size_t size) {
         const std::size_t lane = i % block_width;
         if (i >= size) {
             to.cx[lane] = to.cy[lane] = to.cz[lane] = to.roof[lane] = to.slope_x[lane] = to.slope_y[lane] = 0;
+            to.normal_x[lane] = to.normal_y[lane] = to.normal_z[lane] = to.above[lane] = to.below[lane] = 0;
             to.hx[lane] = to.hy[lane] = to.hz[lane] = -std::numeric_limits<float>::infinity();
             to.child[lane] = TreeNode::leaf;
             continue;
@@ -29,6 +30,11 @@ void SharedCut::fill(const Children& children, std::size_t size) {
         to.slope_x[lane] = from.slope_x[k];
         to.slope_y[lane] = from.slope_y[k];
         to.child[lane] = from.child[k];
+        to.normal_x[lane] = from.normal_x[k];
+        to.normal_y[lane] = from.normal_y[k];
+        to.normal_z[lane] = from.normal_z[k];
+        to.above[lane] = from.above[k];
+        to.below[lane] = from.below[k];
     }
 }
 
