@@ -165,6 +165,19 @@ std::string report_json(const Project& project, const PlanResult& result) {
                                     {"stock_diameter", number(2 * t.stock_radius / per)},
                                     {"from", number(t.from / per)},
                                     {"to", number(t.to / per)}};
+            if (t.surface_area > 0) {
+                Json regions = Json::array();
+                for (const UnreachedRegion& r : t.unreached)
+                    regions.push_back(Json{{"why", unreached_name(r.why)},
+                                           {"area", number(r.area / (per * per))},
+                                           {"angle_from", number(degrees(r.angle_from))},
+                                           {"angle_to", number(degrees(r.angle_to))},
+                                           {"from", number(r.from / per)},
+                                           {"to", number(r.to / per)},
+                                           {"distance", number(r.distance / per)}});
+                entry["turning"]["surface_area"] = number(t.surface_area / (per * per));
+                entry["turning"]["unreached"] = std::move(regions);
+            }
         }
         if (o->machine_run) add_machine_run(entry, *o);
         if (o->path.rework) add_rework(entry, *o, per);

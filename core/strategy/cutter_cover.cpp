@@ -149,6 +149,17 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
     return high;
 }
 
+bool CutterCover::holds(const Vec3& rel) const {
+    const double square = rel.x() * rel.x() + rel.y() * rel.y();
+    if (square > radius_ * radius_) return false;
+    if (rel.z() >= shoulder_) return true;
+    if (ball_) {
+        const double z = rel.z() - radius_;
+        return square + z * z <= radius_ * radius_;
+    }
+    return rel.z() >= profile_.height_at(std::sqrt(square));
+}
+
 double CutterCover::distance(const Vec3& rel) const {
     const Vec2 q(std::hypot(rel.x(), rel.y()), rel.z());
     if (q.y() >= shoulder_) return std::max(q.x() - radius_, 0.0); // beside the shaft

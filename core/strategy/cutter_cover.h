@@ -28,6 +28,9 @@ public:
     /// the same direction).
     double ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const;
 
+    /// True where the cutter, taken endless upward, holds a point, given from the tip.
+    bool holds(const Vec3& rel) const;
+
     /// Distance of a point, given from the tip, to the cutter, taken endless upward; 0 inside.
     double distance(const Vec3& rel) const;
 

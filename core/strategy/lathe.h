@@ -48,9 +48,39 @@ struct LatheCommon : OperationCommon {
     Winding winding = Winding::unwound;                 ///< of the table of positions
 };
 
+/// Description of a parameter of LatheCommon, the same for all lathe-mill operations; its default is the
+/// member's.
+const ParameterInfo& lathe_parameter(std::string_view key);
+
 /// Adds what all lathe-mill operations have beside the common parameters.
 template <class S>
-void add_lathe_parameters(ParameterTable<S>& table, const std::string& side_feed_help);
+void add_lathe_parameters(ParameterTable<S>& table) {
+    using C = LatheCommon;
+    const auto add = [&]<class T>(T C::*member, std::string_view key) {
+        if constexpr (std::is_enum_v<T>)
+            table.add_choice(static_cast<T S::*>(member), lathe_parameter(key));
+        else
+            table.add(static_cast<T S::*>(member), lathe_parameter(key));
+    };
+    add(&C::axis, "axis");
+    add(&C::axis_through, "axis_through");
+    add(&C::axis_from, "axis_from");
+    add(&C::axis_to, "axis_to");
+    add(&C::pattern, "pattern");
+    add(&C::points_per_turn, "points_per_turn");
+    add(&C::side_feed, "side_feed");
+    add(&C::start, "start");
+    add(&C::stop, "stop");
+    add(&C::offset, "offset");
+    add(&C::tilt, "tilt");
+    add(&C::core_radius, "core_radius");
+    add(&C::chuck, "chuck");
+    add(&C::tailstock, "tailstock");
+    add(&C::chord_tolerance, "chord_tolerance");
+    add(&C::holder_clearance, "holder_clearance");
+    add(&C::winding, "winding");
+    table.set_stage("clearance", Stage::strategy); // chuck and tailstock are kept clear by it
+}
 
 /// What an operation is that turns the part; ask an Operation by dynamic_cast.
 class TurnsPart {
@@ -92,5 +122,3 @@ private:
 };
 
 } // namespace facetmill
-
-#include "core/strategy/lathe_parameters.inl"

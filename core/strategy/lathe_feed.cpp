@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
@@ -69,43 +70,49 @@ LathePlace SideFeed::place(const Line& line, double at) const {
     return place;
 }
 
-CutterLocation SideFeed::tip(const Line& line, double at) const {
+SideFeed::Stand SideFeed::stand(const Line& line, double at) const {
     const auto above = std::upper_bound(line.at.begin(), line.at.end(), at) - line.at.begin();
     const auto i = std::size_t(std::clamp(above, std::ptrdiff_t(1), std::ptrdiff_t(line.at.size() - 1)));
     const double span = line.at[i] - line.at[i - 1];
     const double t = span > 0 ? std::clamp((at - line.at[i - 1]) / span, 0.0, 1.0) : 1;
-    return field_.frame().at(place(line, at),
-                             line.points[i - 1].u + t * (line.points[i].u - line.points[i - 1].u));
+    const CutterLocation tool = field_.frame().at(
+        place(line, at), line.points[i - 1].u + t * (line.points[i].u - line.points[i - 1].u));
+    const Vec3 x = field_.frame().axis().direction.cross(tool.axis).normalized();
+    return {tool.tip, x, tool.axis.cross(x), tool.axis};
 }
 
-double SideFeed::left_over(const CutterLocation& tool, const CutterContact& cc, double limit) const {
-    const Vec3 x = field_.frame().axis().direction.cross(tool.axis).normalized(), y = tool.axis.cross(x);
-    // What is to stay stands on the part.
-    const Vec3 rel = cc.point + field_.allowance() * cc.normal - tool.tip;
-    const Vec3 p(rel.dot(x), rel.dot(y), rel.dot(tool.axis)),
-        n(cc.normal.dot(x), cc.normal.dot(y), cc.normal.dot(tool.axis));
-    if (!(n.z() >= 0)) return infinity;
-    return field_.cover().ray_entry(p, n, Vec3::Zero(), limit);
+double SideFeed::left_over(const std::array<Stand, 2>& tools, const CutterContact& cc, double low) const {
+    const CutterCover& cover = field_.cover();
+    // What is to stay stands on the part. The cutter is convex and reaches up: where it holds the place that
+    // is `low` above, no more than that is left.
+    const Vec3 from = cc.point + field_.allowance() * cc.normal, place = from + low * cc.normal;
+    for (const Stand& tool : tools)
+        if (cover.holds(tool.in_frame(place - tool.tip))) return low;
+    const double limit = 2 * cover.radius();
+    double least = infinity;
+    for (const Stand& tool : tools) {
+        const Vec3 n = tool.in_frame(cc.normal);
+        if (!(n.z() >= 0)) continue;
+        least = std::min(least, cover.ray_entry(tool.in_frame(from - tool.tip), n, Vec3::Zero(), limit));
+    }
+    return std::max(least, low);
 }
 
 double SideFeed::cusp(const Line& line, double a, double b, double enough) const {
-    const CutterLocation first = tip(line, a), second = tip(line, b);
-    const double limit = 2 * field_.cover().radius();
+    const std::array<Stand, 2> tools{stand(line, a), stand(line, b)};
     double most = 0;
     const auto lerp = [](const CutterContact& c0, const CutterContact& c1, double t) {
         return CutterContact{c0.point + t * (c1.point - c0.point),
                              (c0.normal + t * (c1.normal - c0.normal)).normalized()};
     };
-    const auto left = [&](const CutterContact& cc) {
-        return std::min(left_over(first, cc, limit), left_over(second, cc, limit));
-    };
+    const auto left = [&](const CutterContact& cc, double low) { return left_over(tools, cc, low); };
     const auto begin = std::lower_bound(line.at.begin(), line.at.end(), a) - line.at.begin();
     const auto end = std::upper_bound(line.at.begin(), line.at.end(), b) - line.at.begin();
     const auto held = [&](std::size_t i) { return line.points[i].held == LathePoint::HeldBy::part; };
     for (auto i = begin; i < end && most <= enough; ++i) {
         const LathePoint& here = line.points[std::size_t(i)];
         if (!held(std::size_t(i))) continue;
-        most = std::max(most, left(here.cc));
+        most = left(here.cc, most);
         // A bottom that tips over from one rim to the other touches all between them at once.
         if (i == begin || !held(std::size_t(i - 1))) continue;
         const CutterContact& before = line.points[std::size_t(i - 1)].cc;
@@ -113,10 +120,11 @@ double SideFeed::cusp(const Line& line, double a, double b, double enough) const
             || here.cc.normal.dot(before.normal) < near_normals)
             continue;
         for (int k = 1; k < pieces; ++k)
-            most = std::max(most, left(lerp(before, here.cc, double(k) / pieces)));
+            most = left(lerp(before, here.cc, double(k) / pieces), most);
     }
     if (most > enough) return most;
     // Between points: contacts there lie between theirs where those are near to each other.
+    double best = a, highest = 0, step = (b - a) / pieces;
     const auto between = [&](double at) {
         const auto j = std::upper_bound(line.at.begin(), line.at.end(), at) - line.at.begin();
         if (j <= 0 || j >= std::ptrdiff_t(line.at.size())) return 0.0;
@@ -126,10 +134,9 @@ double SideFeed::cusp(const Line& line, double a, double b, double enough) const
         const double span = line.at[i] - line.at[i - 1];
         if (!(span > 0) || c0.normal.dot(c1.normal) < near_normals) return 0.0;
         const double t = (at - line.at[i - 1]) / span;
-        return left(lerp(c0, c1, t));
+        return left(lerp(c0, c1, t), highest);
     };
     // The highest place, more exactly: the crest between two pointed cutters is sharp.
-    double best = a, highest = 0, step = (b - a) / pieces;
     for (int k = 1; k < pieces; ++k)
         if (const double here = between(a + k * step); here > highest) {
             highest = here;
@@ -210,11 +217,47 @@ void SideFeed::measure(const Progress& progress) {
         }
     }
     unsatisfied_ = double(failed) / double(looked);
-    // Slow to both sides: no advance may be longer than one near it allows.
+    slow();
+}
+
+/// Slow to both sides: no advance may be longer than one near it allows.
+void SideFeed::slow() {
     for (std::size_t i = 1; i < at_.size(); ++i)
         advance_[i] = std::min(advance_[i], advance_[i - 1] + steepest * (at_[i] - at_[i - 1]));
     for (std::size_t i = at_.size(); i-- > 1;)
         advance_[i - 1] = std::min(advance_[i - 1], advance_[i] + steepest * (at_[i] - at_[i - 1]));
+}
+
+void SideFeed::limit(std::span<const FeedLimit> limits) {
+    // Each limit from where an advance of its length just comes to its place. Longer ones from before that do
+    // not, as advances change slowly.
+    struct Stretch {
+        double first, last, most;
+    };
+    std::vector<Stretch> stretches;
+    std::vector<double> places = at_;
+    for (const FeedLimit& l : limits)
+        for (const double turn : {0.0, 2 * pi}) {
+            if (turn > 0 && across_turns_) continue;
+            const double most = std::max(l.advance, smallest_), last = std::min(l.at + turn, to_),
+                         first = std::max(l.at + turn - most, from_);
+            if (!(first <= last)) continue;
+            stretches.push_back({first, last, most});
+            places.insert(places.end(), {first, last});
+        }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    std::vector<double> advances;
+    for (const double at : places)
+        advances.push_back(allowed(at));
+    for (const Stretch& s : stretches) {
+        const auto begin = std::lower_bound(places.begin(), places.end(), s.first) - places.begin();
+        for (auto i = std::size_t(begin); i < places.size() && places[i] <= s.last; ++i)
+            advances[i] = std::min(advances[i], s.most);
+    }
+    at_ = std::move(places);
+    advance_ = std::move(advances);
+    slow();
 }
 
 double SideFeed::allowed(double a) const {

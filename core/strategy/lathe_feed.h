@@ -13,7 +13,15 @@
 
 #include "core/strategy/lathe_line.h"
 
+#include <array>
+#include <span>
+
 namespace facetmill {
+
+/// An advance over the place `at` (along the axis, or an angle) may not be longer.
+struct FeedLimit {
+    double at = 0, advance = 0;
+};
 
 class SideFeed {
 public:
@@ -27,6 +35,8 @@ public:
     double allowed(double a) const;
     /// Fills what allowed() says. Cancelled within 20 ms.
     void measure(const Progress& progress);
+    /// Shortens what allowed() says, after measure(): no advance that passes over a limit's place is longer.
+    void limit(std::span<const FeedLimit> limits);
     /// Largest cusp left by a constant advance, mm; infinity where it leaves places uncut.
     double cusp_of(double advance, const Progress& progress) const;
 
@@ -41,11 +51,18 @@ private:
         std::vector<LathePoint> points;
     };
     LathePlace place(const Line& line, double at) const;
-    CutterLocation tip(const Line& line, double at) const;
-    double left_over(const CutterLocation& tool, const CutterContact& cc, double limit) const;
+    /// A cutter where it stands, and its frame.
+    struct Stand {
+        Vec3 tip, x, y, axis;
+        Vec3 in_frame(const Vec3& v) const { return {v.dot(x), v.dot(y), v.dot(axis)}; }
+    };
+    Stand stand(const Line& line, double at) const;
+    /// Height that two cutters leave over a contact, along its normal; `low` where that is no more than it.
+    double left_over(const std::array<Stand, 2>& tools, const CutterContact& cc, double low) const;
     /// Largest cusp between cutters at a and b of one line.
     double cusp(const Line& line, double a, double b, double enough) const;
     double advance_at(double a, const Progress& progress);
+    void slow();
 
     const LatheField& field_;
     bool across_turns_;

@@ -134,14 +134,16 @@ LathePoint LatheField::point(const LathePlace& place, Hint& hint) const {
     LathePoint p;
     p.place = place;
     p.u = std::max(contact.lift, floor_);
-    p.held = contact.body == ToolBody::none ? LathePoint::HeldBy::core : LathePoint::HeldBy::part;
+    p.held = contact.body == ToolBody::none     ? LathePoint::HeldBy::core
+             : contact.body == ToolBody::cutter ? LathePoint::HeldBy::part
+                                                : LathePoint::HeldBy::shaft;
     if (zone_)
         if (const double zone = zone_->lift(pose, hint.zone); zone > p.u) {
             p.u = zone;
             p.held = LathePoint::HeldBy::zone;
         }
     const Vec3 tip = foot.tip + p.u * foot.axis;
-    if (p.held != LathePoint::HeldBy::part || contact.body != ToolBody::cutter) {
+    if (p.held != LathePoint::HeldBy::part) {
         p.cc = {tip, foot.axis};
         return p;
     }

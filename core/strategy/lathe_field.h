@@ -13,10 +13,11 @@ namespace facetmill {
 
 /// One place of a path over the field.
 struct LathePoint {
-    enum class HeldBy : std::uint8_t { part, core, zone };
+    /// `shaft`: the part holds the shank or the holder.
+    enum class HeldBy : std::uint8_t { part, shaft, core, zone };
     LathePlace place;
     double u = 0;
-    CutterContact cc; ///< of a tip that the part does not hold: the tip, and the tool axis
+    CutterContact cc; ///< where the part does not hold the cutter: the tip, and the tool axis
     HeldBy held = HeldBy::part;
 };
 

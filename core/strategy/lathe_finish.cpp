@@ -16,10 +16,7 @@ const ParameterTable<LatheFinishSettings>& lathe_finish_parameters() {
     static const auto table = [] {
         ParameterTable<LatheFinishSettings> t;
         add_common_parameters(t);
-        add_lathe_parameters(
-            t, "Advance along the axis in a turn: adaptive is everywhere the largest that leaves no "
-               "cusp above the tolerance; a length is kept whatever it leaves. Of lengthwise lines: "
-               "their distance at the part's largest radius.");
+        add_lathe_parameters(t);
         return t;
     }();
     return table;
@@ -32,6 +29,8 @@ StrategyResult LatheFinish::plan(const PlanContext& context, const Progress& pro
     const LathePath path(settings_, context, settings_.allowance + context.tessellation_tolerance[1], cusp,
                          chord, progress.part(0, 0.97));
     StrategyResult result = path.base();
+    const std::vector<std::string> uncut = reach_warnings(path.reach(), context.unit);
+    result.warnings.insert(result.warnings.end(), uncut.begin(), uncut.end());
     const auto& points = path.points();
     const auto& turns = path.turns();
     for (std::size_t t = 0; t < turns.size(); ++t) {

@@ -25,7 +25,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     field_ = std::make_unique<LatheField>(s, context, allowance, progress.part(0, 0.01));
     const LatheFrame& frame = field_->frame();
     const double part_radius = std::max(field_->part_radius(), tolerance::smallest_extent);
-    const LatheRange range = lathe_range(s, *field_, context, progress.part(0.01, 0.02));
+    range_ = lathe_range(s, *field_, context, progress.part(0.01, 0.02));
     const bool across_turns = s.pattern != LatheCommon::Pattern::lengthwise;
     const std::size_t steps = turn_steps(across_turns ? s.points_per_turn : NumberOrWord{0, "auto"},
                                          part_radius, arc_share * chord);
@@ -33,7 +33,10 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     std::function<double(double)> advance;
     std::optional<SideFeed> feed;
     base_.cusp_max = cusp; // of which motions take their share
-    const double aimed = aimed_share * std::max(cusp - chord, 0.5 * cusp);
+    const double standing = std::max(cusp - chord, 0.5 * cusp), aimed = aimed_share * standing;
+    const auto look = [&](const Progress& part) {
+        reach_ = lathe_reach(s, *field_, context, range_, standing, {across_turns, advance}, part);
+    };
     const bool counted = !across_turns && s.points_per_turn.is_number();
     if (counted || s.side_feed.is_number()) {
         const double constant = counted ? 2 * pi / s.points_per_turn.number
@@ -41,9 +44,11 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
                                     ? s.side_feed.number
                                     : 2 * pi / std::ceil(2 * pi * part_radius / s.side_feed.number);
         advance = [constant](double) { return constant; };
-        feed.emplace(*field_, across_turns, range.from, range.to, aimed,
+        feed.emplace(*field_, across_turns, range_.from, range_.to, aimed,
                      progress.part(0.02, 0.1, "Side feed"));
-        base_.cusp_max = feed->cusp_of(constant, progress.part(0.1, 0.15)) + chord;
+        const double level = feed->cusp_of(constant, progress.part(0.1, 0.2));
+        look(progress.part(0.2, 0.3, "Looking for what stays uncut"));
+        base_.cusp_max = std::max(level, reach_.crease_cusp) + chord;
         if (!(base_.cusp_max <= (1 + tolerance::uncut_margin) * (cusp + chord))) {
             std::string said =
                 counted ? format_number(s.points_per_turn.number) + " lines per turn leave "
@@ -56,7 +61,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
         }
         if (base_.cusp_max == infinity) base_.cusp_max = std::max(field_->stock_radius(), part_radius);
     } else {
-        feed.emplace(*field_, across_turns, range.from, range.to, aimed,
+        feed.emplace(*field_, across_turns, range_.from, range_.to, aimed,
                      progress.part(0.02, 0.1, "Side feed"));
         feed->measure(progress.part(0.1, 0.2));
         if (feed->unsatisfied() > 0)
@@ -66,13 +71,15 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
                 + length_text(cusp, context.unit)
                 + ": walls that face along the passes, or a cutter with a sharp corner");
         advance = [&feed](double at) { return feed->allowed(at); };
+        look(progress.part(0.2, 0.3, "Looking for what stays uncut"));
+        feed->limit(reach_.limits);
     }
 
-    const LatheWay way = lathe_way(s.pattern, range, steps, advance, progress.part(0.2, 0.21));
+    const LatheWay way = lathe_way(s.pattern, range_, steps, advance, progress.part(0.3, 0.31));
     LatheTolerance fine;
     fine.below = fine.above = look_share * chord;
     fine.spacing = safe_lathe_spacing(field_->cover().profile(), part_radius, fine.below);
-    points_ = thinned(trace(*field_, way.places, fine, progress.part(0.21, 0.95, "Following the part")),
+    points_ = thinned(trace(*field_, way.places, fine, progress.part(0.31, 0.95, "Following the part")),
                       way.places, part_radius, thin_share * chord, thin_share * chord);
     progress.set(0.97);
     // The way's places are all among the points, in their order.
@@ -95,8 +102,10 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     turned.zero = frame.zero();
     turned.part_radius = field_->part_radius();
     turned.stock_radius = field_->stock_radius();
-    turned.from = range.from;
-    turned.to = range.to;
+    turned.from = range_.from;
+    turned.to = range_.to;
+    turned.surface_area = reach_.area;
+    turned.unreached = reach_.regions;
     turned.side_feed_most = way.feed_most;
     for (const LathePoint& p : points_)
         turned.at_core += p.held == LathePoint::HeldBy::core;
@@ -106,11 +115,11 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     base_.stepover_min = way.feed_least * length;
     base_.stepover_max = way.feed_most * length;
     base_.chord_tolerance = chord;
-    add_warnings(s, context, range);
+    add_warnings(s, context);
     progress.set(1);
 }
 
-void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context, const LatheRange& range) {
+void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
     auto& warnings = base_.warnings;
     const LatheFrame& frame = field_->frame();
     const auto text = [&](double mm) { return length_text(mm, context.unit); };
@@ -122,7 +131,8 @@ void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context, c
     if (field_->stock_radius() < field_->part_radius() * (1 - tolerance::same_shape))
         warnings.push_back("the stock does not hold the part as it turns: it reaches "
                            + text(field_->stock_radius()) + " from the axis, the part "
-                           + text(field_->part_radius()));
+                           + text(field_->part_radius()) + ": take a stock of at least "
+                           + text(2 * field_->part_radius()) + " in diameter");
     const std::size_t core = base_.turned->at_core;
     if (core == points_.size())
         throw Error(ErrorCode::empty_result, s.name,
@@ -133,8 +143,8 @@ void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context, c
             "at " + std::to_string(core) + " of " + std::to_string(points_.size())
             + " places the tool meets nothing on its way to the axis and stops at the core radius of "
             + text(s.core_radius) + ": holes through the axis, or ends of the part that are cut down to it");
-    if (range.held_back > 0)
-        warnings.push_back("chuck and tailstock keep the tool from " + text(range.held_back)
+    if (range_.held_back > 0)
+        warnings.push_back("chuck and tailstock keep the tool from " + text(range_.held_back)
                            + " of the part's length, which stays uncut");
     if (!s.direction.is("auto"))
         warnings.emplace_back("direction has no meaning for a part that turns: see pattern");

@@ -2,7 +2,7 @@
 // said about them.
 #pragma once
 
-#include "core/strategy/lathe_way.h"
+#include "core/strategy/lathe_reach.h"
 
 #include <memory>
 #include <optional>
@@ -23,12 +23,16 @@ public:
     const std::vector<std::size_t>& turns() const { return turns_; }
     /// Figures and warnings, without passes.
     const StrategyResult& base() const { return base_; }
+    /// What the cutter cannot come to; in the figures, but not among the warnings.
+    const LatheReach& reach() const { return reach_; }
     CutterLocation location(std::size_t i, double u) const { return field_->frame().at(points_[i].place, u); }
 
 private:
-    void add_warnings(const LatheCommon& settings, const PlanContext& context, const LatheRange& range);
+    void add_warnings(const LatheCommon& settings, const PlanContext& context);
 
     std::unique_ptr<LatheField> field_;
+    LatheRange range_;
+    LatheReach reach_;
     std::vector<LathePoint> points_;
     std::vector<std::size_t> turns_;
     StrategyResult base_;

@@ -219,10 +219,7 @@ const ParameterTable<LatheRoughSettings>& lathe_rough_parameters() {
                .quantity = Quantity::length,
                .minimum = 0,
                .maximum = 1000});
-        add_lathe_parameters(
-            t, "Advance along the axis in a turn: adaptive leaves no cusp above the tolerance; a length "
-               "is kept whatever it leaves. Of lengthwise lines: their distance at the part's largest "
-               "radius.");
+        add_lathe_parameters(t);
         return t;
     }();
     return table;

@@ -41,6 +41,18 @@ struct Pass {
     std::vector<CutterLocation> entry;
 };
 
+/// Where a cutter that comes in across the turning axis cannot go (lathe_reach.h). Angles as of TurnedPath,
+/// radians, from within the first turn; lengths along the axis, mm.
+struct UnreachedRegion {
+    enum class Why { narrow, covered, shaft, core, held };
+    Why why = Why::narrow;
+    double area = 0; ///< mm^2 of the part's surface
+    double angle_from = 0, angle_to = 0, from = 0, to = 0;
+    double distance = 0; ///< how far from what the allowance leaves the cutter stays at most, mm
+};
+/// "narrow", "covered", "shaft", "core", "held".
+const char* unreached_name(UnreachedRegion::Why why);
+
 /// Of a part that turns about an axis (lathe-mill): what its path is measured in. Angle 0 is at `zero`,
 /// angles turn it by the right hand about the axis; lengths along the axis count from its point.
 struct TurnedPath {
@@ -51,6 +63,8 @@ struct TurnedPath {
     double from = 0, to = 0;   ///< places along the axis that the path begins and ends at
     double side_feed_most = 0; ///< largest advance in a turn, mm; of lengthwise lines the largest angle
     std::size_t at_core = 0;   ///< CL points where nothing but the core radius holds the tool
+    double surface_area = 0;   ///< of what was looked at for places that the cutter cannot go to, mm^2
+    std::vector<UnreachedRegion> unreached; ///< the largest first; looked for by finishing
 };
 
 struct StrategyResult {

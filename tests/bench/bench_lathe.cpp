@@ -1,7 +1,8 @@
 // Finishing of turned parts of about 100 000 facets over 40 mm with Jasra's 3620 points a turn and a side
-// feed of 0.1 mm, and the same with steps and feeds left to the program; roughing by two passes. Two threads.
+// feed of 0.1 mm, and the same with steps and feeds left to the program; roughing by two passes; balls, a
+// bull-nose and a flat end. Two threads.
 //
-//     bench_lathe [THREADS]
+//     bench_lathe [THREADS] [PART]
 #include "core/base/parallel.h"
 #include "core/link/motion.h"
 #include "core/mesh/sample.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 using namespace facetmill;
 
@@ -21,7 +23,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-PlanContext context_of(std::shared_ptr<const Mesh> mesh, double diameter) {
+PlanContext context_of(std::shared_ptr<const Mesh> mesh, double diameter, double corner_radius) {
     PlanContext c;
     c.part = mesh;
     c.contact = std::make_shared<ContactIndex>(mesh, Progress());
@@ -38,7 +40,7 @@ PlanContext context_of(std::shared_ptr<const Mesh> mesh, double diameter) {
     }
     c.stock.box = c.stock_box;
     c.tool.diameter = c.tool.shank_diameter = diameter;
-    c.tool.corner_radius = 0.5 * diameter;
+    c.tool.corner_radius = corner_radius;
     c.tool.flute_length = 40;
     c.tool.holder = {{40, 40}};
     c.machine = find_machine("lathe-mill");
@@ -77,11 +79,19 @@ std::shared_ptr<const Mesh> with_facets(const char* name, std::size_t facets) {
 
 int main(int argc, char** argv) {
     set_thread_count(argc > 1 ? std::atoi(argv[1]) : 2);
-    for (const char* name : {"twisted-prism", "extruded-pattern", "swept-pattern"}) {
-        const auto part = with_facets(name, 100'000);
-        for (const double diameter : {3.175, 12.7}) {
-            const PlanContext context = context_of(part, diameter);
-            std::printf("%s, %zu facets, ball D %g\n", name, part->facet_count(), diameter);
+    struct Shape {
+        const char* name;
+        double diameter, corner_radius;
+    };
+    for (const std::string name : {"twisted-prism", "extruded-pattern", "swept-pattern"}) {
+        if (argc > 2 && name != argv[2]) continue;
+        const auto part = with_facets(name.c_str(), 100'000);
+        for (const Shape& shape : {Shape{"ball", 3.175, 1.5875}, Shape{"ball", 12.7, 6.35},
+                                   Shape{"bull", 12.7, 2}, Shape{"flat", 6.35, 0}}) {
+            const PlanContext context = context_of(part, shape.diameter, shape.corner_radius);
+            std::printf("%s, %zu facets, %s D %g\n", name.c_str(), part->facet_count(), shape.name,
+                        shape.diameter);
+            std::fflush(stdout);
             LatheFinishSettings s;
             s.start = {5, ""};
             s.stop = {45, ""};

@@ -174,26 +174,116 @@ private slots:
         QVERIFY2(warnings.contains("generic-3-axis") && warnings.contains("lathe-mill"), warnings);
     }
 
-    void bad_projects_are_refused() {
-        const auto refused = [&](const char* setting) {
-            const CliRun run =
-                run_cli({"plan", "prism.facetmill", "--op", "Finish", "--set", setting, "-o", "bad"},
-                        sandbox_.path());
-            return std::pair(run.status, run.err);
-        };
-        for (const char* setting :
-             {"Finish.side_feed=0", "Finish.points_per_turn=2", "Finish.core_radius=-1"}) {
-            const auto [status, err] = refused(setting);
-            QVERIFY2(status != 0 && err.contains(QByteArray(setting).mid(7).split('=')[0]), err);
+    /// What the cutter cannot go to is told, with where it is, by the plan and its report.
+    void what_is_out_of_reach_is_told() {
+        QVERIFY(run_cli({"sample", "extruded-pattern", "--tolerance", "0.05", "-o", "pattern.stl"},
+                        sandbox_.path())
+                    .status
+                == 0);
+        // Feet of the pads' flanks curve with a radius of 3.2 mm.
+        sandbox_.write("narrow.facetmill",
+                       QByteArray(project)
+                           .replace("PART", "pattern")
+                           .replace("\"tool\": 2, \"tolerance\": 0.3", "\"tool\": 3, \"tolerance\": 0.1")
+                           .replace(R"("shank_diameter": 3.175, "shank_length": 30 } ],)",
+                                    R"("shank_diameter": 3.175, "shank_length": 30 },
+             { "number": 3, "name": "Ball 30", "diameter": 30, "corner_radius": 15, "flute_length": 40,
+               "shank_diameter": 30, "shank_length": 30 } ],)"));
+        const CliRun run =
+            run_cli({"plan", "narrow.facetmill", "--op", "Finish", "-o", "narrow"}, sandbox_.path());
+        QVERIFY2(run.status == 0, run.err);
+        const QJsonObject finish = json(run.out)["operations"].toArray()[0].toObject();
+        const QJsonObject turning = finish["turning"].toObject();
+        const QJsonArray regions = turning["unreached"].toArray();
+        QVERIFY2(!regions.isEmpty(), run.out);
+        double area = 0;
+        for (const QJsonValue& value : regions) {
+            const QJsonObject r = value.toObject();
+            QCOMPARE(r["why"].toString(), QString("narrow"));
+            QVERIFY(r["angle_from"].toDouble() >= 0 && r["angle_from"].toDouble() < 360);
+            QVERIFY(r["angle_to"].toDouble() >= r["angle_from"].toDouble());
+            QVERIFY(r["from"].toDouble() >= 0 && r["to"].toDouble() <= 54 && r["from"] != r["to"]);
+            QVERIFY2(r["distance"].toDouble() > 0, run.out);
+            area += r["area"].toDouble();
         }
+        QVERIFY(area > 10 && area < turning["surface_area"].toDouble());
+        const QByteArray warnings = QJsonDocument(finish["warnings"].toArray()).toJson();
+        QVERIFY2(warnings.contains("too large for hollows") && warnings.contains("along the axis"), warnings);
+    }
+
+    /// Every one says what, where and what to do; nothing is written.
+    void bad_projects_are_refused_data() {
+        QTest::addColumn<QString>("op");
+        QTest::addColumn<QString>("setting");
+        QTest::addColumn<QStringList>("says");
+        const auto row = [](const char* name, const char* op, const char* setting, const QStringList& says) {
+            QTest::newRow(name) << op << setting << says;
+        };
+        row("side feed 0", "Finish", "side_feed=0", {"side_feed", "above 0"});
+        row("side feed a word", "Finish", "side_feed=wide", {"side_feed", "adaptive"});
+        row("two points a turn", "Finish", "points_per_turn=2", {"points_per_turn", "3"});
+        row("half a point", "Finish", "points_per_turn=72.5", {"points_per_turn", "whole number"});
+        row("negative core", "Finish", "core_radius=-1", {"core_radius", "0"});
+        row("depth of cut 0", "Rough", "depth_of_cut=0", {"depth_of_cut", "above 0"});
+        row("depth of cut too small", "Rough", "depth_of_cut=1e-6", {"depth_of_cut", "larger depth of cut"});
+        row("finishing allowance over the stock", "Rough", "finishing_allowance=40",
+            {"Rough", "nothing of the stock stands above", "allowance"});
+        row("allowance over the stock", "Rough", "allowance=40",
+            {"Rough", "nothing of the stock stands above", "allowance"});
+        row("chuck without diameter", "Finish", "chuck=10,0", {"chuck", "diameter"});
+        row("chuck over all", "Finish", "chuck=80,100", {"chuck", "no room"});
+        row("no axis", "Finish", "axis=points;axis_to=0,0,0", {"axis_to", "the same"});
+        row("axis beside the part", "Finish", "axis=points;axis_from=0,60,0;axis_to=40,60,0",
+            {"axis", "35 mm beside the part", "move the part"});
+        row("stop before start", "Finish", "start=30;stop=10", {"stop", "start before the stop"});
+        row("beyond the part", "Finish", "start=100;stop=120", {"Finish", "start"});
+    }
+
+    void bad_projects_are_refused() {
+        QFETCH(QString, op);
+        QFETCH(QString, setting);
+        QFETCH(QStringList, says);
+        QStringList arguments{"plan", "prism.facetmill", "--op", op, "-o", "bad"};
+        for (const QString& one : setting.split(';'))
+            arguments << "--set" << op + "." + one;
+        const CliRun run = run_cli(arguments, sandbox_.path());
+        QVERIFY2(run.status != 0, run.out);
+        for (const QString& what : says)
+            QVERIFY2(QString::fromUtf8(run.err).contains(what), run.err);
         QVERIFY(!QFile::exists(sandbox_.path() + "/bad"));
+    }
+
+    void a_part_beside_its_axis_is_refused() {
         sandbox_.write(
             "off.facetmill",
             QByteArray(project).replace("PART.stl\", \"units\": \"mm\"",
                                         "square-prism.stl\", \"units\": \"mm\", \"translate\": [0, 100, 0]"));
         const CliRun run = run_cli({"plan", "off.facetmill", "-o", "bad"}, sandbox_.path());
         QCOMPARE(run.status, 1);
-        QVERIFY2(run.err.contains("beside the part") && run.err.contains("Rough"), run.err);
+        QVERIFY2(run.err.contains("beside the part") && run.err.contains("Rough")
+                     && run.err.contains("middle"),
+                 run.err);
+        // Off the axis, but over it: planned, and told.
+        const QByteArray beside = bytes_of(sandbox_.path() + "/off.facetmill");
+        sandbox_.write("over.facetmill", QByteArray(beside).replace("[0, 100, 0]", "[0, 5, 0]"));
+        const CliRun over = run_cli(
+            {"plan", "over.facetmill", "--op", "Finish", "-o", "over", "--set", "Finish.tolerance=0.5"},
+            sandbox_.path());
+        QVERIFY2(over.status == 0, over.err);
+        QVERIFY2(over.out.contains("off the turning axis"), over.out);
+    }
+
+    void a_depth_of_cut_beyond_the_stock_is_one_pass() {
+        const CliRun run = run_cli(
+            {"plan", "prism.facetmill", "--op", "Rough", "-o", "deep", "--set", "Rough.depth_of_cut=50"},
+            sandbox_.path());
+        QVERIFY2(run.status == 0, run.err);
+        const QJsonObject rough = json(run.out)["operations"].toArray()[0].toObject();
+        QCOMPARE(rough["layers"].toInt(), 1);
+        const QByteArray warnings = QJsonDocument(rough["warnings"].toArray()).toJson();
+        QVERIFY2(warnings.contains("one pass takes all"), warnings);
+        QVERIFY(QFile::exists(sandbox_.path() + "/deep/01-Rough-pass-01.txt"));
+        QVERIFY(!QFile::exists(sandbox_.path() + "/deep/01-Rough-pass-02.txt"));
     }
 
 private:

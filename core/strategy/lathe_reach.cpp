@@ -1,0 +1,548 @@
+#include "core/strategy/lathe_reach.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/facet_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t facets_per_block = 256, samples_per_check = 64, creases_per_block = 32,
+                      facets_per_check = 8192;
+/// Of the cutter's radius: samples are as far apart as hollows of the allowed depth are wide, within these.
+constexpr double finest_share = 0.1, coarsest_share = 0.3;
+/// More samples than that are not taken, one for every block of facets aside; of their spacing squared,
+/// facets that are smaller share a sample.
+constexpr double most_samples = 1e5, least_piece = 0.25;
+/// Of what is allowed: a cutter that is so near touches; a fillet of so little takes nothing from the feed.
+constexpr double touching = 0.02, least_fillet = 0.05;
+/// Directions and rounds of the search about a place; each round begins with a step of half the one before,
+/// the first with half the cutter's radius.
+constexpr int directions = 8, rounds = 6, most_moves = 40;
+constexpr double golden_angle = 2.399963229728653;
+/// Steps to the angle at which the cutter that touches a plane stands.
+constexpr int angle_steps = 4;
+/// Where between two turns a crease may lie, in advances; halvings of the advance that it allows, and the
+/// least, as a share of that without it.
+constexpr std::array<double, 3> shares{0.35, 0.5, 0.65};
+constexpr int halvings = 6;
+constexpr double smallest_share = 1.0 / 16;
+/// Angles to either side at which the way out from a place is looked at.
+constexpr int sights = 4;
+/// Regions that a warning names.
+constexpr std::size_t most_named = 3;
+
+struct Sample {
+    double angle = 0, y = 0, area = 0, distance = 0; ///< where on the part; angle from 0 up to a turn
+    UnreachedRegion::Why why = UnreachedRegion::Why::narrow;
+};
+
+struct Found {
+    double area = 0, crease_cusp = 0;
+    std::vector<Sample> out;
+    std::vector<FeedLimit> limits;
+};
+
+/// Cells of the unrolled part are this many spacings wide: samples in neighbouring ones lie together.
+constexpr double cell_spacings = 2;
+
+class Search {
+public:
+    Search(const LatheCommon& s, const LatheField& field, const PlanContext& context, const LatheRange& range,
+           double allowed, const ReachFeed& feed)
+        : field_(field), frame_(field.frame()), mesh_(*context.part), range_(range), allowed_(allowed),
+          feed_(feed), named_from_(s.start.is_number()), named_to_(s.stop.is_number()),
+          needle_(context.contact,
+                  CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))) {
+        const double radius = field.cover().radius();
+        double area = 0;
+        from_ = infinity;
+        to_ = -infinity;
+        for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+            area += 0.5 * mesh_.facet_cross(f).norm();
+            for (int k = 0; k < 3; ++k) {
+                from_ = std::min(from_, frame_.along(mesh_.corner(f, k)));
+                to_ = std::max(to_, frame_.along(mesh_.corner(f, k)));
+            }
+        }
+        spacing_ =
+            std::clamp(std::sqrt(2 * radius * allowed), finest_share * radius, coarsest_share * radius);
+        spacing_ = std::max({spacing_, std::sqrt(area / most_samples), tolerance::smallest_extent});
+    }
+
+    double spacing() const { return spacing_; }
+
+    Found facets(const Progress& progress) const {
+        return parallel_reduce(
+            mesh_.facet_count(), facets_per_block, Found(), progress,
+            [&](std::size_t begin, std::size_t end) {
+                Found found;
+                LatheField::Hint hint;
+                std::size_t looked = 0;
+                double carried = 0; // area of facets too small for a sample each
+                for (std::size_t f = begin; f < end; ++f) {
+                    const Vec3 n = mesh_.facet_normal(f);
+                    if (n == Vec3::Zero() || is_end(f, n)) continue;
+                    const FacetRows rows(mesh_, f, spacing_);
+                    found.area += rows.area();
+                    const double whole = carried + rows.area();
+                    carried = 0;
+                    if (whole < least_piece * spacing_ * spacing_ && f + 1 < end) {
+                        carried = whole;
+                        continue;
+                    }
+                    const double scale = rows.area() > 0 ? whole / rows.area() : 0;
+                    for (std::size_t row = 0; row < rows.rows(); ++row)
+                        for (std::size_t column = 0; column < rows.columns(row); ++column) {
+                            if (++looked % samples_per_check == 0) progress.check();
+                            sample(rows.point(row, column), n, scale * rows.weight(row), hint, found.out,
+                                   progress);
+                        }
+                }
+                return found;
+            },
+            joined);
+    }
+
+    Found creases(const Progress& progress) const {
+        const std::vector<Crease> all = find_creases(progress);
+        return parallel_reduce(
+            all.size(), creases_per_block, Found(), progress,
+            [&](std::size_t begin, std::size_t end) {
+                Found found;
+                LatheField::Hint hint;
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Crease& c = all[i];
+                    const Vec3 way = c.b - c.a;
+                    const auto pieces = std::size_t(way.norm() / spacing_) + 1;
+                    for (std::size_t k = 0; k < pieces; ++k) {
+                        progress.check();
+                        crease(c, c.a + (double(k) + 0.5) / double(pieces) * way, way.norm() / double(pieces),
+                               hint, found);
+                    }
+                }
+                return found;
+            },
+            joined);
+    }
+
+private:
+    /// An edge between two facets with these normals, towards the tool, that is hollow.
+    struct Crease {
+        Vec3 a, b;
+        std::array<Vec3, 2> normal;
+    };
+
+    /// A facet's edge: its higher corner, the facet, and the facet's third corner.
+    struct Half {
+        Index high, facet, across;
+    };
+
+    static Found joined(Found a, const Found& b) {
+        a.area += b.area;
+        a.out.insert(a.out.end(), b.out.begin(), b.out.end());
+        a.limits.insert(a.limits.end(), b.limits.begin(), b.limits.end());
+        a.crease_cusp = std::max(a.crease_cusp, b.crease_cusp);
+        return a;
+    }
+
+    /// Lies in an end of the part and faces along the axis.
+    bool is_end(std::size_t f, const Vec3& n) const {
+        if (std::abs(n.dot(frame_.axis().direction)) < 1 - tolerance::level_angle) return false;
+        const double slack = tolerance::same_shape * (to_ - from_);
+        const double y = frame_.along(mesh_.corner(f, 0));
+        return y < from_ + slack || y > to_ - slack;
+    }
+
+    std::vector<Crease> find_creases(const Progress& progress) const {
+        // Filed under their lower corner.
+        const std::size_t facets = mesh_.facet_count(), corners = mesh_.vertices.size();
+        std::vector<std::size_t> first(corners + 1, 0);
+        for (std::size_t f = 0; f < facets; ++f)
+            for (std::size_t k = 0; k < 3; ++k)
+                ++first[std::min(mesh_.facets[f][k], mesh_.facets[f][(k + 1) % 3]) + 1];
+        for (std::size_t v = 0; v < corners; ++v)
+            first[v + 1] += first[v];
+        std::vector<Half> halves(3 * facets);
+        std::vector<std::size_t> next(first.begin(), first.end() - 1);
+        for (std::size_t f = 0; f < facets; ++f) {
+            if (f % facets_per_check == 0) progress.check();
+            const Facet& v = mesh_.facets[f];
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Index a = v[k], b = v[(k + 1) % 3];
+                halves[next[std::min(a, b)]++] = {std::max(a, b), Index(f), v[(k + 2) % 3]};
+            }
+        }
+        // The fillet of the largest ball that could be in the cutter.
+        const double least = 1 + least_fillet * allowed_ / field_.cover().radius();
+        std::vector<Crease> creases;
+        for (std::size_t v = 0; v < corners; ++v) {
+            if (v % facets_per_check == 0) progress.check();
+            const auto begin = halves.begin() + std::ptrdiff_t(first[v]),
+                       end = halves.begin() + std::ptrdiff_t(first[v + 1]);
+            std::stable_sort(begin, end, [](const Half& a, const Half& b) { return a.high < b.high; });
+            for (auto h = begin; h != end && h + 1 != end; ++h)
+                if (h->high == (h + 1)->high) add_crease(Index(v), *h, *(h + 1), least, creases);
+        }
+        return creases;
+    }
+
+    void add_crease(Index low, const Half& h, const Half& other, double least,
+                    std::vector<Crease>& creases) const {
+        const Vec3 &a = mesh_.vertices[low], &b = mesh_.vertices[h.high];
+        const Vec3 middle = 0.5 * (a + b), r = frame_.radial(angle_of(middle));
+        std::array<Vec3, 2> n{mesh_.facet_normal(h.facet), mesh_.facet_normal(other.facet)};
+        if (is_end(h.facet, n[0]) || is_end(other.facet, n[1])) return;
+        for (Vec3& v : n)
+            if (v.dot(r) < 0) v = -v;
+        const double half_cosine = std::sqrt(std::max(0.5 * (1 + n[0].dot(n[1])), 0.0));
+        if (half_cosine * least >= 1) return;
+        if (!(n[0].dot(mesh_.vertices[other.across] - a) > 0)) return; // bulges
+        creases.push_back({a, b, n});
+    }
+
+    /// Where the cutter stands that touches the plane through p with normal n; over p where it cannot.
+    LathePlace place_over(const Vec3& p, const Vec3& n) const {
+        const Vec3& d = frame_.axis().direction;
+        LathePlace place{angle_of(p), 0};
+        Vec3 tip = p;
+        for (int k = 0; k < angle_steps; ++k) {
+            const Vec3 a = frame_.tool_axis(place.angle), x = d.cross(a).normalized(), up = a.cross(x);
+            const Vec3 local(n.dot(x), n.dot(up), n.dot(a));
+            tip = p;
+            if (local.z() >= tolerance::vertical_normal_z) {
+                const Vec3 off = field_.cover().tip_offset(local);
+                tip += field_.allowance() * n + off.x() * x + off.y() * up + off.z() * a;
+            }
+            const double rho = frame_.away(tip);
+            if (!(rho > std::abs(frame_.offset()))) break;
+            // Beside the centre line by the offset.
+            place.angle = angle_of(tip) - std::asin(frame_.offset() / rho);
+        }
+        place.y = frame_.along(tip)
+                  - std::tan(frame_.tilt()) * (tip - frame_.axis().point).dot(frame_.radial(place.angle));
+        return place;
+    }
+
+    double angle_of(const Vec3& p) const {
+        const Vec3 v = p - frame_.axis().point;
+        return std::atan2(v.dot(frame_.axis().direction.cross(frame_.zero())), v.dot(frame_.zero()));
+    }
+
+    /// What the cutter that is lowered at a place leaves over p along n, and how far it is from p.
+    struct Rest {
+        LathePoint at;
+        double height = infinity, distance = infinity; ///< above what the allowance leaves; from p
+    };
+    Rest rest(const Vec3& p, const Vec3& n, LathePlace place, LatheField::Hint& hint) const {
+        place.y = std::clamp(place.y, range_.from, range_.to);
+        Rest r;
+        r.at = field_.point(place, hint);
+        const CutterLocation tool = frame_.at(place, r.at.u);
+        const Vec3 x = frame_.axis().direction.cross(tool.axis).normalized(), y = tool.axis.cross(x);
+        const auto local = [&](const Vec3& v) { return Vec3(v.dot(x), v.dot(y), v.dot(tool.axis)); };
+        const CutterCover& cover = field_.cover();
+        r.distance = cover.distance(local(p - tool.tip));
+        const Vec3 normal = local(n);
+        if (normal.z() >= 0)
+            r.height = cover.ray_entry(local(p + field_.allowance() * n - tool.tip), normal, Vec3::Zero(),
+                                       2 * cover.radius());
+        // A cutter that touches p may be passed by its own tangent.
+        if (r.distance <= field_.allowance() + touching * allowed_) r.height = 0;
+        return r;
+    }
+
+    void sample(const Vec3& p, const Vec3& facet_normal, double area, LatheField::Hint& hint,
+                std::vector<Sample>& out, const Progress& progress) const {
+        const double along = frame_.along(p);
+        if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
+        // Either side of a facet may be out, as the winding of a scan says nothing.
+        const Vec3 n = facet_normal.dot(frame_.radial(angle_of(p))) < 0 ? Vec3(-facet_normal) : facet_normal;
+        LathePlace place = place_over(p, n);
+        if ((named_from_ && place.y < range_.from) || (named_to_ && place.y > range_.to)) return;
+        Rest best = rest(p, n, place, hint);
+        if (best.height <= allowed_) return;
+        const double away = std::max(frame_.away(p), 0.5 * field_.cover().radius());
+        double step = 0.5 * field_.cover().radius(), first = 0;
+        for (int round = 0; round < rounds; ++round, step *= 0.5, first += golden_angle) {
+            progress.check();
+            bool moved = true;
+            for (int moves = 0; moved && moves < most_moves; ++moves) {
+                moved = false;
+                for (int k = 0; k < directions; ++k) {
+                    const double way = first + 2 * pi * k / directions;
+                    const LathePlace next{place.angle + step * std::cos(way) / away,
+                                          place.y + step * std::sin(way)};
+                    const Rest here = rest(p, n, next, hint);
+                    if (here.height <= allowed_) return;
+                    if (here.distance >= best.distance - tolerance::contact_distance) continue;
+                    best = here;
+                    place = next;
+                    moved = true;
+                    break;
+                }
+            }
+        }
+        out.push_back(sample_of(p, area, best.distance - field_.allowance(), reason(p, n, best.at)));
+    }
+
+    UnreachedRegion::Why reason(const Vec3& p, const Vec3& n, const LathePoint& at) const {
+        using Why = UnreachedRegion::Why;
+        const bool beyond = at.place.y <= range_.from || at.place.y >= range_.to;
+        if (at.held == LathePoint::HeldBy::zone || (beyond && range_.held_back > 0)) return Why::held;
+        if (is_covered(p, n)) return Why::covered;
+        if (at.held == LathePoint::HeldBy::core) return Why::core;
+        return at.held == LathePoint::HeldBy::shaft ? Why::shaft : Why::narrow;
+    }
+
+    /// Along the tool's axis, at no angle at which the cutter could be over p, the way out is free.
+    bool is_covered(const Vec3& p, const Vec3& n) const {
+        const double radius = field_.cover().radius(), rho = std::max(frame_.away(p), radius);
+        // Beside a wall that is upright to the tool its one side is open.
+        const Vec3 beside = 10 * tolerance::needle_diameter * n;
+        for (int k = -sights; k <= sights; ++k) {
+            const Vec3 axis = frame_.tool_axis(angle_of(p) + std::asin(radius * k / (sights * rho)));
+            for (const double side : {1.0, -1.0})
+                if (needle_.lift({p + side * beside, axis}) <= field_.allowance() + allowed_) return false;
+        }
+        return true;
+    }
+
+    Sample sample_of(const Vec3& p, double area, double distance, UnreachedRegion::Why why) const {
+        Sample s;
+        s.angle = angle_of(p);
+        if (s.angle < 0) s.angle += 2 * pi;
+        s.y = frame_.along(p);
+        s.area = area;
+        s.distance = distance;
+        s.why = why;
+        return s;
+    }
+
+    void crease(const Crease& c, const Vec3& p, double length, LatheField::Hint& hint, Found& found) const {
+        const double along = frame_.along(p), radius = field_.cover().radius();
+        if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
+        const Vec3 middle = (c.normal[0] + c.normal[1]).normalized();
+        const LathePlace place = place_over(p, middle);
+        if (place.y < range_.from || place.y > range_.to) return;
+        const auto height = [&](const LathePlace& at, std::size_t side) {
+            return rest(p, c.normal[side], at, hint).height;
+        };
+        const Rest fillet = rest(p, c.normal[0], place, hint);
+        const double rests = std::max(fillet.height, height(place, 1));
+        if (rests <= least_fillet * allowed_) return;
+        if (rests > allowed_) {
+            // Narrower than samples of facets are apart it would be missed.
+            const double half_angle = 0.5 * std::acos(std::clamp(c.normal[0].dot(c.normal[1]), -1.0, 1.0));
+            const double wide = radius * std::tan(half_angle) - std::sqrt(2 * radius * allowed_);
+            if (wide > 0 && wide < 0.5 * spacing_)
+                found.out.push_back(sample_of(p, 2 * wide * length, fillet.distance - field_.allowance(),
+                                              reason(p, middle, fillet.at)));
+            return;
+        }
+        // Of two cutters, an advance apart, that pass it to both sides the nearer one leaves what stays.
+        const double at = feed_.across_turns ? place.y : std::remainder(place.angle - pi, 2 * pi) + pi;
+        const auto left = [&](double advance) {
+            double most = 0;
+            for (const double share : shares) {
+                std::array<LathePlace, 2> places{place, place};
+                (feed_.across_turns ? places[0].y : places[0].angle) -= share * advance;
+                (feed_.across_turns ? places[1].y : places[1].angle) += (1 - share) * advance;
+                for (std::size_t side = 0; side < 2; ++side) {
+                    const double first = height(places[0], side);
+                    if (first > most) most = std::max(most, std::min(first, height(places[1], side)));
+                }
+            }
+            return most;
+        };
+        const double wanted = feed_.advance(at), leaves = left(wanted);
+        found.crease_cusp = std::max(found.crease_cusp, leaves);
+        if (leaves <= allowed_) return;
+        double good = 0, bad = wanted;
+        for (int k = 0; k < halvings; ++k) {
+            const double mid = 0.5 * (good + bad);
+            (left(mid) <= allowed_ ? good : bad) = mid;
+        }
+        found.limits.push_back({at, std::max(good, smallest_share * wanted)});
+    }
+
+    const LatheField& field_;
+    const LatheFrame& frame_;
+    const Mesh& mesh_;
+    LatheRange range_;
+    double allowed_, spacing_ = 1, from_ = 0, to_ = 0;
+    const ReachFeed& feed_;
+    bool named_from_, named_to_;
+    ToolLift needle_;
+};
+
+/// Samples of one reason that lie together, on a grid over the unrolled part that closes around it.
+class Regions {
+public:
+    Regions(const std::vector<Sample>& samples, double cell, double radius)
+        : samples_(samples), cell_(cell),
+          around_(std::max<std::int64_t>(3, std::int64_t(2 * pi * radius / cell))) {}
+
+    std::vector<UnreachedRegion> find() {
+        std::vector<std::size_t> parent(samples_.size());
+        std::iota(parent.begin(), parent.end(), std::size_t(0));
+        const auto root = [&](std::size_t i) {
+            while (parent[i] != i)
+                i = parent[i] = parent[parent[i]];
+            return i;
+        };
+        using Key = std::array<std::int64_t, 3>;
+        std::map<Key, std::size_t> cells; // to the first sample in each
+        const auto key = [&](const Sample& s) {
+            return Key{std::int64_t(s.why),
+                       std::min(std::int64_t(s.angle / (2 * pi) * double(around_)), around_ - 1),
+                       std::int64_t(std::floor(s.y / cell_))};
+        };
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const auto [at, is_new] = cells.try_emplace(key(samples_[i]), i);
+            if (!is_new) parent[root(i)] = root(at->second);
+        }
+        for (const auto& [k, i] : cells)
+            for (const std::int64_t a : {-1, 0, 1})
+                for (const std::int64_t b : {-1, 0, 1}) {
+                    const auto other = cells.find({k[0], (k[1] + a + around_) % around_, k[2] + b});
+                    if (other != cells.end()) parent[root(i)] = root(other->second);
+                }
+        std::map<std::size_t, std::vector<std::size_t>> members;
+        for (std::size_t i = 0; i < samples_.size(); ++i)
+            members[root(i)].push_back(i);
+        std::vector<UnreachedRegion> regions;
+        for (const auto& [unused, of] : members)
+            regions.push_back(region(of));
+        std::stable_sort(regions.begin(), regions.end(),
+                         [](const UnreachedRegion& a, const UnreachedRegion& b) { return a.area > b.area; });
+        return regions;
+    }
+
+private:
+    UnreachedRegion region(const std::vector<std::size_t>& of) const {
+        UnreachedRegion r;
+        r.why = samples_[of.front()].why;
+        r.from = infinity;
+        r.to = -infinity;
+        std::vector<double> angles;
+        for (const std::size_t i : of) {
+            const Sample& s = samples_[i];
+            r.area += s.area;
+            r.distance = std::max(r.distance, s.distance);
+            r.from = std::min(r.from, s.y);
+            r.to = std::max(r.to, s.y);
+            angles.push_back(s.angle);
+        }
+        // Round the part but for the widest gap; a gap no wider than the grid can tell is none.
+        std::sort(angles.begin(), angles.end());
+        double widest = angles.front() + 2 * pi - angles.back();
+        r.angle_from = angles.front();
+        r.angle_to = angles.back();
+        for (std::size_t i = 1; i < angles.size(); ++i)
+            if (angles[i] - angles[i - 1] > widest) {
+                widest = angles[i] - angles[i - 1];
+                r.angle_from = angles[i];
+                r.angle_to = angles[i - 1] + 2 * pi;
+            }
+        if (widest <= 4 * pi / double(around_)) {
+            r.angle_from = 0;
+            r.angle_to = 2 * pi;
+        }
+        return r;
+    }
+
+    const std::vector<Sample>& samples_;
+    double cell_;
+    std::int64_t around_;
+};
+
+/// "12° to 35°, 10 to 14 mm": angle and place along the axis.
+std::string place_text(const UnreachedRegion& r, LengthUnit unit) {
+    const auto angle = [](double v) { return format_number(std::round(10 * degrees(v)) / 10, 4) + "°"; };
+    const auto length = [&](double mm) { return format_number(mm / mm_per(unit), 4); };
+    const std::string turn = r.angle_to - r.angle_from >= 2 * pi - tolerance::level_angle
+                                 ? std::string("all around")
+                                 : angle(r.angle_from) + " to " + angle(r.angle_to);
+    return turn + ", " + length(r.from) + " to " + length_text(r.to, unit) + " along the axis";
+}
+
+} // namespace
+
+LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, const PlanContext& context,
+                       const LatheRange& range, double allowed, const ReachFeed& feed,
+                       const Progress& progress) {
+    const Search search(settings, field, context, range, allowed, feed);
+    Found found = search.facets(progress.part(0, 0.7));
+    Found creases = search.creases(progress.part(0.7, 1));
+    found.out.insert(found.out.end(), creases.out.begin(), creases.out.end());
+    LatheReach reach;
+    reach.area = found.area;
+    reach.limits = std::move(creases.limits);
+    reach.crease_cusp = creases.crease_cusp;
+    reach.regions = Regions(found.out, cell_spacings * search.spacing(),
+                            std::max(field.part_radius(), tolerance::smallest_extent))
+                        .find();
+    return reach;
+}
+
+const char* unreached_name(UnreachedRegion::Why why) {
+    switch (why) {
+    case UnreachedRegion::Why::narrow:
+        return "narrow";
+    case UnreachedRegion::Why::covered:
+        return "covered";
+    case UnreachedRegion::Why::shaft:
+        return "shaft";
+    case UnreachedRegion::Why::core:
+        return "core";
+    case UnreachedRegion::Why::held:
+        return "held";
+    }
+    return "";
+}
+
+std::vector<std::string> reach_warnings(const LatheReach& reach, LengthUnit unit) {
+    using Why = UnreachedRegion::Why;
+    std::vector<std::string> warnings;
+    for (const auto& [why, what, remedy] :
+         {std::tuple(Why::narrow, "the cutter is too large for hollows of the part",
+                     "use a smaller tool there"),
+          std::tuple(Why::covered, "places lie under the part itself, seen along the tool",
+                     "cut them with the part held another way"),
+          std::tuple(Why::shaft, "shank or holder keep the cutter from hollows of the part",
+                     "use a longer tool, or less holder clearance"),
+          std::tuple(Why::core, "the core radius keeps the cutter from the part",
+                     "choose a smaller core radius"),
+          std::tuple(Why::held, "chuck or tailstock keep the cutter from the part",
+                     "hold less of the stock, or take a smaller tool or clearance")}) {
+        double area = 0, most = 0;
+        std::size_t regions = 0;
+        std::string places;
+        for (const UnreachedRegion& r : reach.regions) {
+            if (r.why != why) continue;
+            area += r.area;
+            most = std::max(most, r.distance);
+            if (regions++ >= most_named) continue;
+            places += (places.empty() ? "" : "; ") + place_text(r, unit);
+        }
+        if (regions == 0) continue;
+        if (regions > most_named) places += "; and " + std::to_string(regions - most_named) + " more";
+        const double per = mm_per(unit);
+        warnings.push_back(std::string(what) + ": " + format_number(area / (per * per), 3) + " "
+                           + std::string(unit_name(unit)) + "² ("
+                           + format_number(std::max(100 * area / reach.area, 1e-3), 2)
+                           + " % of the surface), where it stays up to " + length_text(most, unit)
+                           + " away, at " + places + ": " + remedy);
+    }
+    return warnings;
+}
+
+} // namespace facetmill
