@@ -290,7 +290,14 @@ private:
                 }
             }
         }
-        out.push_back(sample_of(p, area, best.distance - field_.allowance(), reason(p, n, best.at)));
+        Sample s;
+        s.angle = angle_of(p);
+        if (s.angle < 0) s.angle += 2 * pi;
+        s.y = along;
+        s.area = area;
+        s.distance = best.distance - field_.allowance();
+        s.why = reason(p, n, best.at);
+        out.push_back(s);
     }
 
     UnreachedRegion::Why reason(const Vec3& p, const Vec3& n, const LathePoint& at) const {
@@ -315,18 +322,8 @@ private:
         return true;
     }
 
-    Sample sample_of(const Vec3& p, double area, double distance, UnreachedRegion::Why why) const {
-        Sample s;
-        s.angle = angle_of(p);
-        if (s.angle < 0) s.angle += 2 * pi;
-        s.y = frame_.along(p);
-        s.area = area;
-        s.distance = distance;
-        s.why = why;
-        return s;
-    }
-
-    void crease(const Crease& c, const Vec3& p, double length, LatheField::Hint& hint, Found& found) const {
+    void crease(const Crease& c, const Vec3& p, double length, LatheField::Hint& hint, Found& found,
+                const Progress& progress) const {
         const double along = frame_.along(p), radius = field_.cover().radius();
         if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
         const Vec3 middle = (c.normal[0] + c.normal[1]).normalized();
@@ -335,16 +332,14 @@ private:
         const auto height = [&](const LathePlace& at, std::size_t side) {
             return rest(p, c.normal[side], at, hint).height;
         };
-        const Rest fillet = rest(p, c.normal[0], place, hint);
-        const double rests = std::max(fillet.height, height(place, 1));
+        const double rests = std::max(height(place, 0), height(place, 1));
         if (rests <= least_fillet * allowed_) return;
         if (rests > allowed_) {
             // Narrower than samples of facets are apart it would be missed.
             const double half_angle = 0.5 * std::acos(std::clamp(c.normal[0].dot(c.normal[1]), -1.0, 1.0));
             const double wide = radius * std::tan(half_angle) - std::sqrt(2 * radius * allowed_);
             if (wide > 0 && wide < 0.5 * spacing_)
-                found.out.push_back(sample_of(p, 2 * wide * length, fillet.distance - field_.allowance(),
-                                              reason(p, middle, fillet.at)));
+                sample(p, c.normal[0], 2 * wide * length, hint, found.out, progress);
             return;
         }
         // Of two cutters, an advance apart, that pass it to both sides the nearer one leaves what stays.
