@@ -263,6 +263,15 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         s.painter().setBrush(s.faint(colours.bad, 190));
         s.rect(5.5, 5.5, 13, 13, 1.5);
         break;
+    case Icon::pick:
+        s.pen(s.ink(), 1.7);
+        s.polyline({{12, 3}, {12, 8.5}});
+        s.polyline({{12, 15.5}, {12, 21}});
+        s.polyline({{3, 12}, {8.5, 12}});
+        s.polyline({{15.5, 12}, {21, 12}});
+        s.fill(s.accent());
+        s.rect(10.2, 10.2, 3.6, 3.6, 1.8);
+        break;
     case Icon::fit:
         s.pen(s.ink(), 1.9);
         s.polyline({{4, 9}, {4, 4}, {9, 4}});

@@ -23,6 +23,7 @@ enum class Icon {
     reset,
     edit,
     close,
+    pick,
     // jobs
     plan,
     verify,

@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     hint_ = new StartHint(sample_menu_, viewport_);
     connect(hint_, &StartHint::open_requested, this, &MainWindow::open_with_dialog);
     connect_parts();
+    build_pick();
 
     Scene& scene = viewport_->scene();
     scene.set_visible(Layer::title, false); // the window has one
@@ -317,7 +318,8 @@ void MainWindow::arrange_report() {
     if (width() < narrow) {
         if (properties_dock_->isFloating() || dockWidgetArea(properties_dock_) != Qt::LeftDockWidgetArea)
             return;
-        for (QDockWidget* dock : {report_dock_, verification_dock_, cspace_dock_, strips_dock_}) {
+        for (QDockWidget* dock :
+             {report_dock_, verification_dock_, cspace_dock_, strips_dock_, unrolled_dock_}) {
             if (dock->isFloating() || dock->isHidden() || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
                 continue;
             tabifyDockWidget(properties_dock_, dock);
@@ -333,6 +335,8 @@ void MainWindow::arrange_report() {
                 tabifyDockWidget(verification_dock_, cspace_dock_);
             if (dockWidgetArea(report_dock_) == dockWidgetArea(strips_dock_) && !strips_dock_->isHidden())
                 tabifyDockWidget(verification_dock_, strips_dock_);
+            if (dockWidgetArea(report_dock_) == dockWidgetArea(unrolled_dock_))
+                tabifyDockWidget(verification_dock_, unrolled_dock_);
             report_dock_->raise();
         }
         resizeDocks({report_dock_}, {250}, Qt::Horizontal);
@@ -467,6 +471,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (!picked_key_.empty() && event->key() == Qt::Key_Escape) return end_pick();
     if (!desk_->engaged() && cspace_->active()) {
         const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
         switch (event->key()) {

@@ -193,6 +193,12 @@ private:
     /// The contact or place that was picked lies on a strip that the list has.
     bool pick_strip(const PathPick& pick);
 
+    // main_window_pick.cpp
+    void build_pick();
+    void pick_point(const std::string& key);
+    void take_picked(const std::optional<PartPick>& pick, Qt::KeyboardModifiers modifiers);
+    void end_pick();
+
     Document document_;
     std::shared_ptr<Planner> planner_ = std::make_shared<Planner>();
 
@@ -226,6 +232,7 @@ private:
     std::vector<QAction*> theme_actions_, unit_actions_, view_actions_;
 
     QString last_failure_, sample_folder_, readout_text_;
+    std::string picked_key_; ///< of the parameter whose point is being picked; empty: none
     /// Programs of the operations in the order of the scene's path sources, and their operations.
     std::vector<std::shared_ptr<const OperationResult>> shown_results_;
     std::vector<int> shown_ids_;

@@ -222,7 +222,8 @@ void MainWindow::show_shortcuts() {
     row(tr("Double click, F"), tr("fit"));
     row(tr("Click on a path"), tr("show the tool there; ← and → step along the path (Shift: by ten)"));
     row(tr("← →  ↑ ↓"), tr("with the configuration space in view: points along the pass, passes"));
-    row(tr("In a chart"), tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
+    row(tr("In a chart or the unrolled path"),
+        tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
     row(tr("0 … 6"), tr("isometric, front, top, right, rear, bottom, left"));
     row(tr("F5, Ctrl+P"), tr("plan"));
     row(tr("F6"), tr("verify"));

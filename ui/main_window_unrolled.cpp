@@ -49,6 +49,7 @@ void MainWindow::build_unrolled() {
 void MainWindow::offer_unrolled() {
     if (!unrolled_->any() || std::exchange(unrolled_offered_, true)) return;
     unrolled_dock_->show();
+    arrange_report(); // a narrow window has no room for it beside the view
     if (dockWidgetArea(unrolled_dock_) == Qt::RightDockWidgetArea && !unrolled_dock_->isFloating()) {
         unrolled_dock_->raise();
         resizeDocks({unrolled_dock_}, {std::max(280, width() * 3 / 10)}, Qt::Horizontal);

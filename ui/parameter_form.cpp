@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
@@ -159,7 +160,25 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.error->setWordWrap(true);
     row.error->hide();
 
-    grid->addWidget(row.label, line, 0);
+    if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end()) {
+        row.pick = new QToolButton(holder);
+        row.pick->setObjectName(QStringLiteral("pick_") + text(info.key));
+        row.pick->setIcon(icon(Icon::pick));
+        row.pick->setIconSize(QSize(14, 14));
+        row.pick->setAutoRaise(true);
+        row.pick->setCheckable(true);
+        row.pick->setFocusPolicy(Qt::TabFocus);
+        row.pick->setToolTip(tr("Pick the point in the view"));
+        connect(row.pick, &QToolButton::clicked, this,
+                [this, key = info.key](bool on) { emit pick_requested(key, on); });
+        auto* both = new QHBoxLayout;
+        both->setContentsMargins(0, 0, 0, 0);
+        both->addWidget(row.label, 1);
+        both->addWidget(row.pick);
+        grid->addLayout(both, line, 0);
+    } else {
+        grid->addWidget(row.label, line, 0);
+    }
     grid->addWidget(row.editor, line, 1);
     grid->addWidget(row.unit, line, 2);
     grid->addWidget(row.reset, line, 3);
@@ -243,6 +262,11 @@ bool ParameterForm::commit() {
             return false;
         }
     return true;
+}
+
+void ParameterForm::set_picking(const std::string& key) {
+    for (const Row& row : rows_)
+        if (row.pick) row.pick->setChecked(row.info->key == key);
 }
 
 void ParameterForm::focus_first() {

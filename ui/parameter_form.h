@@ -33,6 +33,11 @@ public:
     /// value beneath it is unchanged.
     void set_values(const Parameterized& values, LengthUnit unit);
 
+    /// Points: these rows, once they are built anew, have a button by which the point is picked in the view.
+    void set_pickable(std::vector<std::string> keys) { pickable_ = std::move(keys); }
+    /// The row whose point is being picked, or none ("").
+    void set_picking(const std::string& key);
+
     /// Into the first field, its text selected.
     void focus_first();
     /// Also hand over values while the user still types, as soon as they are good. Off at first.
@@ -50,6 +55,8 @@ public:
 signals:
     /// A value that passed its check and differs from the shown one.
     void edited(const std::string& key, const facetmill::ParameterValue& value);
+    /// Picking of a point was asked for, or (`on` false) given up.
+    void pick_requested(const std::string& key, bool on);
     /// The form became valid or invalid.
     void validity_changed(bool valid);
 
@@ -65,7 +72,7 @@ private:
         QLabel* label = nullptr;
         ParameterEditor* editor = nullptr;
         QLabel* unit = nullptr;
-        QToolButton* reset = nullptr;
+        QToolButton *reset = nullptr, *pick = nullptr;
         QLabel* error = nullptr;
         bool invalid = false;
     };
@@ -78,6 +85,7 @@ private:
     Row* row_of(const QObject* widget);
 
     std::vector<Row> rows_;
+    std::vector<std::string> pickable_;
     QVBoxLayout* layout_ = nullptr;
     QWidget* body_ = nullptr;
     QLabel* help_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include "core/setup/machine.h"
 #include "core/strategy/global_local.h"
+#include "core/strategy/lathe.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
@@ -38,6 +39,12 @@ const ParameterTable<MachineChoice>& machine_choice() {
         return t;
     }();
     return table;
+}
+
+const std::vector<std::string> axis_points{"axis_from", "axis_to"};
+
+bool through_points(const TurnsPart& turns) {
+    return turns.lathe().axis == LatheCommon::Axis::points;
 }
 
 } // namespace
@@ -105,6 +112,7 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     all->addWidget(scroll);
 
     connect(form_, &ParameterForm::edited, this, &PropertiesPanel::take);
+    connect(form_, &ParameterForm::pick_requested, this, &PropertiesPanel::pick_requested);
     connect(edit_tool_, &QPushButton::clicked, this, [this] {
         if (node_ && node_->kind == TreeNode::Kind::tool) emit edit_tool(node_->index);
     });
@@ -123,6 +131,7 @@ void PropertiesPanel::show_node(const std::optional<TreeNode>& node) {
     form_->commit();
     node_ = node;
     refresh();
+    emit shown();
 }
 
 bool PropertiesPanel::commit() {
@@ -136,6 +145,8 @@ QString PropertiesPanel::shape() const {
         shape += QChar('/') + QString::number(document_.operation_id(node_->index));
         for (const Tool& t : document_.project().tools)
             shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
+        if (const auto* turns = dynamic_cast<const TurnsPart*>(&document_.operation(node_->index)))
+            shape += through_points(*turns) ? QStringLiteral("/points") : QStringLiteral("/axis");
     }
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind));
@@ -193,8 +204,17 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
+        // Of the turning axis what says where it runs.
+        std::vector<std::string> hidden;
+        if (const auto* turns = dynamic_cast<const TurnsPart*>(&operation)) {
+            if (through_points(*turns))
+                hidden = {"axis_through"};
+            else
+                hidden = axis_points;
+        }
+        form_->set_pickable(axis_points);
         show(operation,
-             {{"tool", tool_choices(project, false)}, {"rework_tool", tool_choices(project, true)}});
+             {{"tool", tool_choices(project, false)}, {"rework_tool", tool_choices(project, true)}}, hidden);
         regions = dynamic_cast<const GlobalLocal*>(&operation) != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));
@@ -215,6 +235,22 @@ void PropertiesPanel::refresh() {
     choose_stock_->setVisible(mesh_stock);
     edit_regions_->setVisible(regions);
     if (build && !form) form_->set_parameters({}, unit);
+}
+
+void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {
+    if (!node_ || node_->kind != TreeNode::Kind::operation || node_->index >= document_.operation_count())
+        return;
+    try {
+        document_.change(tr("Pick %1").arg(text(key).replace(QChar('_'), QChar(' '))),
+                         [&, index = node_->index](Project& p) {
+                             Operation& operation = *p.operations.at(index);
+                             if (dynamic_cast<const TurnsPart*>(&operation))
+                                 operation.set("axis", std::string("points"));
+                             operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
+                         });
+    } catch (const Error& e) {
+        form_->set_error(key, sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+    }
 }
 
 void PropertiesPanel::take(const std::string& key, const ParameterValue& value) {

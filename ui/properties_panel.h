@@ -29,6 +29,9 @@ public:
     /// Takes over what stands in the fields; false, with the focus on the field, when one is invalid.
     bool commit();
     ParameterForm* form() { return form_; }
+    /// Takes a point that was picked for a parameter of the operation shown; an axis becomes one through
+    /// points.
+    void take_point(const std::string& key, const Vec3& point);
     /// Shows again what the document holds.
     void reset() { refresh(); }
 
@@ -36,6 +39,10 @@ signals:
     void edit_tool(std::size_t index);
     /// The dialog of a global-local operation's rework regions is asked for.
     void edit_regions(std::size_t operation);
+    /// A point for a parameter of the operation shown is to be picked in the view, or (`on` false) no more.
+    void pick_requested(const std::string& key, bool on);
+    /// Another node is shown.
+    void shown();
     /// A mesh for the stock is asked for.
     void choose_stock();
 

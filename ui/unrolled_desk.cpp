@@ -33,18 +33,24 @@ UnrolledDesk::UnrolledDesk(Document& document, QWidget* window)
     operation_->setMinimumContentsLength(8);
     row->addWidget(operation_);
     row->addStretch(1);
-    picture_ = new QToolButton(panel_);
-    picture_->setObjectName(QStringLiteral("unrolled_picture"));
-    picture_->setIcon(icon(Icon::picture));
-    picture_->setIconSize(QSize(16, 16));
-    picture_->setAutoRaise(true);
-    picture_->setToolTip(tr("Export the unrolled path as a picture (PNG)"));
-    picture_->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(picture_);
+    const auto add = [&](Icon which, const QString& tip, const char* name) {
+        auto* button = new QToolButton(panel_);
+        button->setObjectName(QLatin1String(name));
+        button->setIcon(icon(which));
+        button->setIconSize(QSize(16, 16));
+        button->setAutoRaise(true);
+        button->setToolTip(tip);
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+        return button;
+    };
+    all_ = add(Icon::fit, tr("Show all of it (double click, Home)"), "unrolled_all");
+    picture_ = add(Icon::picture, tr("Export the unrolled path as a picture (PNG)"), "unrolled_picture");
     column->addLayout(row);
     view_ = new UnrolledView(panel_);
     column->addWidget(view_, 1);
     connect(operation_, &QComboBox::currentIndexChanged, this, &UnrolledDesk::update);
+    connect(all_, &QToolButton::clicked, view_, &UnrolledView::reset_view);
     connect(picture_, &QToolButton::clicked, this, &UnrolledDesk::picture_requested);
     connect(view_, &UnrolledView::motion_wanted, this, [this](std::size_t motion) {
         if (const auto at = source()) emit place_wanted(*at, motion);
@@ -96,7 +102,7 @@ void UnrolledDesk::look() {
 
 /// Makes what is missing for what is wanted, once it is seen.
 void UnrolledDesk::update() {
-    picture_->setEnabled(view_->path() != nullptr);
+    enable_buttons();
     const auto at = source();
     if (!at || !panel_->isVisible()) return;
     const auto result = results_[*at];
@@ -117,9 +123,14 @@ void UnrolledDesk::update() {
                 view_->set_path(*path);
             else
                 view_->clear(tr("Nothing is cut"));
-            picture_->setEnabled(*path != nullptr);
+            enable_buttons();
             show_place();
         });
+}
+
+void UnrolledDesk::enable_buttons() {
+    for (QToolButton* button : {all_, picture_})
+        button->setEnabled(view_->path() != nullptr);
 }
 
 void UnrolledDesk::set_place(std::size_t source, std::size_t motion) {

@@ -53,13 +53,14 @@ signals:
 private:
     void update();
     void show_place();
+    void enable_buttons();
     std::optional<std::size_t> source() const;
 
     Document& document_;
     QWidget* panel_ = nullptr;
     UnrolledView* view_ = nullptr;
     QComboBox* operation_ = nullptr;
-    QToolButton* picture_ = nullptr;
+    QToolButton *all_ = nullptr, *picture_ = nullptr;
     std::vector<std::shared_ptr<const OperationResult>> results_;
     std::vector<std::size_t> sources_; ///< of `results_`, those of turning parts: the entries of the box
     std::optional<std::pair<std::size_t, std::size_t>> place_;

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,8 @@ namespace {
 
 constexpr double margin = 8, tick_length = 4, bar_width = 12, bar_gap = 10;
 constexpr double angle_step = 90, full_turn = 360;
+/// Of all: no less is shown.
+constexpr double most_zoom = 1e-3;
 
 QString number(double v, double step) {
     const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
@@ -30,15 +33,48 @@ QString number(double v, double step) {
 UnrolledView::UnrolledView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("unrolled_view"));
     setFocusPolicy(Qt::StrongFocus);
-    setToolTip(tr("Click or drag: the tool goes there. Arrows: along the path."));
+    setToolTip(
+        tr("Click or drag: the tool goes there. Arrows: along the path. Wheel: zoom. Right drag: move. "
+           "Double click, Home: all."));
 }
 
 void UnrolledView::set_path(UnrolledPathPtr path) {
     path_ = std::move(path);
     motion_.reset();
-    image_ = {};
     empty_text_.clear();
+    reset_view();
+}
+
+void UnrolledView::reset_view() {
+    window_ = path_ ? unrolled_whole(*path_) : UnrolledWindow();
+    image_ = {};
     update();
+}
+
+void UnrolledView::hold_window() {
+    if (!path_) return;
+    const UnrolledWindow all = unrolled_whole(*path_);
+    const auto held = [](double& from, double& to, double least, double low, double high) {
+        const double size = std::clamp(to - from, least, high - low);
+        from = std::clamp(0.5 * (from + to) - 0.5 * size, low, high - size);
+        to = from + size;
+    };
+    held(window_.from, window_.to, most_zoom * (all.to - all.from), all.from, all.to);
+    held(window_.low, window_.high, most_zoom * full_turn, 0, full_turn);
+    image_ = {};
+    update();
+}
+
+void UnrolledView::zoom(const QPointF& about, double factor) {
+    if (!path_) return;
+    const QRectF in = frame();
+    const double x = std::clamp((about.x() - in.left()) / in.width(), 0.0, 1.0),
+                 y = std::clamp((in.bottom() - about.y()) / in.height(), 0.0, 1.0);
+    const double along = window_.from + x * (window_.to - window_.from),
+                 angle = window_.low + y * (window_.high - window_.low);
+    const double length = (window_.to - window_.from) / factor, turn = (window_.high - window_.low) / factor;
+    window_ = {along - x * length, along + (1 - x) * length, angle - y * turn, angle + (1 - y) * turn};
+    hold_window();
 }
 
 void UnrolledView::clear(const QString& why) {
@@ -49,12 +85,25 @@ void UnrolledView::clear(const QString& why) {
 void UnrolledView::set_motion(std::optional<std::size_t> motion) {
     if (motion == motion_) return;
     motion_ = motion;
+    // What is zoomed follows the tool when it leaves.
+    if (const auto place =
+            motion && path_ && drag_ == Drag::none ? unrolled_place(*path_, *motion) : std::nullopt) {
+        const double along = double(place->along), angle = double(place->angle);
+        const double dx =
+            along < window_.from || along > window_.to ? along - 0.5 * (window_.from + window_.to) : 0;
+        const double dy =
+            angle < window_.low || angle > window_.high ? angle - 0.5 * (window_.low + window_.high) : 0;
+        if (dx != 0 || dy != 0) {
+            window_ = {window_.from + dx, window_.to + dx, window_.low + dy, window_.high + dy};
+            hold_window();
+        }
+    }
     update();
 }
 
 QRectF UnrolledView::frame(const QSize& size, const QFontMetricsF& fm, bool titled) const {
     const double left =
-        margin + fm.height() + 4 + fm.horizontalAdvance(QStringLiteral("360°")) + tick_length + 3;
+        margin + fm.height() + 4 + fm.horizontalAdvance(QStringLiteral("360.0°")) + tick_length + 3;
     const double widest = fm.horizontalAdvance(QStringLiteral("−000.00"));
     const double right = size.width() - margin - bar_gap - bar_width - tick_length - 3 - widest;
     const double top = margin + fm.height() * (titled ? 2.4 : 1.0);
@@ -68,16 +117,17 @@ QRectF UnrolledView::frame() const {
 
 QPointF UnrolledView::place_of(double along, double angle) const {
     const QRectF in = frame();
-    return {in.left() + in.width() * (along - path_->from) / (path_->to - path_->from),
-            in.bottom() - in.height() * angle / full_turn};
+    return {in.left() + in.width() * (along - window_.from) / (window_.to - window_.from),
+            in.bottom() - in.height() * (angle - window_.low) / (window_.high - window_.low)};
 }
 
-QImage UnrolledView::image_for(const QSize& pixels) const {
-    const UnrolledImage raw = unrolled_image(*path_, pixels.width(), pixels.height());
+QImage UnrolledView::image_for(const QSize& pixels, const UnrolledWindow& window) const {
+    const UnrolledImage raw = unrolled_image(*path_, window, pixels.width(), pixels.height());
     return QImage(raw.rgba.data(), raw.width, raw.height, 4 * raw.width, QImage::Format_RGBA8888).copy();
 }
 
-void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, bool titled) const {
+void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, const UnrolledWindow& window,
+                         bool titled) const {
     const QFontMetricsF fm(p.font());
     const QRectF in = frame(size, fm, titled);
     const QColor ink = titled ? QColor(Qt::black) : palette().color(QPalette::WindowText);
@@ -87,9 +137,9 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, bo
     // Length along the axis.
     p.setPen(ink);
     const int most_x = std::max(2, int(in.width() / (fm.horizontalAdvance(QStringLiteral("−000.0")) + 16)));
-    const double step_x = round_step(path_->to - path_->from, most_x);
-    for (const double v : round_ticks(path_->from, path_->to, most_x)) {
-        const double x = in.left() + in.width() * (v - path_->from) / (path_->to - path_->from);
+    const double step_x = round_step(window.to - window.from, most_x);
+    for (const double v : round_ticks(window.from, window.to, most_x)) {
+        const double x = in.left() + in.width() * (v - window.from) / (window.to - window.from);
         p.setPen(grid);
         p.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
         p.setPen(ink);
@@ -100,16 +150,45 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, bo
     const QString unit = text(path_->unit);
     p.drawText(QRectF(in.left(), in.bottom() + tick_length + 2 + fm.height(), in.width(), fm.height()),
                int(Qt::AlignCenter), tr("Along the axis (%1)").arg(unit));
-    // Turning angle.
-    for (double v = 0; v <= full_turn; v += angle_step) {
-        const double y = in.bottom() - in.height() * v / full_turn;
+    // Turning angle: quarters of the turn, round steps where that is too coarse.
+    const auto y_of = [&](double angle) {
+        return in.bottom() - in.height() * (angle - window.low) / (window.high - window.low);
+    };
+    const int most_angles = std::max(2, int(in.height() / (2.2 * fm.height())));
+    const bool quarters = window.high - window.low >= 2 * angle_step;
+    const double step_angle = quarters ? angle_step : round_step(window.high - window.low, most_angles);
+    std::vector<double> angles;
+    if (quarters)
+        for (double v = 0; v <= full_turn; v += angle_step)
+            angles.push_back(v);
+    else
+        angles = round_ticks(window.low, window.high, most_angles);
+    for (const double v : angles) {
+        const double y = y_of(v);
+        if (y < in.top() - 0.5 || y > in.bottom() + 0.5) continue;
         p.setPen(grid);
         p.drawLine(QPointF(in.left(), y), QPointF(in.right(), y));
         p.setPen(ink);
         p.drawLine(QPointF(in.left() - tick_length, y), QPointF(in.left(), y));
         p.drawText(QRectF(0, y - fm.height() / 2, in.left() - tick_length - 3, fm.height()),
-                   int(Qt::AlignRight | Qt::AlignVCenter), number(v, 1) + QChar(0x00B0));
+                   int(Qt::AlignRight | Qt::AlignVCenter), number(v, step_angle) + QChar(0x00B0));
     }
+    // What the cutter cannot come to.
+    p.save();
+    p.setClipRect(in);
+    p.setBrush(Qt::NoBrush);
+    for (const UnrolledPath::Unreached& r : path_->unreached) {
+        const auto x = [&](double v) {
+            return in.left() + in.width() * (v - window.from) / (window.to - window.from);
+        };
+        const QRectF box = QRectF(QPointF(x(r.from), y_of(r.high)), QPointF(x(r.to), y_of(r.low)))
+                               .adjusted(-2, -2, 2, 2); // seen, however small
+        p.setPen(QPen(Qt::white, 2.5));
+        p.drawRect(box);
+        p.setPen(QPen(Qt::black, 1.2, Qt::DashLine));
+        p.drawRect(box);
+    }
+    p.restore();
     p.save();
     p.translate(margin + fm.height() / 2, in.center().y());
     p.rotate(-90);
@@ -158,12 +237,13 @@ void UnrolledView::paintEvent(QPaintEvent*) {
     }
     const QRectF in = frame();
     const QSize pixels = (in.size() * devicePixelRatioF()).toSize();
-    if (image_.size() != pixels) image_ = image_for(pixels);
-    paint(p, size(), image_, false);
+    if (image_.size() != pixels) image_ = image_for(pixels, window_);
+    paint(p, size(), image_, window_, false);
     if (!motion_) return;
     const auto place = unrolled_place(*path_, *motion_);
     if (!place) return;
     const QPointF at = place_of(double(place->along), double(place->angle));
+    if (!in.adjusted(-1, -1, 1, 1).contains(at)) return;
     p.setPen(QPen(Qt::black, 3));
     p.setBrush(Qt::NoBrush);
     p.drawEllipse(at, 6, 6);
@@ -180,7 +260,8 @@ QImage UnrolledView::picture(const QSize& size) const {
     QFont large = font();
     large.setPixelSize(std::max(12, size.height() / 40));
     p.setFont(large);
-    paint(p, size, image_for(frame(size, QFontMetricsF(large), true).size().toSize()), true);
+    const UnrolledWindow all = unrolled_whole(*path_);
+    paint(p, size, image_for(frame(size, QFontMetricsF(large), true).size().toSize(), all), all, true);
     return image;
 }
 
@@ -188,18 +269,52 @@ void UnrolledView::take(const QPointF& at) {
     if (!path_) return;
     const QRectF in = frame();
     const double along =
-        path_->from + (path_->to - path_->from) * std::clamp((at.x() - in.left()) / in.width(), 0.0, 1.0);
-    const double angle = full_turn * std::clamp((in.bottom() - at.y()) / in.height(), 0.0, 1.0);
-    if (const auto motion = unrolled_pick(*path_, along, angle, int(in.width()), int(in.height())))
+        window_.from + (window_.to - window_.from) * std::clamp((at.x() - in.left()) / in.width(), 0.0, 1.0);
+    const double angle =
+        window_.low
+        + (window_.high - window_.low) * std::clamp((in.bottom() - at.y()) / in.height(), 0.0, 1.0);
+    if (const auto motion = unrolled_pick(*path_, window_, along, angle, int(in.width()), int(in.height())))
         emit motion_wanted(*motion);
 }
 
 void UnrolledView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) take(event->position());
+    if (drag_ != Drag::none) return; // a second button during a drag changes nothing
+    last_ = event->position();
+    const bool left = event->button() == Qt::LeftButton, shift = event->modifiers() & Qt::ShiftModifier;
+    if (left && !shift) {
+        drag_ = Drag::place;
+        take(last_);
+    } else {
+        drag_ = Drag::move;
+    }
 }
 
 void UnrolledView::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() & Qt::LeftButton) take(event->position());
+    if (event->buttons() == Qt::NoButton) drag_ = Drag::none; // the release went elsewhere
+    const QPointF by = event->position() - last_;
+    last_ = event->position();
+    if (drag_ == Drag::place) return take(last_);
+    if (drag_ != Drag::move || !path_) return;
+    const QRectF in = frame();
+    const double dx = -by.x() / in.width() * (window_.to - window_.from),
+                 dy = by.y() / in.height() * (window_.high - window_.low);
+    window_ = {window_.from + dx, window_.to + dx, window_.low + dy, window_.high + dy};
+    hold_window();
+}
+
+void UnrolledView::mouseReleaseEvent(QMouseEvent*) {
+    drag_ = Drag::none;
+}
+
+void UnrolledView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) reset_view();
+}
+
+void UnrolledView::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps == 0 || !path_) return;
+    zoom(event->position(), std::pow(1.25, steps));
+    event->accept();
 }
 
 void UnrolledView::keyPressEvent(QKeyEvent* event) {
@@ -208,6 +323,10 @@ void UnrolledView::keyPressEvent(QKeyEvent* event) {
         emit stepped(by);
     else if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Down)
         emit stepped(-by);
+    else if (event->key() == Qt::Key_Home)
+        reset_view();
+    else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus)
+        zoom(frame().center(), event->key() == Qt::Key_Plus ? 1.25 : 0.8);
     else
         QWidget::keyPressEvent(event);
 }

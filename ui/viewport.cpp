@@ -452,7 +452,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (was == Drag::handle && dragged_) emit handle_dropped(handle_from_, handle_to_);
     if (dragged_ || was == Drag::none) return;
     if ((was == Drag::turn || was == Drag::handle) && event->button() == Qt::LeftButton)
-        click(event->position());
+        click(event->position(), event->modifiers());
     if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
 }
 
@@ -477,9 +477,18 @@ void Viewport::leaveEvent(QEvent* event) {
     GlCanvas::leaveEvent(event);
 }
 
-void Viewport::click(const QPointF& at) {
+void Viewport::set_picking(bool on) {
+    picking_ = on;
+    if (on)
+        setCursor(Qt::CrossCursor);
+    else
+        unsetCursor();
+}
+
+void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
     if (!window_->vtk->GetReadyForRendering()) return;
     const QPointF p = device(at);
+    if (picking_) return emit point_picked(scene_.pick_part(p.x(), p.y()), modifiers);
     if (const auto pick = scene_.pick_path(p.x(), p.y(), pick_radius * devicePixelRatioF()))
         emit path_picked(*pick);
     else if (const auto part = scene_.pick_part(p.x(), p.y()))

@@ -54,6 +54,8 @@ public:
     Vec3 sight() const;
     Vec3 up() const;
     ViewCube* view_cube() { return cube_; }
+    /// While a point is picked every click asks the part alone, by point_picked; the pointer is a cross.
+    void set_picking(bool on);
 
     /// A processor does the work of a graphics card; also while nothing was drawn yet.
     bool without_card() const { return without_card_; }
@@ -70,6 +72,8 @@ signals:
     void path_picked(const facetmill::PathPick& pick);
     void part_picked(const facetmill::PartPick& pick);
     void nothing_picked();
+    /// Of set_picking: a point of the part, or none where the click missed it.
+    void point_picked(const std::optional<facetmill::PartPick>& pick, Qt::KeyboardModifiers modifiers);
     /// The point of the part under the resting pointer, or none.
     void hovered(const std::optional<facetmill::PartPick>& pick);
     void menu_requested(const QPoint& global);
@@ -94,7 +98,7 @@ private:
     void place_overlays();
     void turn(const QPointF& by);
     void move(const QPointF& by);
-    void click(const QPointF& at);
+    void click(const QPointF& at, Qt::KeyboardModifiers modifiers);
     void hover();
     std::optional<Vec3> handle_at(const QPointF& at) const;
     bool slow() const;
@@ -114,7 +118,7 @@ private:
     bool fitted_ =
         true; ///< nothing was moved or zoomed since the last fit: the picture keeps fitting the window
     Drag drag_ = Drag::none;
-    bool dragged_ = false;
+    bool dragged_ = false, picking_ = false;
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
     Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();

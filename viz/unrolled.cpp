@@ -66,6 +66,12 @@ UnrolledPathPtr prepare_unrolled(std::shared_ptr<const OperationResult> operatio
     }
     path->lengthwise = moved > turned;
     path->feed_angle = t.part_radius > 0 ? degrees(operation->path.stepover_max / t.part_radius) : 0;
+    for (const UnreachedRegion& r : t.unreached) {
+        const double low = degrees(r.angle_from), high = degrees(r.angle_to);
+        const double turn = double(full_turn);
+        path->unreached.push_back({r.from / per, r.to / per, low, std::min(high, turn)});
+        if (high > turn) path->unreached.push_back({r.from / per, r.to / per, 0, high - turn});
+    }
     path->operation = std::move(operation);
     return path;
 }
@@ -74,39 +80,60 @@ double unrolled_share(const UnrolledPath& path, double depth) {
     return std::clamp((depth - path.low) / (path.high - path.low), 0.0, 1.0);
 }
 
-UnrolledImage unrolled_image(const UnrolledPath& path, int width, int height) {
+UnrolledWindow unrolled_whole(const UnrolledPath& path) {
+    return {path.from, path.to, 0, double(full_turn)};
+}
+
+UnrolledImage unrolled_image(const UnrolledPath& path, const UnrolledWindow& window, int width, int height) {
     UnrolledImage image;
     image.width = std::max(width, 1);
     image.height = std::max(height, 1);
     const auto w = std::size_t(image.width), h = std::size_t(image.height);
     std::vector<float> deepest(w * h, -std::numeric_limits<float>::infinity());
-    const double px = image.width / (path.to - path.from), py = image.height / double(full_turn);
+    const double px = image.width / (window.to - window.from), py = image.height / (window.high - window.low);
+    const double turn_rows = double(full_turn) * py;
     // Each line is as wide as the feed, so that the picture is filled.
     const int half_x = path.lengthwise ? 0 : int(std::ceil(0.5 * path.feed * px));
     const int half_y = path.lengthwise ? int(std::ceil(0.5 * path.feed_angle * py)) : 0;
     const auto put = [&](double x, double y, float depth) {
-        const int cx = int(std::floor(x)), cy = int(std::floor(y));
-        for (int dy = -half_y; dy <= half_y; ++dy) {
-            const int row = ((cy + dy) % image.height + image.height) % image.height; // it closes
-            for (int column = std::max(cx - half_x, 0); column <= std::min(cx + half_x, image.width - 1);
-                 ++column) {
-                float& here = deepest[std::size_t(row) * w + std::size_t(column)];
-                here = std::max(here, depth);
-            }
+        const int cx = int(std::floor(x));
+        for (const double over : {-turn_rows, 0.0, turn_rows}) { // it closes
+            const double at = std::floor(y + over);
+            if (at + half_y < 0 || at - half_y >= image.height) continue;
+            const int cy = int(at);
+            for (int row = std::max(cy - half_y, 0); row <= std::min(cy + half_y, image.height - 1); ++row)
+                for (int column = std::max(cx - half_x, 0); column <= std::min(cx + half_x, image.width - 1);
+                     ++column) {
+                    float& here = deepest[std::size_t(row) * w + std::size_t(column)];
+                    here = std::max(here, depth);
+                }
         }
     };
     for (std::size_t i = 0; i < path.places.size(); ++i) {
         const UnrolledPath::Place& b = path.places[i];
         const UnrolledPath::Place& a = b.joined && i > 0 ? path.places[i - 1] : b;
         const double turn = std::remainder(double(b.angle - a.angle), double(full_turn));
-        const double steps =
-            std::max(1.0, std::ceil(std::max(std::abs(turn) * py, std::abs(double(b.along - a.along)) * px)));
-        for (double k = 1; k <= steps; ++k) {
+        // In pixels; only what passes the window is drawn. (It may pass it a turn further up or down.)
+        const double x0 = (double(a.along) - window.from) * px, dx = double(b.along - a.along) * px;
+        const double y0 = (window.high - double(a.angle)) * py, dy = -turn * py;
+        if (std::max(x0, x0 + dx) < -half_x - 1 || std::min(x0, x0 + dx) > image.width + half_x + 1) continue;
+        bool seen = false;
+        for (const double over : {-turn_rows, 0.0, turn_rows})
+            seen = seen
+                   || (std::max(y0, y0 + dy) + over >= -half_y - 1
+                       && std::min(y0, y0 + dy) + over <= image.height + half_y + 1);
+        if (!seen) continue;
+        const double steps = std::max(1.0, std::ceil(std::max(std::abs(dx), std::abs(dy))));
+        // A line that is far longer than the window has its steps within it alone.
+        double first = 1, last = steps;
+        if (std::abs(dx) > 1) {
+            const double t0 = (-half_x - 1 - x0) / dx, t1 = (image.width + half_x + 1 - x0) / dx;
+            first = std::max(first, std::floor(std::min(t0, t1) * steps));
+            last = std::min(last, std::ceil(std::max(t0, t1) * steps));
+        }
+        for (double k = first; k <= last; ++k) {
             const double s = k / steps;
-            const double angle = double(a.angle) + s * turn,
-                         along = double(a.along) + s * double(b.along - a.along);
-            put((along - path.from) * px, image.height - angle * py,
-                float(double(a.depth) + s * double(b.depth - a.depth)));
+            put(x0 + s * dx, y0 + s * dy, float(double(a.depth) + s * double(b.depth - a.depth)));
         }
     }
     image.rgba.assign(4 * w * h, 0);
@@ -122,10 +149,10 @@ UnrolledImage unrolled_image(const UnrolledPath& path, int width, int height) {
     return image;
 }
 
-std::optional<std::size_t> unrolled_pick(const UnrolledPath& path, double along, double angle, int width,
-                                         int height) {
-    const double px = std::max(width, 1) / (path.to - path.from),
-                 py = std::max(height, 1) / double(full_turn);
+std::optional<std::size_t> unrolled_pick(const UnrolledPath& path, const UnrolledWindow& window, double along,
+                                         double angle, int width, int height) {
+    const double px = std::max(width, 1) / (window.to - window.from),
+                 py = std::max(height, 1) / (window.high - window.low);
     std::optional<std::size_t> best;
     double least = infinity;
     float depth = 0;

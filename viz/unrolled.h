@@ -29,6 +29,11 @@ struct UnrolledPath {
     double feed = 0;         ///< width that a line of the path stands for, along the axis
     bool lengthwise = false; ///< lines run along the axis: they stand for an angle
     double feed_angle = 0;   ///< of lengthwise lines, degrees
+    /// What the cutter cannot come to (lathe_reach.h), as boxes within one turn.
+    struct Unreached {
+        double from = 0, to = 0, low = 0, high = 0; ///< along the axis, angles
+    };
+    std::vector<Unreached> unreached;
 };
 using UnrolledPathPtr = std::shared_ptr<const UnrolledPath>;
 
@@ -36,21 +41,28 @@ using UnrolledPathPtr = std::shared_ptr<const UnrolledPath>;
 UnrolledPathPtr prepare_unrolled(std::shared_ptr<const OperationResult> operation, LengthUnit unit,
                                  const Progress& progress);
 
-/// RGBA, rows from the top (360 degrees) down. What no motion passes is transparent. A place cut several
-/// times has the colour of its deepest cut.
+/// What is looked at: from < to along the axis, low < high of 0 to 360 degrees.
+struct UnrolledWindow {
+    double from = 0, to = 1, low = 0, high = 360;
+    bool operator==(const UnrolledWindow&) const = default;
+};
+UnrolledWindow unrolled_whole(const UnrolledPath& path);
+
+/// RGBA, rows from the largest angle down. What no motion passes is transparent. A place cut several times
+/// has the colour of its deepest cut.
 struct UnrolledImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
 };
-UnrolledImage unrolled_image(const UnrolledPath& path, int width, int height);
+UnrolledImage unrolled_image(const UnrolledPath& path, const UnrolledWindow& window, int width, int height);
 
 /// Colour of a depth in [low, high] as path_tint_color has it.
 double unrolled_share(const UnrolledPath& path, double depth);
 
-/// The motion whose end is nearest to a place, distances counted in pixels of an image of this size; nothing
-/// where there is no path.
-std::optional<std::size_t> unrolled_pick(const UnrolledPath& path, double along, double angle, int width,
-                                         int height);
+/// The motion whose end is nearest to a place, distances counted in pixels of an image of this window and
+/// size; nothing where there is no path.
+std::optional<std::size_t> unrolled_pick(const UnrolledPath& path, const UnrolledWindow& window, double along,
+                                         double angle, int width, int height);
 /// Where a motion's end lies; nothing where it is not at feed.
 std::optional<UnrolledPath::Place> unrolled_place(const UnrolledPath& path, std::size_t motion);
 
