@@ -13,6 +13,7 @@
 #include "ui/unrolled_view.h"
 #include "ui/verification_desk.h"
 #include "ui/viewport.h"
+#include "viz/palette.h"
 #include "viz/path_tint.h"
 
 #include <QAction>
