@@ -24,7 +24,8 @@ void MainWindow::build_strips() {
     addDockWidget(Qt::RightDockWidgetArea, strips_dock_);
     tabifyDockWidget(verification_dock_, strips_dock_);
     strips_dock_->hide();
-    connect(strips_dock_, &QDockWidget::visibilityChanged, strips_, &StripDesk::look);
+    // Queued: a dock says that it is hidden before what is in it is.
+    connect(strips_dock_, &QDockWidget::visibilityChanged, strips_, &StripDesk::look, Qt::QueuedConnection);
     connect(strips_dock_->toggleViewAction(), &QAction::triggered, this, [this](bool on) {
         if (on) strips_dock_->raise();
     });

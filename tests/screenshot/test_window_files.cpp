@@ -211,7 +211,7 @@ private slots:
 
         const QString part = ui::path_text(w().document().project().part_path());
         const std::size_t facets = w().document().part()->mesh->facets.size();
-        save_stl(*make_sample("convex", 2.0, {}), part.toStdString(), LengthUnit::inch, {});
+        save_stl(*make_sample("convex", 0.05, {}), part.toStdString(), LengthUnit::inch, {});
         QTRY_VERIFY(w().document().part()->mesh->facets.size() != facets);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().part_is_current());

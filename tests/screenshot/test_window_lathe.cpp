@@ -259,6 +259,8 @@ private slots:
         QVERIFY(plan_prism());
         QTest::keyClick(&w(), Qt::Key_Period);
         QVERIFY(w().verification().engaged());
+        QVERIFY(!w().verification().bar()->turns_part());
+        QTest::mouseClick(w().verification().bar()->button("play_turn"), Qt::LeftButton);
         QVERIFY(w().verification().bar()->turns_part());
         PlaybackController& playback = w().verification().playback();
         std::vector<std::size_t> cuts;
