@@ -125,7 +125,7 @@ public:
                     for (std::size_t k = 0; k < pieces; ++k) {
                         progress.check();
                         crease(c, c.a + (double(k) + 0.5) / double(pieces) * way, way.norm() / double(pieces),
-                               hint, found);
+                               hint, found, progress);
                     }
                 }
                 return found;
