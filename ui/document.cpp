@@ -49,6 +49,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     for (const auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
         connect(&files_, signal, &settled_, qOverload<>(&QTimer::start));
     connect(&settled_, &QTimer::timeout, this, [this] {
+        // Reading anew would displace a plan that is being made; it reads what has changed by itself.
+        if (std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.planning; }))
+            return settled_.start();
         watch_files();
         emit states_changed();
         if (part_ && !part_is_current()) emit part_changed();

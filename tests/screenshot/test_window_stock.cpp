@@ -203,8 +203,10 @@ private slots:
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("not closed")),
                  qPrintable(w().message_bar().message()));
         shot(w(), QStringLiteral("stock-open-mesh"));
-        // The file mended, it is planned as it is.
+        // The file mended, the window reads it by itself, and it is planned.
         write_block(path, w().document().part()->box);
+        QTRY_VERIFY(w().document().has_stock());
+        QVERIFY(wait_until_settled(w()));
         w().tree().select({TreeNode::Kind::operation, 0});
         enter(w(), "tolerance", QStringLiteral("0.02"));
         QTest::keyClick(&w(), Qt::Key_F5);
