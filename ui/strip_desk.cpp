@@ -2,6 +2,7 @@
 
 #include "ui/camera_flight.h"
 #include "ui/elided_label.h"
+#include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 #include "viz/strip_display.h"
@@ -28,23 +29,12 @@ namespace facetmill::ui {
 namespace {
 
 enum Column { name_column, type_column, width_column, length_column, reason_column };
-constexpr int strip_role = Qt::UserRole, sort_role = Qt::UserRole + 1;
+constexpr int strip_role = Qt::UserRole;
 constexpr int swatch = 12;
 /// Of a strip's size, and at least of the part's: what the view shows around it.
 constexpr double strip_room = 1.3, part_room = 0.15;
 /// Of the part's size: a place that is no farther from a strip's facets lies on it.
 constexpr double on_strip = 1e-4;
-
-/// Sorted by numbers where there are some.
-class StripItem : public QTreeWidgetItem {
-public:
-    bool operator<(const QTreeWidgetItem& other) const override {
-        const int column = treeWidget()->sortColumn();
-        const QVariant a = data(column, sort_role), b = other.data(column, sort_role);
-        if (a.isValid() && b.isValid()) return a.toDouble() < b.toDouble();
-        return QString::localeAwareCompare(text(column), other.text(column)) < 0;
-    }
-};
 
 QString type_text(const Strip& strip) {
     switch (strip.kind) {
@@ -287,16 +277,16 @@ void StripDesk::fill() {
     for (std::size_t i = 0; i < strips.size(); ++i) {
         const Strip& s = strips[i];
         listed_name_.push_back(s.name);
-        auto* item = new StripItem;
+        auto* item = new SortedItem;
         item->setData(name_column, strip_role, qulonglong(i));
-        item->setData(name_column, sort_role, double(i));
+        item->setData(name_column, SortedItem::sort_role, double(i));
         item->setText(name_column, text(s.name));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
         item->setText(type_column, type_text(s));
         const auto number = [&](int column, double mm) {
             item->setText(column, mm > 0 ? text(format_number(mm / per, 3)) : QStringLiteral("–"));
-            item->setData(column, sort_role, mm);
+            item->setData(column, SortedItem::sort_role, mm);
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         };
         number(width_column, s.width);

@@ -1,6 +1,7 @@
 #include "ui/verification_panel.h"
 
 #include "ui/icons.h"
+#include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 
@@ -21,18 +22,7 @@ namespace {
 
 constexpr std::size_t most_listed = 1000; // findings: more nobody goes through one by one
 enum Column { kind_column, depth_column, goto_column, operation_column };
-constexpr int finding_role = Qt::UserRole, sort_role = Qt::UserRole + 1;
-
-/// Sorted by numbers where there are some.
-class FindingItem : public QTreeWidgetItem {
-public:
-    bool operator<(const QTreeWidgetItem& other) const override {
-        const int column = treeWidget()->sortColumn();
-        const QVariant a = data(column, sort_role), b = other.data(column, sort_role);
-        if (a.isValid() && b.isValid()) return a.toDouble() < b.toDouble();
-        return QString::localeAwareCompare(text(column), other.text(column)) < 0;
-    }
-};
+constexpr int finding_role = Qt::UserRole;
 
 QString percent(double share) {
     const double p = 100 * share;
@@ -297,18 +287,18 @@ void VerificationPanel::fill_findings() {
     const std::size_t n = std::min(all.size(), most_listed);
     for (std::size_t i = 0; i < n; ++i) {
         const Finding& f = all[i];
-        auto* item = new FindingItem;
+        auto* item = new SortedItem;
         item->setText(kind_column, finding_text(f.kind));
         item->setData(kind_column, finding_role, qulonglong(i));
-        item->setData(kind_column, sort_role, double(i)); // the order of their weight
+        item->setData(kind_column, SortedItem::sort_role, double(i)); // the order of their weight
         item->setIcon(kind_column, icon(f.kind == Finding::Kind::excess ? Icon::information : Icon::error));
         item->setText(depth_column, text(format_number(f.depth / mm_per(listed_unit_), 3)));
-        item->setData(depth_column, sort_role, f.depth);
+        item->setData(depth_column, SortedItem::sort_role, f.depth);
         item->setTextAlignment(depth_column, Qt::AlignRight | Qt::AlignVCenter);
         item->setTextAlignment(goto_column, Qt::AlignRight | Qt::AlignVCenter);
         const QString where = f.by.known() ? model_.program_name(f.by.program) : tr("not reached by any");
         item->setText(goto_column, f.by.known() ? count_text(f.by.motion + 1) : QStringLiteral("–"));
-        item->setData(goto_column, sort_role, f.by.known() ? double(f.by.motion + 1) : 0.0);
+        item->setData(goto_column, SortedItem::sort_role, f.by.known() ? double(f.by.motion + 1) : 0.0);
         item->setText(operation_column, where);
         QString tip = QStringLiteral("%1 %2, %3")
                           .arg(finding_text(f.kind), shown_length(f.depth, listed_unit_, 4), where);
