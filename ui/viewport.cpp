@@ -500,7 +500,9 @@ void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
 void Viewport::hover() {
     if (!window_->vtk->GetReadyForRendering() || drag_ != Drag::none) return;
     const QPointF p = device(hover_at_);
-    if (handle_at(hover_at_))
+    if (picking_)
+        setCursor(Qt::CrossCursor);
+    else if (handle_at(hover_at_))
         setCursor(Qt::SizeAllCursor);
     else
         unsetCursor();
