@@ -135,6 +135,55 @@ struct Bounds {
         }
     }
 
+    /// The distances from the axis at which a plane of this slope touches, where there are several the least
+    /// and the largest.
+    FACETMILL_MEMBER Float8 touching(const Float8& slope) const {
+        const Float8 sine = slope / root(1.0f + slope * slope);
+        Float8 rho = all(float(surface.max_radius));
+        for (int i = surface.count - 1; i >= 0; --i) {
+            const RoughPiece& p = surface.rough[i];
+            if (p.r != 0) {
+                const Float8 on_arc = smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
+                rho = select(slope <= p.slope1, on_arc, rho);
+            }
+            rho = select(slope <= p.slope0, all(p.rho0), rho);
+        }
+        return rho;
+    }
+    FACETMILL_MEMBER Float8 touching_last(const Float8& slope) const {
+        const Float8 sine = slope / root(1.0f + slope * slope);
+        Float8 rho = all(0.0f);
+        for (int i = 0; i < surface.count; ++i) {
+            const RoughPiece& p = surface.rough[i];
+            const Float8 here =
+                p.r == 0 ? all(p.rho1) : smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
+            rho = select(slope >= p.slope0, here, rho);
+        }
+        return rho;
+    }
+
+    /// Where, from the axis, a surface can be touched whose slopes lie in rectangles: rectangles that hold
+    /// it.
+    struct Contact {
+        Float8 lo_x, hi_x, lo_y, hi_y;
+    };
+    FACETMILL_MEMBER Contact contact(const Float8& lo_x, const Float8& hi_x, const Float8& lo_y,
+                                     const Float8& hi_y) const {
+        const Float8 zero8 = all(0.0f), slack8 = all(float(tolerance::contact_slack * surface.max_radius));
+        const Float8 near_x = larger(larger(lo_x, -hi_x), zero8), near_y = larger(larger(lo_y, -hi_y), zero8);
+        const Float8 far_x = larger(hi_x, -lo_x), far_y = larger(hi_y, -lo_y);
+        const Float8 inner_rho = touching(root(near_x * near_x + near_y * near_y)),
+                     outer_rho = touching_last(root(far_x * far_x + far_y * far_y));
+        const auto most = [&](const Float8& hi, const Float8& near, const Float8& far)
+            __attribute__((always_inline)) {
+            const Float8 other = select(hi > 0.0f, near, far);
+            const Float8 along = hi * rough_inverse_root(larger(hi * hi + other * other, all(__FLT_MIN__)));
+            return along * select(hi > 0.0f, outer_rho, inner_rho) + slack8;
+        };
+        return {-most(-lo_x, near_y, far_y), most(hi_x, near_y, far_y), -most(-lo_y, near_x, far_x),
+                most(hi_y, near_x, far_x)};
+    }
+
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
     /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
     FACETMILL_MEMBER Float8 bounds(const Float8& cx, const Float8& cy, const Float8& hx, const Float8& hy,

@@ -1,7 +1,7 @@
 // The search for the highest lift, compiled once for every instruction set. Plain data in and out.
 #pragma once
 
-#include "core/gouge/contact_blocks.h"
+#include "core/gouge/prepared_blocks.h"
 #include "core/gouge/surface_table.h"
 
 namespace facetmill {
@@ -39,6 +39,7 @@ struct AxialPacket {
     int count = 0;
     const TreeNode* cut = nullptr; ///< as for AxialQuery; wanted
     int cut_nodes = 0;
+    PreparedBlocks* prepared = nullptr; ///< of this index and surface only, or cleared; wanted
 };
 
 /// Axis along Z, and any axis.

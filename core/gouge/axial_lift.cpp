@@ -81,7 +81,7 @@ void arrange(std::vector<Place>& places, double widest) {
     // places.
     const double wide = side / in_packet;
     const auto bands = std::size_t(size.y() / side) + 1, cells = std::size_t(size.x() / wide) + 1;
-    const std::size_t per_strip = std::min<std::size_t>(16 * AxialPacket::most_places, cells),
+    const std::size_t per_strip = std::min<std::size_t>(8 * AxialPacket::most_places, cells),
                       strips = (cells + per_strip - 1) / per_strip;
     std::vector<std::uint32_t> cell(n), first(strips * bands * per_strip + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -176,6 +176,8 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
         }
         arrange(places, radius);
         SharedCut cut;
+        const auto prepared = std::make_unique_for_overwrite<PreparedBlocks>();
+        prepared->clear();
         std::uint32_t hint = no_slot;
         std::size_t cut_end = 0, next_check = between_checks;
         for (std::size_t i = 0; i < places.size();) {
@@ -207,6 +209,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             packet.count = int(count);
             packet.cut = cut.nodes();
             packet.cut_nodes = cut.count();
+            packet.prepared = prepared.get();
             double tips[AxialPacket::most_places];
             axial_kernels().packet(view, *surface_, packet, tips);
             for (std::size_t k = 0; k < count; ++k)

@@ -28,8 +28,10 @@ public:
         float x[float_lanes], y[float_lanes];
         for (int k = 0; k < float_lanes; ++k) {
             const int lane = k < packet.count ? k : 0;
-            x[k] = float(packet.x[lane] - first.place[0]);
-            y[k] = float(packet.y[lane] - first.place[1]);
+            place_x[k] = packet.x[lane];
+            place_y[k] = packet.y[lane];
+            x[k] = float(place_x[k] - first.place[0]);
+            y[k] = float(place_y[k] - first.place[1]);
             tips[k] = no_lift;
         }
         used = (1u << packet.count) - 1;
@@ -41,6 +43,8 @@ public:
             lo_dy = k == 0 || y[k] < lo_dy ? y[k] : lo_dy;
             hi_dy = k == 0 || y[k] > hi_dy ? y[k] : hi_dy;
         }
+        for (int k = 0; k < last_few; ++k)
+            key_room[k] = -__builtin_inff();
         // Sums at the other places are larger by the distances to them and to their reach.
         margin += float(tolerance::float_slack * 80 * surface.max_radius);
         least = all(-__builtin_inff());
@@ -60,10 +64,7 @@ public:
         for (int i = 0; i < packet.cut_nodes; ++i)
             open_node(packet.cut[i]);
         while (waiting > 0) {
-            // Of the last few the most promising; when there are many, simply the last.
-            int most = waiting - 1;
-            for (int i = waiting - 2; waiting <= many && i >= 0 && i >= waiting - 2 * int(block_width); --i)
-                most = key[i] > key[most] ? i : most;
+            const int most = most_promising();
             const Child next = child[most];
             const Float8 bound = load(child_bound[most]);
             --waiting;
@@ -76,20 +77,24 @@ public:
             const std::uint32_t which = next.node->child[next.lane];
             if (!(which & TreeNode::leaf))
                 open_node(index.nodes[which]);
-            else if (const unsigned places = promised(*next.node, next.lane))
-                open_block(which & ~TreeNode::leaf, places);
+            else if (const unsigned places = bits(bound > least) & promised(*next.node, next.lane))
+                open_block(which & ~TreeNode::leaf, next.contact, places);
         }
         flush();
     }
 
 private:
     static constexpr double steepest = tolerance::steepest_followed;
-    /// Fewer places than a vector has lanes: then something else is better put into the lanes.
-    static constexpr int few_places = 4;
+    /// With small facets that matter to no more places than this something else is better put into the lanes:
+    /// the facets of the block; edges of several facets.
+    static constexpr int few_places = 4, few_edge_places = 2;
+    /// Facets no larger than this share of the cutter's radius are small.
+    static constexpr float fine_share = 0.25f;
 
     const AxialPacket& packet;
     double* tips;
 
+    alignas(32) double place_x[float_lanes], place_y[float_lanes];
     Float8 dx, dy; ///< the places from the first
     unsigned used; ///< lanes with a place, as bits
     float lo_dx = 0, hi_dx = 0, lo_dy = 0, hi_dy = 0;
@@ -97,13 +102,21 @@ private:
     Float8 floor;    ///< stands for `least` where nothing is known yet
     float steep_rho; ///< g is followed up to here, where it has the steepest slope; from here its tangent
 
+    /// Where on the cutter, from its axis, a box can be touched.
+    struct ContactRange {
+        float lo_x, hi_x, lo_y, hi_y;
+    };
+
     // Children that are still to be opened. As long as they are few the most promising of the last is next;
     // then the last, and there are no more than seven siblings more on each of the levels below.
     static constexpr int many = 8 * block_width, most_waiting = many + 17 * int(block_width);
-    float key[most_waiting];
+    static constexpr int last_few = 2 * block_width;
+    float key_room[last_few + most_waiting]; ///< the first: those of nothing
+    float* const key = key_room + last_few;
     struct Child {
         const TreeNode* node;
         int lane;
+        ContactRange contact;
     };
     Child child[most_waiting];
     alignas(32) float child_bound[most_waiting][float_lanes];
@@ -131,31 +144,10 @@ private:
     int tested_place[double_lanes];
     int taken = 0;
 
-    /// Edges of the eight facets of a block: from corner k.
-    struct Edges {
-        float ux[block_width], uy[block_width], run[block_width], slope[block_width];
-        /// Where the plane touches: twice the area with the edge, positive inside; linear in the place.
-        float side[block_width], side_x[block_width], side_y[block_width];
-        float doubt[block_width]; ///< `side` is wrong by less
+    /// The places of the packet, from the origin of the block that is asked.
+    struct Places {
+        Float8 x, y;
     };
-    /// The eight facets of a block. `tangent`: no lift over the facet is higher; `plane`: none over its plane
-    /// (and where it touches inside, the lift is that); both linear in the place.
-    struct Prepared {
-        float x[3][block_width], y[3][block_width], z[3][block_width];
-        float lo_x[block_width], hi_x[block_width], lo_y[block_width], hi_y[block_width], top[block_width];
-        float turn[block_width]; ///< -1: its other side is up
-        float contact_x[block_width], contact_y[block_width], contact_doubt[block_width];
-        float slope_x[block_width], slope_y[block_width];
-        float plane[block_width], plane_x[block_width], plane_y[block_width];
-        float tangent[block_width], tangent_x[block_width], tangent_y[block_width];
-        float noise_in[block_width], noise_out[block_width]; ///< of `plane` touched inside, anywhere
-        float noise_tangent[block_width];
-        float loss[block_width];   ///< of a lift a little inside of the rim
-        float corner[block_width]; ///< a side of more than this is inside
-        float position[block_width], height_noise[block_width];
-        Edges edge[3];
-    };
-    alignas(64) Prepared f;
 
     FACETMILL_MEMBER static float most_of(Float8 v) {
         v = larger(v, __builtin_shuffle(v, Int8{4, 5, 6, 7, 0, 1, 2, 3}));
@@ -164,8 +156,23 @@ private:
     }
     FACETMILL_MEMBER static float least_of(const Float8& v) { return -most_of(-v); }
 
+    /// Of the last few that wait the most promising; when there are many, simply the last.
+    FACETMILL_MEMBER int most_promising() const {
+        if (waiting > many) return waiting - 1;
+        const Float8 late = load(key + waiting - 8), early = load(key + waiting - 16);
+        const Float8 most = all(most_of(larger(late, early)));
+        const unsigned found = bits(early == most) | bits(late == most) << 8;
+        return found == 0 ? waiting - 1 : waiting + 15 - __builtin_clz(found);
+    }
+
+    FACETMILL_MEMBER static std::uint32_t room_of(std::uint32_t which) {
+        return which % PreparedBlocks::room;
+    }
+
     /// A block that will most likely be opened.
-    FACETMILL_MEMBER static void fetch(const FacetBlock& block) {
+    FACETMILL_MEMBER void fetch(std::uint32_t which) const {
+        if (packet.prepared->block[room_of(which)] == which) return;
+        const FacetBlock& block = index.blocks[which];
         for (std::size_t i = 0; i < sizeof block; i += 64)
             __builtin_prefetch(reinterpret_cast<const char*>(&block) + i);
     }
@@ -176,8 +183,14 @@ private:
         const Float8 top = load(node.cz) + load(node.hz) + margin;
         const Float8 near_x = larger(larger(ax - hx - hi_dx, lo_dx - ax - hx), all(0.0f)),
                      near_y = larger(larger(ay - hy - hi_dy, lo_dy - ay - hy), all(0.0f));
-        unsigned reached = bits((hx >= 0.0f) & (near_x * near_x + near_y * near_y <= reach * reach)
-                                & (top > least_of(least)));
+        // Places from which the cutter can touch something in the box.
+        const Contact on = contact(load(node.slope_lo_x), load(node.slope_hi_x), load(node.slope_lo_y),
+                                   load(node.slope_hi_y));
+        const Float8 first_x = ax - hx - slack - on.hi_x, last_x = ax + hx + slack - on.lo_x;
+        const Float8 first_y = ay - hy - slack - on.hi_y, last_y = ay + hy + slack - on.lo_y;
+        unsigned reached =
+            bits((hx >= 0.0f) & (near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_dx)
+                 & (last_x >= lo_dx) & (first_y <= hi_dy) & (last_y >= lo_dy) & (top > least_of(least)));
         if (reached == 0) return;
         // The tangent plane of the lift over the roof, for a place in the middle, serves them all.
         const Float8 px = load(node.slope_x), py = load(node.slope_y);
@@ -202,21 +215,24 @@ private:
         store(sx, base_x);
         store(sy, base_y);
         store(top, tops);
-        store(ax - hx, left);
-        store(ax + hx, right);
-        store(ay - hy, front);
-        store(ay + hy, back);
+        store(first_x, left);
+        store(last_x, right);
+        store(first_y, front);
+        store(last_y, back);
+        alignas(32) float contacts[4][block_width];
+        store(on.lo_x, contacts[0]);
+        store(on.hi_x, contacts[1]);
+        store(on.lo_y, contacts[2]);
+        store(on.hi_y, contacts[3]);
         for (; reached != 0; reached &= reached - 1) {
             const int k = __builtin_ctz(reached);
-            const Float8 gap_x = larger(larger(left[k] - dx, dx - right[k]), all(0.0f)),
-                         gap_y = larger(larger(front[k] - dy, dy - back[k]), all(0.0f));
-            Float8 bound = select(gap_x * gap_x + gap_y * gap_y <= reach * reach,
+            Float8 bound = select((dx >= left[k]) & (dx <= right[k]) & (dy >= front[k]) & (dy <= back[k]),
                                   smaller(base[k] + base_x[k] * dx + base_y[k] * dy, all(tops[k])),
                                   all(-__builtin_inff()));
             if (bits(bound > least) == 0) continue;
-            if (node.child[k] & TreeNode::leaf) fetch(index.blocks[node.child[k] & ~TreeNode::leaf]);
+            if (node.child[k] & TreeNode::leaf) fetch(node.child[k] & ~TreeNode::leaf);
             key[waiting] = most_of(bound - larger(least, floor));
-            child[waiting] = {&node, k};
+            child[waiting] = {&node, k, {contacts[0][k], contacts[1][k], contacts[2][k], contacts[3][k]}};
             store(bound, child_bound[waiting]);
             ++waiting;
         }
@@ -231,27 +247,17 @@ private:
                & used;
     }
 
-    /// The distance at which a plane of this slope touches.
-    FACETMILL_MEMBER Float8 touching(const Float8& slope) const {
-        const Float8 sine = slope / root(1.0f + slope * slope);
-        Float8 rho = all(float(surface.max_radius));
-        for (int i = surface.count - 1; i >= 0; --i) {
-            const RoughPiece& p = surface.rough[i];
-            if (p.r != 0) {
-                const Float8 on_arc = smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
-                rho = select(slope <= p.slope1, on_arc, rho);
-            }
-            rho = select(slope <= p.slope0, all(p.rho0), rho);
-        }
-        return rho;
-    }
-
-    /// All but the tangents and the edges.
-    FACETMILL_MEMBER void prepare(const FacetBlock& block) {
+    /// All but the edges.
+    FACETMILL_CALLED void prepare(const FacetBlock& block, PreparedBlock& f) const {
         const float r = float(surface.max_radius), share = float(tolerance::float_slack);
+        f.origin[0] = block.x[0][0];
+        f.origin[1] = block.y[0][0];
+        f.has_edges = false;
+        for (std::size_t k = 0; k < block_width; ++k)
+            f.duty[k] = block.duty[k] & duty_upright;
         Float8 px[3], py[3], pz[3];
         for (int k = 0; k < 3; ++k) {
-            const double ox = query.place[0], oy = query.place[1];
+            const double ox = f.origin[0], oy = f.origin[1];
             px[k] = narrow(load(block.x[k]) - ox, load(block.x[k] + 4) - ox);
             py[k] = narrow(load(block.y[k]) - oy, load(block.y[k] + 4) - oy);
             pz[k] = narrow(load(block.z[k]) - zero, load(block.z[k] + 4) - zero);
@@ -261,7 +267,10 @@ private:
         }
         const Float8 lo_x = smaller(smaller(px[0], px[1]), px[2]), hi_x = larger(larger(px[0], px[1]), px[2]);
         const Float8 lo_y = smaller(smaller(py[0], py[1]), py[2]), hi_y = larger(larger(py[0], py[1]), py[2]);
-        const Float8 far = larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y)) + 3 * r;
+        // Places that matter are within the radius of the facet, those beside them in the packet within two.
+        const Float8 far = 2 * larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y)) + 4 * r;
+        const Float8 size = larger(hi_x - lo_x, hi_y - lo_y);
+        f.is_fine = bits(size > fine_share * r) == 0;
         const Float8 z_size = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
         const Float8 position = share * far;
         store(lo_x - position, f.lo_x);
@@ -310,7 +319,8 @@ private:
 
     /// A plane of slopes (gx, gy) below the cutter that is good where it touches the facets from (x, y), and
     /// the bound that it gives of their lifts, at x = y = 0.
-    FACETMILL_MEMBER Float8 facet_tangent(const Float8& x, const Float8& y, Float8& gx, Float8& gy) const {
+    FACETMILL_MEMBER Float8 facet_tangent(const PreparedBlock& f, const Float8& x, const Float8& y,
+                                          Float8& gx, Float8& gy) const {
         const Float8 tx = smaller(larger(load(f.contact_x), load(f.lo_x) - x), load(f.hi_x) - x),
                      ty = smaller(larger(load(f.contact_y), load(f.lo_y) - y), load(f.hi_y) - y);
         Float8 level;
@@ -323,7 +333,7 @@ private:
 
     /// The lift over a point of every facet from (x, y), from below: the one where the facet's plane touches,
     /// with barycentric coordinates below 0 made 0. -inf where it is not surely under the cutter.
-    FACETMILL_MEMBER Float8 point_lift(const Float8& x, const Float8& y) const {
+    FACETMILL_MEMBER Float8 point_lift(const PreparedBlock& f, const Float8& x, const Float8& y) const {
         constexpr auto inward = float(1 - 3 * tolerance::rim_share); // a little inside of the rim
         const Float8 ax = inward * load(f.contact_x) + x, ay = inward * load(f.contact_y) + y;
         const Float8 sign = load(f.turn);
@@ -349,19 +359,12 @@ private:
                       all(-__builtin_inff()));
     }
 
-    FACETMILL_MEMBER void prepare_tangents() {
-        Float8 gx, gy;
-        store(facet_tangent(all(0.5f * (lo_dx + hi_dx)), all(0.5f * (lo_dy + hi_dy)), gx, gy), f.tangent);
-        store(gx, f.tangent_x);
-        store(gy, f.tangent_y);
-    }
-
-    FACETMILL_MEMBER void prepare_edges() {
+    FACETMILL_CALLED static void prepare_edges(PreparedBlock& f) {
         const Float8 sign = load(f.turn), mx = load(f.contact_x), my = load(f.contact_y);
         const Float8 contact_doubt = load(f.contact_doubt), corner = load(f.corner);
         for (int k = 0; k < 3; ++k) {
             const int n = k == 2 ? 0 : k + 1;
-            Edges& e = f.edge[k];
+            PreparedBlock::Edges& e = f.edge[k];
             const Float8 px = load(f.x[k]), py = load(f.y[k]);
             const Float8 ex = load(f.x[n]) - px, ey = load(f.y[n]) - py, run = root(ex * ex + ey * ey),
                          per_run = 1.0f / run;
@@ -374,6 +377,7 @@ private:
             store(sign * ex, e.side_y);
             store(larger(run * contact_doubt + corner, corner), e.doubt);
         }
+        f.has_edges = true;
     }
 
     /// Uphill from the foot of the axis, about where a line at distance l from the axis touches that rises by
@@ -465,42 +469,80 @@ private:
         above = select(known, select(reached, above, never), e.top);
     }
 
-    FACETMILL_CALLED void open_block(std::uint32_t which, unsigned places) {
-        const FacetBlock& block = index.blocks[which];
-        prepare(block);
-        if (__builtin_popcount(places) <= few_places)
-            ask_places(block, which, places);
+    FACETMILL_CALLED void open_block(std::uint32_t which, const ContactRange& on, unsigned places) {
+        PreparedBlock& f = packet.prepared->prepared[room_of(which)];
+        std::uint32_t& there = packet.prepared->block[room_of(which)];
+        if (there != which) {
+            prepare(index.blocks[which], f);
+            there = which;
+        }
+        const double ox = f.origin[0], oy = f.origin[1];
+        const Places p{narrow(load(place_x) - ox, load(place_x + 4) - ox),
+                       narrow(load(place_y) - oy, load(place_y + 4) - oy)};
+        if (f.is_fine && __builtin_popcount(places) <= few_places)
+            ask_places(f, which, p, on, places);
         else
-            ask_facets(block, which);
+            ask_facets(f, which, p, on, places);
     }
 
-    /// A facet after the other, for all places at a time.
-    FACETMILL_CALLED void ask_facets(const FacetBlock& block, std::uint32_t which) {
-        prepare_tangents();
-        bool has_edges = false;
-        const Float8 near_x = larger(larger(load(f.lo_x) - hi_dx, lo_dx - load(f.hi_x)), all(0.0f)),
-                     near_y = larger(larger(load(f.lo_y) - hi_dy, lo_dy - load(f.hi_y)), all(0.0f));
-        const Float8 reach = all(radius);
-        unsigned open =
-            bits((near_x * near_x + near_y * near_y <= reach * reach) & (load(f.top) > least_of(least)));
+    /// Every facet's middle gives a lower bound.
+    FACETMILL_MEMBER void ask_middles(const PreparedBlock& f, const Places& p, unsigned open) {
+        alignas(32) float x[block_width], y[block_width], z[block_width];
+        const auto middle = [](const float(&corner)[3][block_width]) __attribute__((always_inline)) {
+            return (1 / 3.0f) * (load(corner[0]) + load(corner[1]) + load(corner[2]));
+        };
+        store(middle(f.x), x);
+        store(middle(f.y), y);
+        store(middle(f.z) - load(f.noise_tangent), z);
         const Float8 never = all(-__builtin_inff());
         for (; open != 0; open &= open - 1) {
             const int k = __builtin_ctz(open);
-            const unsigned duty = block.duty[k] & duty_upright;
-            if (duty == 0) continue;
-            const Float8 gap_x = larger(larger(f.lo_x[k] - dx, dx - f.hi_x[k]), all(0.0f)),
-                         gap_y = larger(larger(f.lo_y[k] - dy, dy - f.hi_y[k]), all(0.0f));
-            const Float8 plane = f.plane[k] + f.plane_x[k] * dx + f.plane_y[k] * dy;
-            const Float8 tangent = f.tangent[k] + f.tangent_x[k] * dx + f.tangent_y[k] * dy;
+            const Float8 ax = x[k] - p.x, ay = y[k] - p.y;
+            const Float8 rho = root(ax * ax + ay * ay) + 4 * f.position[k];
+            const Float8 low = z[k] - (1 + float(tolerance::float_slack)) * rough_height(rho);
+            least = larger(select(rho < inner, low, never), least);
+        }
+    }
+
+    /// A facet after the other, for all places at a time.
+    FACETMILL_CALLED void ask_facets(PreparedBlock& f, std::uint32_t which, const Places& p,
+                                     const ContactRange& on, unsigned places) {
+        // From the block's origin; wrong by less than its positions.
+        const double ox = query.place[0] - f.origin[0], oy = query.place[1] - f.origin[1];
+        const float lo_x = float(ox + lo_dx), hi_x = float(ox + hi_dx), lo_y = float(oy + lo_dy),
+                    hi_y = float(oy + hi_dy);
+        const Float8 near_x = larger(larger(load(f.lo_x) - hi_x, lo_x - load(f.hi_x)), all(0.0f)),
+                     near_y = larger(larger(load(f.lo_y) - hi_y, lo_y - load(f.hi_y)), all(0.0f));
+        const Float8 reach = all(radius), never = all(-__builtin_inff());
+        const Float8 first_x = load(f.lo_x) - on.hi_x, last_x = load(f.hi_x) - on.lo_x;
+        const Float8 first_y = load(f.lo_y) - on.hi_y, last_y = load(f.hi_y) - on.lo_y;
+        unsigned open = bits((near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_x)
+                             & (last_x >= lo_x) & (first_y <= hi_y) & (last_y >= lo_y)
+                             & (load(f.top) > least_of(least)) & (widened(f.duty) != 0));
+        if (f.is_fine) ask_middles(f, p, open);
+        const int few_edges = f.is_fine ? few_edge_places : 0;
+        alignas(32) float level[block_width], tangent_x[block_width], tangent_y[block_width];
+        Float8 gx, gy;
+        store(facet_tangent(f, all(0.5f * (lo_x + hi_x)), all(0.5f * (lo_y + hi_y)), gx, gy), level);
+        store(gx, tangent_x);
+        store(gy, tangent_y);
+        alignas(32) float left[block_width], right[block_width], front[block_width], back[block_width];
+        store(first_x, left);
+        store(last_x, right);
+        store(first_y, front);
+        store(last_y, back);
+        for (; open != 0; open &= open - 1) {
+            const int k = __builtin_ctz(open);
+            const unsigned duty = f.duty[k];
+            const Float8 plane = f.plane[k] + f.plane_x[k] * p.x + f.plane_y[k] * p.y;
+            const Float8 tangent = level[k] + tangent_x[k] * p.x + tangent_y[k] * p.y;
             const Float8 cap = smaller(tangent, smaller(plane + f.noise_out[k], all(f.top[k])));
-            const Int8 alive = (gap_x * gap_x + gap_y * gap_y <= reach * reach) & (cap > least);
-            if ((bits(alive) & used) == 0) continue;
-            if (!has_edges) {
-                prepare_edges();
-                has_edges = true;
-            }
+            const Int8 alive =
+                (p.x >= left[k]) & (p.x <= right[k]) & (p.y >= front[k]) & (p.y <= back[k]) & (cap > least);
+            if ((bits(alive) & places) == 0) continue;
+            if (!f.has_edges) prepare_edges(f);
             const auto side = [&](int e) __attribute__((always_inline)) {
-                return f.edge[e].side[k] + f.edge[e].side_x[k] * dx + f.edge[e].side_y[k] * dy;
+                return f.edge[e].side[k] + f.edge[e].side_x[k] * p.x + f.edge[e].side_y[k] * p.y;
             };
             const Float8 sides[3] = {side(0), side(1), side(2)};
             Float8 above = never;
@@ -517,12 +559,12 @@ private:
                 if (!(duty & (duty_edge << e))) continue;
                 Int8 seen = alive;
                 if (duty & duty_plane) seen &= ~(sides[e] >= f.edge[e].doubt[k]);
-                const unsigned seen_places = bits(seen) & used;
-                if (__builtin_popcount(seen_places) <= few_places) {
+                const unsigned seen_places = bits(seen) & places;
+                if (__builtin_popcount(seen_places) <= few_edges) {
                     asked[e] = seen_places;
                     continue;
                 }
-                const EdgeLanes lanes{f.x[e][k] - dx,          f.y[e][k] - dy,
+                const EdgeLanes lanes{f.x[e][k] - p.x,         f.y[e][k] - p.y,
                                       all(f.z[e][k]),          all(f.edge[e].ux[k]),
                                       all(f.edge[e].uy[k]),    all(f.edge[e].run[k]),
                                       all(f.edge[e].slope[k]), all(f.position[k]),
@@ -532,9 +574,9 @@ private:
                 above = select(seen, larger(edge_above, above), above);
                 least = larger(edge_below, least);
             }
-            const unsigned left = bits(alive & (cap > least)) & used;
+            const unsigned still_alive = bits(alive & (cap > least)) & places;
             above = smaller(above, cap);
-            unsigned wanted = left & (bits(above > least) | asked[0] | asked[1] | asked[2]);
+            unsigned wanted = still_alive & (bits(above > least) | asked[0] | asked[1] | asked[2]);
             if (wanted == 0) continue;
             alignas(32) float bound[float_lanes], caps[float_lanes];
             store(above, bound);
@@ -543,42 +585,42 @@ private:
                 const int place = __builtin_ctz(wanted);
                 const unsigned edges_asked =
                     (asked[0] >> place & 1) | (asked[1] >> place & 1) << 1 | (asked[2] >> place & 1) << 2;
-                add(which, k, place, bound[place], edges_asked, caps[place]);
+                add(f, which, k, p, place, bound[place], edges_asked, caps[place]);
             }
         }
     }
 
     /// A place after the other, for all facets at a time.
-    FACETMILL_CALLED void ask_places(const FacetBlock& block, std::uint32_t which, unsigned places) {
-        const Float8 never = all(-__builtin_inff()), reach = all(radius);
-        const Int8 duty = widened(block.duty), has_plane = (duty & int(duty_plane)) != 0;
+    FACETMILL_CALLED void ask_places(PreparedBlock& f, std::uint32_t which, const Places& at_places,
+                                     const ContactRange& on, unsigned places) {
+        const Float8 never = all(-__builtin_inff());
+        const Int8 duty = widened(f.duty), has_plane = (duty & int(duty_plane)) != 0;
         alignas(32) float caps[few_places][float_lanes];
         int place[few_places];
         unsigned alive[few_places];
         int count = 0;
         for (; places != 0; places &= places - 1) {
             const int p = __builtin_ctz(places);
-            const Float8 x = all(dx[p]), y = all(dy[p]);
-            const Float8 gap_x = larger(larger(load(f.lo_x) - x, x - load(f.hi_x)), all(0.0f)),
-                         gap_y = larger(larger(load(f.lo_y) - y, y - load(f.hi_y)), all(0.0f));
+            const Float8 x = all(at_places.x[p]), y = all(at_places.y[p]);
+            const Int8 touchable = (x >= load(f.lo_x) - on.hi_x) & (x <= load(f.hi_x) - on.lo_x)
+                                   & (y >= load(f.lo_y) - on.hi_y) & (y <= load(f.hi_y) - on.lo_y);
             Float8 gx, gy;
-            const Float8 over = facet_tangent(x, y, gx, gy);
+            const Float8 over = facet_tangent(f, x, y, gx, gy);
             const Float8 plane = load(f.plane) + load(f.plane_x) * x + load(f.plane_y) * y;
             const Float8 cap =
                 smaller(over + gx * x + gy * y, smaller(plane + load(f.noise_out), load(f.top)));
-            alive[count] = bits((gap_x * gap_x + gap_y * gap_y <= reach * reach) & (cap > least[p])
-                                & ((duty & int(duty_upright)) != 0));
+            alive[count] = bits(touchable & (cap > least[p]) & (duty != 0));
             if (alive[count] == 0) continue;
-            const float low = most_of(point_lift(x, y));
+            const float low = most_of(point_lift(f, x, y));
             if (low > least[p]) least[p] = low;
             store(cap, caps[count]);
             place[count++] = p;
         }
         if (count == 0) return;
-        prepare_edges();
+        if (!f.has_edges) prepare_edges(f);
         for (int i = 0; i < count; ++i) {
             const int p = place[i];
-            const Float8 x = all(dx[p]), y = all(dy[p]), cap = load(caps[i]);
+            const Float8 x = all(at_places.x[p]), y = all(at_places.y[p]), cap = load(caps[i]);
             const auto side = [&](int e) __attribute__((always_inline)) {
                 return load(f.edge[e].side) + load(f.edge[e].side_x) * x + load(f.edge[e].side_y) * y;
             };
@@ -605,15 +647,15 @@ private:
                 const int k = __builtin_ctz(wanted);
                 const unsigned edges_asked =
                     (asked[0] >> k & 1) | (asked[1] >> k & 1) << 1 | (asked[2] >> k & 1) << 2;
-                add(which, k, p, bound[k], edges_asked, caps[i][k]);
+                add(f, which, k, at_places, p, bound[k], edges_asked, caps[i][k]);
             }
         }
     }
 
     /// A facet that may be the highest at a place: its lift is no more than `bound` or what its edges that
     /// are asked (bits) turn out to allow, and no more than `cap`.
-    FACETMILL_CALLED void add(std::uint32_t which, int lane, int place, float bound, unsigned edges_asked,
-                              float cap) {
+    FACETMILL_CALLED void add(const PreparedBlock& f, std::uint32_t which, int lane, const Places& p,
+                              int place, float bound, unsigned edges_asked, float cap) {
         if (!(cap > least[place])) return;
         if (pairs == most_pairs) make_room();
         pair_slot[pairs] = which * std::uint32_t(block_width) + std::uint32_t(lane);
@@ -622,9 +664,9 @@ private:
         const int pair = pairs++;
         for (; edges_asked != 0; edges_asked &= edges_asked - 1) {
             const int e = __builtin_ctz(edges_asked);
-            const Edges& edge = f.edge[e];
-            const float member[] = {f.x[e][lane] - dx[place],
-                                    f.y[e][lane] - dy[place],
+            const PreparedBlock::Edges& edge = f.edge[e];
+            const float member[] = {f.x[e][lane] - p.x[place],
+                                    f.y[e][lane] - p.y[place],
                                     f.z[e][lane],
                                     edge.ux[lane],
                                     edge.uy[lane],
@@ -658,22 +700,31 @@ private:
         edges = 0;
     }
 
-    FACETMILL_CALLED void make_room() {
+    /// Lets go of pairs that are not as high as others turned out to be.
+    FACETMILL_MEMBER void thin_out() {
         ask_edges();
+        alignas(32) float low[float_lanes];
+        store(least, low);
         int left = 0;
         for (int i = 0; i < pairs; ++i) {
-            if (!(pair_bound[i] > least[pair_place[i]])) continue;
+            const int place = pair_place[i];
+            const float bound = pair_bound[i];
             pair_slot[left] = pair_slot[i];
-            pair_place[left] = pair_place[i];
-            pair_bound[left++] = pair_bound[i];
+            pair_place[left] = place;
+            pair_bound[left] = bound;
+            left += bound > low[place];
         }
         pairs = left;
+    }
+
+    FACETMILL_CALLED void make_room() {
+        thin_out();
         if (2 * pairs > most_pairs) flush();
     }
 
     /// The exact test of what is left, the most promising facet of every place first.
     FACETMILL_CALLED void flush() {
-        ask_edges();
+        thin_out();
         int first[AxialPacket::most_places];
         for (int& i : first)
             i = -1;

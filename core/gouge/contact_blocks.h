@@ -8,6 +8,14 @@
 
 namespace facetmill {
 
+namespace tolerance {
+/// What slopes around a contact say of where it is on the cutter is believed to this, of a slope and as a
+/// share of the cutter's radius: so much more than rounding that what is passed over is lower in more than
+/// the last digits. And only around facets whose height is more than these shares of their longest edge and
+/// of the mesh's coordinates.
+inline constexpr double slope_slack = 1e-4, contact_slack = 2e-3, needle = 1e-4, smallest_facet = 1e-7;
+} // namespace tolerance
+
 inline constexpr std::size_t block_width = 8;
 
 /// What a facet of a block has to test beside its inside, as bits: edge k runs from corner k to k + 1, both
@@ -31,7 +39,8 @@ struct alignas(64) FacetBlock {
 /// axis: no point of the child's facets is higher than the plane z = roof + slope_x (x - cx) + slope_y
 /// (y - cy). The slab, for an axis from anywhere: for all of the facets' points q, and c = (cx, cy, cz),
 /// -below <= normal . (q - c) <= above; the normal is a unit vector but for rounding, or zero where there is
-/// none. Relative to the index's origin. Unused lanes have hx < 0.
+/// none. Relative to the index's origin. Unused lanes have hx < 0. The slopes (dz/dx, dz/dy) around the
+/// facets' vertices, for a vertical axis: see vertex_slopes.h.
 struct alignas(64) TreeNode {
     static constexpr std::uint32_t leaf = 0x80000000u;       ///< child is a block
     float cx[block_width], cy[block_width], cz[block_width]; ///< middles
@@ -40,6 +49,7 @@ struct alignas(64) TreeNode {
     std::uint32_t child[block_width];
     float normal_x[block_width], normal_y[block_width], normal_z[block_width];
     float above[block_width], below[block_width];
+    float slope_lo_x[block_width], slope_hi_x[block_width], slope_lo_y[block_width], slope_hi_y[block_width];
 };
 
 /// What the kernels see of an index.

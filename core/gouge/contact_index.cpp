@@ -5,6 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/facet_duties.h"
+#include "core/gouge/vertex_slopes.h"
 
 #include <cmath>
 
@@ -135,6 +136,7 @@ struct Cover {
     Box3 box;
     Roof roof;
     Slab slab;
+    SlopeRange slopes = SlopeRange::none();
 };
 
 /// Sums up normals whose sign says nothing, as the winding of a scan may not.
@@ -162,13 +164,15 @@ Roof lower_roof(double slope_x, double slope_y, double level, HighestOver&& high
     return z < level ? Roof{z, x, y} : Roof{level, 0, 0};
 }
 
-Cover cover_of(const FacetBlock& block, const Vec3& origin) {
+Cover cover_of(const FacetBlock& block, const Vec3& origin, const Mesh& mesh,
+               const std::vector<SlopeRange>& vertex_slopes) {
     Cover cover;
     std::array<Vec3, 3 * block_width> points;
     std::size_t n = 0;
     for (std::size_t lane = 0; lane < block_width; ++lane)
         if (block.facet[lane] != no_index)
             for (std::size_t k = 0; k < 3; ++k) {
+                cover.slopes.add(vertex_slopes[mesh.facets[block.facet[lane]][k]]);
                 points[n] = Vec3(block.x[k][lane], block.y[k][lane], block.z[k][lane]) - origin;
                 cover.box.add(points[n++]);
             }
@@ -212,6 +216,7 @@ Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
     NormalSum normals;
     for (std::size_t i = 0; i < n; ++i) {
         cover.box.add(parts[i].box);
+        cover.slopes.add(parts[i].slopes);
         normals.add(parts[i].slab.normal);
         slope_x += parts[i].roof.x / double(n);
         slope_y += parts[i].roof.y / double(n);
@@ -266,6 +271,10 @@ void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child
     node.normal_z[lane] = float(slab.normal.z());
     node.above[lane] = round_up(slab.above + shift);
     node.below[lane] = round_up(slab.below - shift);
+    node.slope_lo_x[lane] = cover.slopes.lo_x;
+    node.slope_hi_x[lane] = cover.slopes.hi_x;
+    node.slope_lo_y[lane] = cover.slopes.lo_y;
+    node.slope_hi_y[lane] = cover.slopes.hi_y;
     node.child[lane] = child;
 }
 
@@ -307,8 +316,10 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     if (mesh_->facet_count() > std::size_t(TreeNode::leaf) / 3)
         throw Error(ErrorCode::too_large, "mesh", "has more facets than the contact index can hold",
                     "use a mesh of at most " + std::to_string(TreeNode::leaf / 3) + " facets");
-    const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4));
-    std::vector<Item> items = middles(*mesh_, progress.part(0.4, 0.5));
+    std::vector<std::uint8_t> is_open;
+    const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4), &is_open);
+    const std::vector<SlopeRange> slopes = vertex_slopes(*mesh_, is_open, progress.part(0.4, 0.45));
+    std::vector<Item> items = middles(*mesh_, progress.part(0.45, 0.5));
     Box3 box;
     for (std::size_t f = 0; f < mesh_->facet_count(); ++f)
         for (int k = 0; k < 3; ++k)
@@ -364,8 +375,9 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     });
     // Boxes, roofs and slabs bottom up: children of a node come after it.
     std::vector<Cover> block_covers(whole_blocks), covers(impl_->nodes.size());
-    parallel_for(whole_blocks, 2000, covering,
-                 [&](std::size_t b) { block_covers[b] = cover_of(impl_->blocks[b], origin); });
+    parallel_for(whole_blocks, 2000, covering, [&](std::size_t b) {
+        block_covers[b] = cover_of(impl_->blocks[b], origin, *mesh_, slopes);
+    });
     for (std::size_t n = impl_->nodes.size(); n-- > 0;) {
         if (n % 4096 == 0) progress.check();
         TreeNode& node = impl_->nodes[n];

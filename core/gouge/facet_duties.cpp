@@ -31,17 +31,25 @@ bool surely_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, do
     return area > 0 ? det > noise : det < -noise;
 }
 
-bool is_valley(const Mesh& mesh, Index half1, Index half2) {
+enum class EdgeKind {
+    open,   ///< its facets do not surely lie on different sides of it seen along Z
+    valley, ///< surely
+    other,
+};
+
+EdgeKind kind_of(const Mesh& mesh, Index half1, Index half2) {
     const auto corner = [&](Index half, Index k) { return mesh.facets[half / 3][(half % 3 + k) % 3]; };
     const Vec3 &a = mesh.vertices[corner(half1, 0)], &b = mesh.vertices[corner(half1, 1)];
     const Vec3 &c = mesh.vertices[corner(half1, 2)], &d = mesh.vertices[corner(half2, 2)];
     const double area1 = projected_area(a, b, c), area2 = projected_area(a, b, d);
-    return area1 * area2 < 0 && surely_above(a, b, c, d, area1);
+    if (!(area1 * area2 < 0)) return EdgeKind::open;
+    return surely_above(a, b, c, d, area1) ? EdgeKind::valley : EdgeKind::other;
 }
 
 } // namespace
 
-std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress) {
+std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress,
+                                       std::vector<std::uint8_t>* is_open) {
     constexpr std::size_t grain = 20000;
     const std::size_t facets = mesh.facet_count(), vertices = mesh.vertices.size();
     // Half-edge h is edge h % 3 of facet h / 3; filed under its lower vertex, in order.
@@ -74,7 +82,7 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
     }
 
     // Facets whose edges are decided in different blocks share a byte.
-    std::vector<std::atomic<std::uint8_t>> edges(facets);
+    std::vector<std::atomic<std::uint8_t>> edges(facets), open(vertices);
     parallel_blocks(vertices, grain, progress.part(0.4, 0.9), [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             const auto from = halves.begin() + first[v], to = halves.begin() + first[v + 1];
@@ -87,14 +95,21 @@ std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progres
                     ++end_of_edge;
                 unsigned duty = duty_edge_anyway;
                 const bool degenerate = h->high == v; // a facet that names a vertex twice
-                if (degenerate || end_of_edge - h != 2 || !is_valley(mesh, h->half, (h + 1)->half))
-                    duty |= duty_edge;
+                const EdgeKind kind = degenerate || end_of_edge - h != 2
+                                          ? EdgeKind::open
+                                          : kind_of(mesh, h->half, (h + 1)->half);
+                if (kind != EdgeKind::valley) duty |= duty_edge;
+                if (kind == EdgeKind::open) {
+                    open[v].store(1, std::memory_order_relaxed);
+                    open[h->high].store(1, std::memory_order_relaxed);
+                }
                 edges[h->half / 3].fetch_or(std::uint8_t(duty << (h->half % 3)), std::memory_order_relaxed);
                 h = end_of_edge;
             }
         }
     });
 
+    if (is_open) is_open->assign(open.begin(), open.end());
     std::vector<std::uint8_t> duties(facets, 0);
     for (std::size_t f = 0; f < facets; ++f) {
         if (f % grain == 0) progress.check();

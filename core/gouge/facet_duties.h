@@ -18,6 +18,10 @@ namespace facetmill {
 /// there (or at another point as high, and going there the lift never falls). A vertex belongs to its edges,
 /// so it is left out when they all are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
 /// everything; so does a facet that names a vertex twice. Cancellation per 20 000 facets.
-std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress);
+///
+/// `is_open`, if wanted, becomes 1 for every vertex whose facets do not surely lie around it as seen along Z:
+/// one has an edge there that has not two facets, on different sides of it.
+std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress,
+                                       std::vector<std::uint8_t>* is_open = nullptr);
 
 } // namespace facetmill

@@ -14,6 +14,7 @@ void SharedCut::fill(const Children& children, std::size_t size) {
         if (i >= size) {
             to.cx[lane] = to.cy[lane] = to.cz[lane] = to.roof[lane] = to.slope_x[lane] = to.slope_y[lane] = 0;
             to.normal_x[lane] = to.normal_y[lane] = to.normal_z[lane] = to.above[lane] = to.below[lane] = 0;
+            to.slope_lo_x[lane] = to.slope_hi_x[lane] = to.slope_lo_y[lane] = to.slope_hi_y[lane] = 0;
             to.hx[lane] = to.hy[lane] = to.hz[lane] = -std::numeric_limits<float>::infinity();
             to.child[lane] = TreeNode::leaf;
             continue;
@@ -35,6 +36,10 @@ void SharedCut::fill(const Children& children, std::size_t size) {
         to.normal_z[lane] = from.normal_z[k];
         to.above[lane] = from.above[k];
         to.below[lane] = from.below[k];
+        to.slope_lo_x[lane] = from.slope_lo_x[k];
+        to.slope_hi_x[lane] = from.slope_hi_x[k];
+        to.slope_lo_y[lane] = from.slope_lo_y[k];
+        to.slope_hi_y[lane] = from.slope_hi_y[k];
     }
 }
 

@@ -6,6 +6,7 @@
 #include "core/gouge/axial_lift.h"
 #include "core/gouge/contact_blocks.h"
 #include "core/gouge/facet_duties.h"
+#include "core/gouge/vertex_slopes.h"
 #include "tests/support/brute_lift.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
@@ -356,6 +357,64 @@ private slots:
                 }
             for (const auto& [edge, count] : owners)
                 QCOMPARE(count, 1);
+        }
+    }
+
+    // The slopes of the facets around a vertex; everything where they do not lie around it, and beside facets
+    // of which no slope is known.
+    void slopes_around_vertices() {
+        const auto range_of = [](const Mesh& mesh) {
+            std::vector<std::uint8_t> is_open;
+            facet_duties(mesh, Progress(), &is_open);
+            return vertex_slopes(mesh, is_open, Progress());
+        };
+        const auto is_all = [](const SlopeRange& r) {
+            const SlopeRange all = SlopeRange::all();
+            return r.lo_x == all.lo_x && r.hi_x == all.hi_x && r.lo_y == all.lo_y && r.hi_y == all.hi_y;
+        };
+        // A pyramid: its tip is closed, its base is not. A vertex in the middle of a side makes that open.
+        Mesh pyramid;
+        pyramid.vertices = {Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 0, 2)};
+        pyramid.facets = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+        const auto slopes = range_of(pyramid);
+        const double slack = 3.01 * tolerance::slope_slack;
+        for (const auto& [got, wanted] : {std::pair(slopes[4].lo_x, -2.0), std::pair(slopes[4].hi_x, 2.0),
+                                          std::pair(slopes[4].lo_y, -2.0), std::pair(slopes[4].hi_y, 2.0)}) {
+            QVERIFY(std::abs(double(got)) >= std::abs(wanted) + 0.5 * tolerance::slope_slack);
+            QVERIFY(std::abs(double(got) - wanted) <= slack);
+        }
+        for (std::size_t v = 0; v < 4; ++v)
+            QVERIFY(is_all(slopes[v]));
+        Mesh turned = pyramid; // one facet wound the other way
+        std::swap(turned.facets[1][0], turned.facets[1][1]);
+        QVERIFY(!is_all(range_of(turned)[4]));
+        Mesh folded = pyramid; // one side leans over
+        folded.vertices[2] = Vec3(0.5, 0.5, 0);
+        QVERIFY(is_all(range_of(folded)[4]));
+        Mesh upright = pyramid;
+        upright.vertices[0] = Vec3(0, 1, 0);
+        upright.vertices[1] = Vec3(0, 2, 0);
+        QVERIFY(is_all(range_of(upright)[4]));
+        Mesh missing = pyramid;
+        missing.facets.pop_back();
+        QVERIFY(is_all(range_of(missing)[4]));
+        Mesh doubled = pyramid;
+        doubled.facets.push_back(doubled.facets[0]);
+        QVERIFY(is_all(range_of(doubled)[4]));
+        // Every facet's own slope is in the ranges of its vertices.
+        for (const NamedMesh& named : meshes()) {
+            const Mesh& mesh = *named.mesh;
+            const auto ranges = range_of(mesh);
+            for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+                const Vec3 n =
+                    (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0));
+                for (const Index v : mesh.facets[f]) {
+                    const SlopeRange& r = ranges[v];
+                    QVERIFY(is_all(r)
+                            || (-n.x() / n.z() >= r.lo_x && -n.x() / n.z() <= r.hi_x
+                                && -n.y() / n.z() >= r.lo_y && -n.y() / n.z() <= r.hi_y));
+                }
+            }
         }
     }
 

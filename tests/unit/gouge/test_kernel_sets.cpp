@@ -82,6 +82,7 @@ private slots:
             const ContactIndex index(mesh, Progress());
             const IndexView view = index.impl().view();
             const Box3 box = mesh->box();
+            const auto prepared = std::make_unique<PreparedBlocks>();
             for (int i = 0; i < trials(3000); ++i) {
                 const AptCutter cutter = random_cutter(rng, i, uniform(rng, 1, 12));
                 const SurfaceTable surface =
@@ -101,6 +102,8 @@ private slots:
                 }
                 for (int set = 0; set < count; ++set) {
                     double tips[AxialPacket::most_places];
+                    prepared->clear();
+                    packet.prepared = prepared.get();
                     sets[set]->packet(view, surface, packet, tips);
                     for (int k = 0; k < packet.count; ++k) {
                         AxialQuery query;
