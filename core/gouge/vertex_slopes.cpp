@@ -17,13 +17,12 @@ constexpr float steepest = 1e9f;
 /// The slope of a facet; false where it is not known well, or nothing is known of how far the facet goes on.
 bool slope_of(const Vec3& a, const Vec3& b, const Vec3& c, double least_height, double& x, double& y) {
     const Vec3 u = b - a, v = c - a, n = u.cross(v);
-    const double longest = std::max(
-        {u.head<2>().squaredNorm(), v.head<2>().squaredNorm(), (c - b).head<2>().squaredNorm()}); // squared
-    // Seen along Z, the height times the longest edge is |n.z()|.
-    const double area = n.z() * n.z();
-    if (!(area > least_height * least_height * longest
-          && area > tolerance::needle * tolerance::needle * longest * longest))
-        return false;
+    const double square =
+        std::max({u.head<2>().squaredNorm(), v.head<2>().squaredNorm(), (c - b).head<2>().squaredNorm()});
+    // Seen along Z, |n.z()| is the longest edge times the height over it.
+    const double least = least_height * least_height * square,
+                 slim = tolerance::needle * tolerance::needle * square * square;
+    if (!(n.z() * n.z() > std::max(least, slim))) return false;
     x = -n.x() / n.z();
     y = -n.y() / n.z();
     return std::max(std::abs(x), std::abs(y)) < tolerance::steepest_trusted;
