@@ -1,6 +1,7 @@
 #include "ui/icons.h"
 
 #include "ui/theme.h"
+#include "viz/palette.h"
 
 #include <QApplication>
 #include <QIconEngine>
@@ -485,6 +486,18 @@ QIcon application_icon() {
         result.addPixmap(pixmap);
     }
     return result;
+}
+
+QPixmap swatch(const Rgb& color, qreal device_pixel_ratio) {
+    QPixmap pixmap(QSize(swatch_size, swatch_size) * device_pixel_ratio);
+    pixmap.setDevicePixelRatio(device_pixel_ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter p(&pixmap);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setPen(Qt::NoPen);
+    p.setBrush(QColor::fromRgbF(float(color.r), float(color.g), float(color.b)));
+    p.drawRoundedRect(QRectF(0.5, 0.5, swatch_size - 1, swatch_size - 1), 2.5, 2.5);
+    return pixmap;
 }
 
 } // namespace facetmill::ui

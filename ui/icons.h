@@ -4,6 +4,10 @@
 
 #include <QIcon>
 
+namespace facetmill {
+struct Rgb; // viz/palette.h
+}
+
 namespace facetmill::ui {
 
 enum class Icon {
@@ -69,5 +73,9 @@ enum class Icon {
 QIcon icon(Icon which);
 /// A facet with a cutter over it.
 QIcon application_icon();
+
+constexpr int swatch_size = 12; ///< points
+/// A rounded square of the colour, to show in a list what the view draws in it.
+QPixmap swatch(const Rgb& color, qreal device_pixel_ratio);
 
 } // namespace facetmill::ui

@@ -202,7 +202,7 @@ void MainWindow::connect_parts() {
     connect(regions_, &RegionDesk::wanted, this, [this] { layers_->set_shown(ViewLayer::regions, true); });
     connect(regions_, &RegionDesk::failed, this, &MainWindow::fail);
     connect(regions_, &RegionDesk::settled, this, &MainWindow::check_settled);
-    connect(rough_, &RoughDesk::layer_changed, this, &MainWindow::redraw_paths);
+    connect(rough_, &RoughDesk::layer_changed, this, &MainWindow::draw_paths);
     connect(rough_, &RoughDesk::settled, this, &MainWindow::check_settled);
     connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
     connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);

@@ -157,7 +157,7 @@ private:
     void planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end);
     void refresh_paths();
     std::vector<PathSource> path_sources() const;
-    void redraw_paths();
+    void draw_paths();
     void show_tool_at(const PathPick& pick);
     void show_start_of_path();
     void hide_tool();
@@ -236,6 +236,7 @@ private:
     /// Programs of the operations in the order of the scene's path sources, and their operations.
     std::vector<std::shared_ptr<const OperationResult>> shown_results_;
     std::vector<int> shown_ids_;
+    std::vector<std::shared_ptr<const OperationResult>> drawn_results_; ///< the ones in the view already
     std::optional<PathPick> tool_at_;
     StockShapePtr stock_mesh_;      ///< as read with the part
     bool cspace_offered_ = false;   ///< the room came to light once

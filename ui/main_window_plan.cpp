@@ -222,6 +222,7 @@ void MainWindow::refresh_paths() {
     hide_tool();
     if (results.empty()) {
         display_job_.cancel();
+        drawn_results_.clear();
         viewport_->scene().set_path(nullptr);
         inspection_->set_paths({});
         unrolled_->set_paths({});
@@ -229,23 +230,7 @@ void MainWindow::refresh_paths() {
         viewport_->refresh();
         return;
     }
-    auto display = std::make_shared<PathDisplayPtr>();
-    display_job_.start(
-        tr("Drawing the path"),
-        [display, sources = path_sources()](const Progress& p) {
-            *display = prepare_path_display(sources, p);
-        },
-        [this, display, results](const JobEnd& end) {
-            if (!end.done() || results != shown_results_) return;
-            viewport_->scene().set_path(*display);
-            viewport_->content_changed();
-            inspection_->set_paths(results);
-            unrolled_->set_paths(results);
-            offer_unrolled();
-            show_start_of_path();
-            strips_->set_paths(results, shown_ids_);
-            offer_strips();
-        });
+    draw_paths();
 }
 
 std::vector<PathSource> MainWindow::path_sources() const {
@@ -255,8 +240,8 @@ std::vector<PathSource> MainWindow::path_sources() const {
     return sources;
 }
 
-/// The same paths, of other layers.
-void MainWindow::redraw_paths() {
+/// Draws the paths, of the layers that are chosen, in the background; what lists and charts them follows.
+void MainWindow::draw_paths() {
     if (shown_results_.empty()) return;
     auto display = std::make_shared<PathDisplayPtr>();
     display_job_.start(
@@ -268,8 +253,19 @@ void MainWindow::redraw_paths() {
             if (!end.done() || results != shown_results_) return;
             viewport_->scene().set_path(*display);
             viewport_->content_changed();
-            inspection_->set_shown((*display)->sources);
+            const bool other_layers = results == drawn_results_;
+            drawn_results_ = results;
+            if (other_layers) {
+                inspection_->set_shown((*display)->sources);
+                show_start_of_path();
+                return;
+            }
+            inspection_->set_paths(results);
+            unrolled_->set_paths(results);
+            offer_unrolled();
             show_start_of_path();
+            strips_->set_paths(results, shown_ids_);
+            offer_strips();
         });
 }
 

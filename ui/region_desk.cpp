@@ -90,19 +90,12 @@ RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
     });
     // A region is chosen where it is clicked.
     connect(&viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
-        if (!found_) return;
-        double least = infinity;
-        std::optional<std::size_t> nearest;
-        const auto& regions = found_->found.regions.regions;
-        for (std::size_t i = 0; i < regions.size(); ++i)
-            for (const auto& [a, b, c] : regions[i].strip.band) {
-                const double size = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-                const double away = ((a + b + c) / 3 - pick.point).norm();
-                if (away > size || away >= least) continue;
-                least = away;
-                nearest = i;
-            }
-        if (nearest) dialog_->choose(nearest);
+        if (!found_ || !document_.part()) return;
+        std::vector<const Strip*> strips;
+        for (const auto& region : found_->found.regions.regions)
+            strips.push_back(&region.strip);
+        if (const auto at = strip_at(pick.point, strips, document_.part()->box.diagonal()))
+            dialog_->choose(at);
     });
 
     connect(&document_, &Document::opened, this, [this] {

@@ -13,7 +13,6 @@
 #include <QHeaderView>
 #include <QHideEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -39,23 +38,10 @@ constexpr const char* keys[] = {"lead_limit",  "assumed_lead_limit",  "rework_of
 constexpr double step_share = 0.25;
 constexpr double least_step_mm = 0.25, least_step_inch = 0.01;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr int swatch_size = 12;
 constexpr double longest_in_minutes = 300 * 60; ///< beyond it the axis of time counts hours
 
 QString angle_text(double radians) {
     return text(format_number(degrees(radians), 3)) + QChar(0x00B0);
-}
-
-QPixmap swatch(const Rgb& c, qreal ratio) {
-    QPixmap map(QSize(swatch_size, swatch_size) * ratio);
-    map.setDevicePixelRatio(ratio);
-    map.fill(Qt::transparent);
-    QPainter p(&map);
-    p.setRenderHint(QPainter::Antialiasing);
-    p.setPen(Qt::NoPen);
-    p.setBrush(QColor::fromRgbF(float(c.r), float(c.g), float(c.b)));
-    p.drawRoundedRect(QRectF(0.5, 0.5, swatch_size - 1, swatch_size - 1), 2.5, 2.5);
-    return map;
 }
 
 /// A chart that is zoomed stays so.

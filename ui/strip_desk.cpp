@@ -2,6 +2,7 @@
 
 #include "ui/camera_flight.h"
 #include "ui/elided_label.h"
+#include "ui/icons.h"
 #include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
@@ -12,7 +13,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
@@ -30,11 +30,8 @@ namespace {
 
 enum Column { name_column, type_column, width_column, length_column, reason_column };
 constexpr int strip_role = Qt::UserRole;
-constexpr int swatch = 12;
 /// Of a strip's size, and at least of the part's: what the view shows around it.
 constexpr double strip_room = 1.3, part_room = 0.15;
-/// Of the part's size: a place that is no farther from a strip's facets lies on it.
-constexpr double on_strip = 1e-4;
 
 QString type_text(const Strip& strip) {
     switch (strip.kind) {
@@ -50,35 +47,6 @@ QString type_text(const Strip& strip) {
         return StripDesk::tr("Rest material");
     }
     return {};
-}
-
-QIcon swatch_icon(const Rgb& color) {
-    QPixmap pixmap(swatch, swatch);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor::fromRgbF(float(color.r), float(color.g), float(color.b)));
-    painter.drawRoundedRect(QRectF(1, 1, swatch - 2, swatch - 2), 2, 2);
-    return QIcon(pixmap);
-}
-
-/// Square of the distance of a point from a triangle.
-double distance2(const Vec3& p, const std::array<Vec3, 3>& t) {
-    const Vec3 cross = (t[1] - t[0]).cross(t[2] - t[0]);
-    const double area2 = cross.squaredNorm();
-    bool inside = area2 > 0;
-    double least = infinity;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 &a = t[k], e = t[(k + 1) % 3] - a;
-        inside = inside && cross.cross(e).dot(p - a) >= 0;
-        const double length2 = e.squaredNorm();
-        const double s = length2 > 0 ? std::clamp((p - a).dot(e) / length2, 0.0, 1.0) : 0;
-        least = std::min(least, (p - a - s * e).squaredNorm());
-    }
-    if (!inside) return least;
-    const double height = cross.dot(p - t[0]);
-    return height * height / area2;
 }
 
 } // namespace
@@ -121,7 +89,7 @@ StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
     list_->setUniformRowHeights(true);
     list_->setSortingEnabled(true);
     list_->setTextElideMode(Qt::ElideRight);
-    list_->setIconSize(QSize(swatch, swatch));
+    list_->setIconSize(QSize(swatch_size, swatch_size));
     list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     list_->header()->setSectionsMovable(false);
     list_->header()->setStretchLastSection(true);
@@ -327,7 +295,7 @@ void StripDesk::show_states() {
         const bool enabled = !is_switched_off(now->switched_off, listed_name_[i]);
         on += enabled;
         item->setCheckState(name_column, enabled ? Qt::Checked : Qt::Unchecked);
-        item->setIcon(name_column, swatch_icon(strip_color(i, enabled, palette)));
+        item->setIcon(name_column, swatch(strip_color(i, enabled, palette), panel_->devicePixelRatioF()));
     }
     const auto n = std::size_t(list->topLevelItemCount());
     QString note =
@@ -461,16 +429,10 @@ bool StripDesk::takes_path_clicks() const {
 
 bool StripDesk::pick(const Vec3& place) {
     if (!listed_ || !panel_->isVisible() || !document_.part()) return false;
-    const auto& strips = listed_->path.strips;
-    std::optional<std::size_t> nearest;
-    const double reach = on_strip * document_.part()->box.diagonal();
-    double least = reach * reach;
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        for (const auto& t : strips[i].band)
-            if (const double d = distance2(place, t); d < least) {
-                least = d;
-                nearest = i;
-            }
+    std::vector<const Strip*> strips;
+    for (const Strip& strip : listed_->path.strips)
+        strips.push_back(&strip);
+    const auto nearest = strip_at(place, strips, document_.part()->box.diagonal());
     if (!nearest) return false;
     choose(nearest, false);
     const auto touches = listed_->path.cleanup_record->of(*nearest);

@@ -56,18 +56,20 @@ bool closed_fan(const std::vector<RingEdge>& sorted_by_from) {
     return false;
 }
 
-/// Coefficients of the first `n` of x, y, x^2/2, xy, y^2/2, x^3, x^2 y, x y^2, y^3 that fit the heights best.
-template <int n, int skip>
-bool fit_height(const std::vector<Vec3>& local, Eigen::Matrix<double, 9, 1>& coefficients) {
-    using Matrix = Eigen::Matrix<double, n, n>;
-    using Vector = Eigen::Matrix<double, n, 1>;
-    Matrix ata = Matrix::Zero();
-    Vector atz = Vector::Zero();
+/// Coefficients of `n` of x, y, x^2/2, xy, y^2/2, x^3, x^2 y, x y^2, y^3 from number `skip` on that fit the
+/// heights best.
+bool fit_height(const std::vector<Vec3>& local, Eigen::Index n, Eigen::Index skip,
+                Eigen::Matrix<double, 9, 1>& coefficients) {
+    // Sizes known only here: loops, where fixed ones would be written out for each size.
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 9, 9>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
+    Matrix ata = Matrix::Zero(n, n);
+    Vector atz = Vector::Zero(n);
     for (const Vec3& p : local) {
         const double x = p.x(), y = p.y();
         Eigen::Matrix<double, 9, 1> all;
         all << x, y, 0.5 * x * x, x * y, 0.5 * y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-        const Vector row = all.template segment<n>(skip);
+        const Vector row = all.segment(skip, n);
         // Nearer points count more; the vertex itself is met exactly.
         const double weight = 1.0 / p.squaredNorm();
         ata.noalias() += weight * row * row.transpose();
@@ -80,7 +82,7 @@ bool fit_height(const std::vector<Vec3>& local, Eigen::Matrix<double, 9, 1>& coe
     const Eigen::LDLT<Matrix> ldlt(ata);
     if (!(ldlt.vectorD().minCoeff() > tolerance::fit_pivot)) return false;
     coefficients.setZero();
-    coefficients.template segment<n>(skip) = scale.cwiseProduct(ldlt.solve(scale.cwiseProduct(atz)));
+    coefficients.segment(skip, n) = scale.cwiseProduct(ldlt.solve(scale.cwiseProduct(atz)));
     return coefficients.allFinite();
 }
 
@@ -108,9 +110,9 @@ bool fit_principal(const Mesh& mesh, Index vertex, const Vec3& normal, const std
     for (Vec3& p : local)
         p /= size;
     Eigen::Matrix<double, 9, 1> c;
-    const bool fitted = (local.size() >= 12 && fit_height<9, 0>(local, c))
-                        || (local.size() >= 7 && fit_height<5, 0>(local, c))
-                        || (local.size() >= 3 && fit_height<3, 2>(local, c));
+    const bool fitted = (local.size() >= 12 && fit_height(local, 9, 0, c))
+                        || (local.size() >= 7 && fit_height(local, 5, 0, c))
+                        || (local.size() >= 3 && fit_height(local, 3, 2, c));
     if (!fitted) return false;
 
     // Shape operator from the fundamental forms of (x, y, h): with I = L L^T it is similar to the symmetric

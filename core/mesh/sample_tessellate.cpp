@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,24 +21,6 @@ struct Triangle {
     std::array<Index, 3> neighbour{no_index, no_index, no_index};
     bool judged = false;
 };
-
-/// Squared distance of p from the triangle a b c (Ericson's regions by barycentric signs).
-double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto to_segment = [&p](const Vec3& s, const Vec3& e) {
-        const Vec3 d = e - s;
-        const double length2 = d.squaredNorm();
-        const double t = length2 > 0.0 ? std::clamp((p - s).dot(d) / length2, 0.0, 1.0) : 0.0;
-        return (p - s - t * d).squaredNorm();
-    };
-    const Vec3 n = (b - a).cross(c - a);
-    const double n2 = n.squaredNorm();
-    if (n2 > 0.0 && (b - a).cross(p - a).dot(n) >= 0.0 && (c - b).cross(p - b).dot(n) >= 0.0
-        && (a - c).cross(p - c).dot(n) >= 0.0) {
-        const double h = (p - a).dot(n);
-        return h * h / n2;
-    }
-    return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
-}
 
 class Refinement {
 public:

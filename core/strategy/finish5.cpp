@@ -2,7 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/cspace/choose.h"
-#include "core/strategy/five_axis_parameters.inl"
+#include "core/strategy/five_axis_parameters.h"
 #include "core/strategy/five_axis_record.h"
 #include "core/strategy/posture_path.h"
 #include "core/strategy/posture_study.h"

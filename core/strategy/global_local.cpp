@@ -4,7 +4,7 @@
 #include "core/strategy/budget.h"
 #include "core/strategy/coverage.h"
 #include "core/strategy/finish3.h"
-#include "core/strategy/five_axis_parameters.inl"
+#include "core/strategy/five_axis_parameters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,10 @@
 #include "core/base/vec.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,5 +36,9 @@ struct Strip {
     double area = 0;              ///< of the band, mm^2
     double length = 0, width = 0; ///< along the centre and the largest across it; 0: unknown; mm
 };
+
+/// The strip a point of the part's surface lies on; none where it lies on none. The part's size (mm, its
+/// box's diagonal) says how near counts.
+std::optional<std::size_t> strip_at(const Vec3& p, std::span<const Strip* const> strips, double part_size);
 
 } // namespace facetmill

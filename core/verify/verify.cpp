@@ -126,11 +126,12 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
 /// `asked`: the spacing wanted was asked for, not the resolution.
 std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool asked,
                                     std::size_t most_samples, bool border) {
-    double area = 0, away = 0, bare = 0;
+    double area = 0, away = 0, bare = 0, counted = 0;
     for (std::size_t i = 0; i < samples.weights.size(); ++i) {
         area += samples.weights[i];
         if (samples.flags[i] & DeviationSurface::away) away += samples.weights[i];
         if (samples.flags[i] & DeviationSurface::bare) bare += samples.weights[i];
+        if (samples.flags[i] == DeviationSurface::counted) counted += samples.weights[i];
     }
     std::vector<std::string> remarks;
     if (border)
@@ -145,6 +146,9 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
     if (bare > 0)
         remarks.push_back("The stock does not reach " + percent(bare / area)
                           + " of the part's area: there only gouges count.");
+    if (area > 0 && counted == 0)
+        remarks.emplace_back("That is the whole part: nowhere is what the programs leave held against the "
+                             "tolerance, only gouges are judged.");
     if (samples.spacing > 1.001 * wanted_spacing)
         remarks.push_back("The probes are up to " + length_text(samples.spacing, LengthUnit::mm, 3)
                           + " apart, " + format_number(samples.spacing / wanted_spacing, 3)

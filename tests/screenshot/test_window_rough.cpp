@@ -110,6 +110,21 @@ private slots:
         QCOMPARE(desk().layer_of(w().document().operation_id(0)), -1);
     }
 
+    void who_asks_for_the_stock_waits_for_those_before() {
+        Project p;
+        for (const char* kind : {"rough", "finish5", "finish3"})
+            p.operations.push_back(make_operation(kind));
+        const std::string all = Document::fingerprint(p, 2);
+        p.operations[0]->common().allowance = 1;
+        QCOMPARE(Document::fingerprint(p, 2), all); // it cuts everything, whatever stands
+        p.operations[2]->set("rest_only", true);
+        const std::string rest = Document::fingerprint(p, 2);
+        p.operations[1]->common().tolerance = 0.5;
+        QCOMPARE(Document::fingerprint(p, 2), rest); // nobody counts on what 5-axis finishing takes
+        p.operations[0]->common().allowance = 2;
+        QVERIFY(Document::fingerprint(p, 2) != rest);
+    }
+
     void the_stock_after_it() {
         QVERIFY(add_rough());
         enter(w(), "depth", QStringLiteral("0.1"));

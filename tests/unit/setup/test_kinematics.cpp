@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/setup/kinematics.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -84,7 +85,7 @@ private slots:
             std::size_t wrong_count = 0;
             const int expected = machine.rotary.size() == 2 ? 2 : 1;
             Joints near;
-            for (int i = 0; i < 1000000; ++i) {
+            for (int i = 0; i < test::trials(1'000'000); ++i) {
                 const ToolPose pose{Vec3(uniform(rng, -60, 60), uniform(rng, -60, 60), uniform(rng, -60, 60)),
                                     held_axis(name, rng)};
                 const auto solutions = k.inverse(pose, near);

@@ -457,6 +457,24 @@ private slots:
         QVERIFY(dense.surface->points.size() > 3 * plain.surface->points.size());
     }
 
+    void a_part_that_is_all_border_is_said() {
+        VerifySettings settings;
+        settings.resolution = 0.5;
+        settings.tolerance = 0.05;
+        const auto run = [&](double size) {
+            const Mesh part = plane(Vec2(-size, -size), Vec2(size, size));
+            const std::vector<VerifyProgram> programs = {
+                passes(24, 24, 1, 0, 1).with(AptCutter::ball(16, 20))};
+            const Verification v = verify(part, block_over(part, 1), programs, settings, Progress());
+            const bool said = std::any_of(v.remarks.begin(), v.remarks.end(), [](const std::string& r) {
+                return r.find("the whole part") != std::string::npos;
+            });
+            return std::pair(said, v.figures.samples > 0);
+        };
+        QCOMPARE(run(7), std::pair(true, false));
+        QCOMPARE(run(20), std::pair(false, true));
+    }
+
     void planted_gouges_are_found_with_their_motion() {
         const double r = 4;
         const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20), 40); // vertices at whole places
