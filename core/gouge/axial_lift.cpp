@@ -102,11 +102,14 @@ void arrange(std::vector<Place>& places, double widest) {
 }
 
 AxialAnswer search(const IndexView& index, const SurfaceTable& surface, double x, double y,
-                   std::uint32_t hint, const SharedCut* cut = nullptr) {
+                   std::uint32_t hint, const SharedCut* cut = nullptr, double least = -infinity,
+                   double enough = infinity) {
     AxialQuery query;
     query.place[0] = x;
     query.place[1] = y;
     query.hint = hint;
+    query.least = least;
+    query.enough = enough;
     if (cut) {
         query.cut = cut->nodes();
         query.cut_nodes = cut->count();
@@ -132,6 +135,25 @@ double AxialLift::tip_z(double x, double y, LiftHint& hint) const {
 double AxialLift::tip_z(double x, double y) const {
     LiftHint none;
     return tip_z(x, y, none);
+}
+
+double AxialLift::tip_z(double x, double y, LiftHint& hint, double least) const {
+    if (!is_place(x, y)) return std::max(lift_nowhere(x, y), least);
+    const AxialAnswer answer =
+        search(index_->impl().view(), *surface_, x, y, hint.slot_, nullptr, least - allowance_);
+    if (answer.slot == no_slot) return least;
+    hint.slot_ = answer.slot;
+    return std::max(answer.tip + allowance_, least);
+}
+
+bool AxialLift::is_above(double x, double y, double z, LiftHint& hint) const {
+    if (!is_place(x, y)) return false;
+    const double least = z - allowance_;
+    const AxialAnswer answer =
+        search(index_->impl().view(), *surface_, x, y, hint.slot_, nullptr, least, least);
+    if (answer.slot == no_slot) return false;
+    hint.slot_ = answer.slot;
+    return true;
 }
 
 AxialContact AxialLift::contact(double x, double y) const {

@@ -46,6 +46,11 @@ public:
     /// Tip height only.
     double tip_z(double x, double y) const;
     double tip_z(double x, double y, LiftHint& hint) const;
+    /// The tip height, or `least` where that is higher: what cannot be, is passed over early.
+    double tip_z(double x, double y, LiftHint& hint, double least) const;
+    /// True when the tip height is above z, but for rounding where it is z itself. Found much sooner than the
+    /// height, where z is well above or below it.
+    bool is_above(double x, double y, double z, LiftHint& hint) const;
     /// The same height, and where it comes from. With an allowance the touched point is that distance away
     /// from the cutter.
     AxialContact contact(double x, double y) const;

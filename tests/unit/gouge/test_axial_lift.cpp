@@ -273,6 +273,41 @@ private slots:
         }
     }
 
+    /// What is asked only above a height, or whether it is above one, is what the height itself says.
+    void heights_above_another_are_the_same() {
+        const auto all = meshes();
+        for (const NamedMesh& named : all) {
+            const auto index = std::make_shared<ContactIndex>(named.mesh, Progress());
+            for (const AptCutter& cutter : cutters())
+                for (const double allowance : {0.0, 0.7}) {
+                    Random rng(8);
+                    const AxialLift lift(index, CutterProfile(cutter), allowance);
+                    LiftHint hint;
+                    for (const Vec2& p : grid_points(rng, named.size, trials(20, 2))) {
+                        const double tip = lift.tip_z(p.x(), p.y());
+                        if (tip == -infinity) {
+                            QVERIFY(!lift.is_above(p.x(), p.y(), -1e6, hint));
+                            QCOMPARE(lift.tip_z(p.x(), p.y(), hint, -1e6), -1e6);
+                            continue;
+                        }
+                        for (const double by : {1e-7, -1e-7, 0.1, -0.1, 5.0, -5.0, 1000.0, -1000.0}) {
+                            QCOMPARE(lift.is_above(p.x(), p.y(), tip + by, hint), by < 0);
+                            const double is = lift.tip_z(p.x(), p.y(), hint, tip + by);
+                            QVERIFY(std::abs(is - std::max(tip, tip + by)) < 1e-11);
+                        }
+                        QVERIFY(lift.is_above(p.x(), p.y(), -infinity, hint));
+                        QVERIFY(!lift.is_above(p.x(), p.y(), infinity, hint));
+                        QCOMPARE(lift.tip_z(p.x(), p.y(), hint, -infinity), tip);
+                    }
+                }
+        }
+        const double nowhere = std::numeric_limits<double>::quiet_NaN();
+        const AxialLift lift(std::make_shared<ContactIndex>(all[0].mesh, Progress()),
+                             CutterProfile(cutters()[0]));
+        LiftHint hint;
+        QVERIFY(!lift.is_above(nowhere, 0, 0, hint) && std::isnan(lift.tip_z(nowhere, 0, hint, 0)));
+    }
+
     void either_side_may_be_up() {
         const auto mesh = meshes()[0].mesh;
         auto turned = std::make_shared<Mesh>(*mesh);
