@@ -82,7 +82,7 @@ private:
             started_ = true;
         } else {
             const Vec2 a = at_.head<2>();
-            const double over = std::max(clear_height(a, b), reach_.highest(a, b, hints_));
+            const double over = reach_.highest(a, b, hints_, clear_height(a, b));
             const double z =
                 std::clamp(over + options_.clearance, std::max(at_.z(), start.z()), result_.clearance_z);
             up_to(z);

@@ -7,7 +7,9 @@
 #include "core/strategy/cutter_cover.h"
 #include "core/strategy/rough_entry.h"
 #include "core/strategy/rough_layers.h"
+#include "core/strategy/rough_order.h"
 #include "core/strategy/rough_remaining.h"
+#include "core/strategy/rough_valley.h"
 #include "core/strategy/up_side.h"
 
 #include <cmath>
@@ -47,11 +49,16 @@ private:
     double expected() const { return layers_.excess + 2 * margin_ + least_; }
     void plan_layers(const Progress& progress);
     void plan_layer(std::size_t layer, const Progress& progress);
+    void cut_floors(const Progress& progress);
+    void number_layers();
+    void cut_floor(std::vector<Vec3> tips);
     void finish(RoughWay way, double z, int layer, const LayerWays& ways, std::span<const Contour> contours);
     bool join(RoughWay& way, double z, int layer, const LayerWays& ways, std::span<const Contour> contours);
     void finish_later(double z, int layer);
     void take(const RoughWay& way, const std::vector<Vec3>& down, double z, int layer);
+    void take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer);
     void add_warnings();
+    void warn_of_short_tool();
     void check_passes(const Progress& progress);
     ContactIndexPtr offset_index(const Progress& progress) const;
     double stepover() const;
@@ -69,6 +76,7 @@ private:
     std::optional<UprightBodies> bodies_;
     std::optional<RoughReach> reach_;
     std::optional<ReachGrid> grid_;
+    std::vector<ReachValley> valleys_;
     std::vector<ReachLine> lines_; ///< `divisions_` per step-over, the usual ones at multiples of it
     int divisions_ = 1;
     double step_ = 0, low_ = 0;
@@ -191,9 +199,9 @@ StrategyResult Planner::run() {
     const double expected = this->expected();
     input.allowed = expected;
     const Remaining found = find_remaining(input, progress_.part(0.94, 1, "Looking for what stays"));
-    // What the field cannot tell from it is as expected.
+    // What the field cannot tell from it is as expected; more may be that much more yet.
     const bool more = found.height > expected + field_->cell();
-    result_.cusp_max = (more ? found.height : expected) + inner;
+    result_.cusp_max = (more ? found.height + field_->cell() : expected) + inner;
     if (more)
         result_.warnings.push_back("in places more stays than the layers leave on slopes ("
                                    + text(expected + inner) + "): up to " + text(found.height + inner)
@@ -260,7 +268,8 @@ void Planner::plan_layers(const Progress& progress) {
         throw Error(ErrorCode::limit_exceeded, "stepover",
                     "more than " + format_number(most_lines) + " lines a layer are asked for",
                     "choose a larger step-over or tolerance");
-    grid_.emplace(*reach_, frame_, lo.array() - out, hi.array() + out, progress.part(0, 0.2));
+    grid_.emplace(*reach_, frame_, lo.array() - out, hi.array() + out, progress.part(0, 0.15));
+    valleys_ = find_valleys(*reach_, *grid_, low_, field_->highest(), progress.part(0.15, 0.2));
     // Centred, with half a step to the borders, and one more line outside on either side, for what a sloping
     // side of the part leaves there.
     const double step = n > 1 || hi.y() - lo.y() > step_ ? (hi.y() - lo.y()) / n : step_;
@@ -277,8 +286,17 @@ void Planner::plan_layers(const Progress& progress) {
     for (std::size_t k = 0; k < layers_.heights.size(); ++k) {
         const double a = double(k) / double(layers_.heights.size()),
                      b = double(k + 1) / double(layers_.heights.size());
-        plan_layer(k, progress.part(0.35 + 0.65 * a, 0.35 + 0.65 * b));
+        plan_layer(k, progress.part(0.35 + 0.6 * a, 0.35 + 0.6 * b));
     }
+    cut_floors(progress.part(0.95, 0.99));
+    number_layers();
+    // What is farther away than the tool is wide does not matter to a pass; shank and holder may be wider,
+    // where they can reach the stock at all.
+    const bool bodies = field_->box().hi.z() > low_ + bodies_->lowest_base();
+    const double radius = profile_.max_radius();
+    order_passes(result_.passes,
+                 radius + std::max(radius, bodies ? bodies_->widest() : 0) + 2 * field_->cell(),
+                 progress.part(0.99, 1));
 }
 
 void Planner::plan_layer(std::size_t layer, const Progress& progress) {
@@ -286,7 +304,6 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     highest_ = field_->highest();
     const std::optional<double> next =
         layer + 1 < layers_.heights.size() ? std::optional(layers_.heights[layer + 1]) : std::nullopt;
-    const std::size_t before = result_.passes.size();
     const LayerWays ways(*reach_, *field_, cutter_, frame_, least_);
     const std::vector<Contour> contours = grid_->contours(z, progress);
     const bool oneway = settings_.pattern == RoughSettings::Pattern::oneway;
@@ -331,9 +348,115 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
         finish(std::move(way), z, int(layer), ways, contours);
     cut_lines(Lines::floors);
     cut_lines(Lines::all);
+    const std::vector<Contour> channels = unseen_channels(*reach_, valleys_, z, progress);
+    for (RoughWay& way : ways.along_contours(channels, z, at_, progress)) {
+        way.reversible = true;
+        finish(std::move(way), z, int(layer), ways, contours);
+    }
     finish_later(z, int(layer));
-    if (result_.passes.size() > before) result_.layers.push_back(z);
     progress.set(1);
+}
+
+/// Layers are those that are cut; passes are numbered by them.
+void Planner::number_layers() {
+    std::vector<int> number(layers_.heights.size(), -1);
+    for (const Pass& pass : result_.passes)
+        number[std::size_t(pass.layer)] = 0;
+    for (std::size_t k = 0; k < number.size(); ++k) {
+        if (number[k] < 0) continue;
+        number[k] = int(result_.layers.size());
+        result_.layers.push_back(layers_.heights[k]);
+    }
+    for (Pass& pass : result_.passes)
+        pass.layer = number[std::size_t(pass.layer)];
+}
+
+/// Between two layers a floor of a valley is reached by neither: on its steep sides, along their normals,
+/// more would stay than the layers are apart. There the tool runs along the floor itself.
+void Planner::cut_floors(const Progress& progress) {
+    const std::vector<double>& heights = layers_.heights;
+    for (std::size_t v = 0; v < valleys_.size(); ++v) {
+        progress.set(double(v) / double(valleys_.size()));
+        const ReachValley& valley = valleys_[v];
+        const std::size_t n = valley.tips.size();
+        const auto wanted = [&](std::size_t i) {
+            const double z = valley.tips[i].z();
+            if (z < low_) return false;
+            // Layers fall.
+            const auto below = std::upper_bound(heights.begin(), heights.end(), z, std::greater<>());
+            const double above = below == heights.begin() ? field_->box().hi.z() : *(below - 1);
+            return (above - z) * std::hypot(1.0, valley.side[i]) > expected();
+        };
+        std::vector<char> busy(n, 0); // the way from a tip to the next
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+            const Vec3 &a = valley.tips[i], &b = valley.tips[i + 1];
+            busy[i] = (wanted(i) || wanted(i + 1)) && field_->has_work(cutter_, a, b, least_);
+        }
+        for (std::size_t i = 0; i + 1 < n;) {
+            if (!busy[i]) {
+                ++i;
+                continue;
+            }
+            // Short gaps are passed, and what is too short for a ramp is begun earlier and ended later.
+            std::size_t from = i, to = i;
+            double length = 0, gap = 0;
+            for (std::size_t k = i; k + 1 < n && gap <= profile_.max_radius(); ++k) {
+                const double piece = (valley.tips[k + 1] - valley.tips[k]).norm();
+                gap = busy[k] ? 0 : gap + piece;
+                if (!busy[k]) continue;
+                to = k;
+            }
+            for (std::size_t k = from; k <= to; ++k)
+                length += (valley.tips[k + 1] - valley.tips[k]).norm();
+            i = to + 1;
+            for (bool more = true; more && length < diameter_;) {
+                more = false;
+                if (to + 2 < n) {
+                    length += (valley.tips[to + 2] - valley.tips[to + 1]).norm();
+                    ++to;
+                    more = true;
+                }
+                if (from > 0) {
+                    length += (valley.tips[from] - valley.tips[from - 1]).norm();
+                    --from;
+                    more = true;
+                }
+            }
+            cut_floor(
+                {valley.tips.begin() + std::ptrdiff_t(from), valley.tips.begin() + std::ptrdiff_t(to) + 2});
+        }
+    }
+}
+
+void Planner::cut_floor(std::vector<Vec3> tips) {
+    progress_.check();
+    for (Vec3& tip : tips)
+        tip.z() = std::max(tip.z(), low_);
+    for (std::size_t i = 1; i < tips.size(); ++i) {
+        const Vec2 a = tips[i - 1].head<2>(), b = tips[i].head<2>();
+        const double low = std::min(tips[i - 1].z(), tips[i].z());
+        // Where layers were left out, what stands is not for one cut.
+        if (field_->stand_height(cutter_, a, b)
+                > std::max(tips[i - 1].z(), tips[i].z()) + 2 * layers_.depth_max
+            || !bodies_->clear(*field_, a, b, low))
+            return;
+    }
+    tips = thinned_way(tips, 0.25 * margin_);
+    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, least_);
+    std::vector<Vec3> turned(tips.rbegin(), tips.rend()), down, other;
+    const bool ahead = entry.descend(tips, down), back = entry.descend(turned, other);
+    if (!ahead && !back) return;
+    if (!ahead || (back && other.empty() && !down.empty())) {
+        tips.swap(turned);
+        down.swap(other);
+    }
+    double low = infinity;
+    for (const Vec3& tip : tips)
+        low = std::min(low, tip.z());
+    const auto deeper =
+        std::upper_bound(layers_.heights.begin(), layers_.heights.end(), low, std::greater<>());
+    const int layer = std::max(0, int(deeper - layers_.heights.begin()) - 1);
+    take(tips, down, layer);
 }
 
 /// Leaves out what shank or holder forbid, finds the way in, and cuts.
@@ -445,23 +568,30 @@ void Planner::finish_later(double z, int layer) {
 }
 
 void Planner::take(const RoughWay& way, const std::vector<Vec3>& down, double z, int layer) {
+    std::vector<Vec3> tips;
+    for (const Vec2& p : way.points)
+        tips.emplace_back(p.x(), p.y(), z);
+    take(tips, down, layer);
+    result_.passes.back().drive = way.line;
+    result_.passes.back().offset = way.offset;
+}
+
+void Planner::take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer) {
     Pass pass;
-    pass.drive = way.line;
-    pass.offset = way.offset;
+    pass.drive = -1;
     pass.layer = layer;
     const Vec3 up(0, 0, 1);
     for (std::size_t i = 0; i < down.size(); ++i) {
         pass.entry.push_back({down[i], up});
         if (i > 0) field_->cut(cutter_, down[i - 1], down[i]);
     }
-    for (const Vec2& p : way.points) {
-        const Vec3 tip(p.x(), p.y(), z);
+    for (const Vec3& tip : tips) {
         if (!pass.cl.empty()) field_->cut(cutter_, pass.cl.back().tip, tip);
         pass.cl.push_back({tip, up});
         pass.cc.push_back({tip, up});
     }
     if (pass.cl.size() == 1) field_->cut(cutter_, pass.cl.front().tip, pass.cl.front().tip);
-    at_ = way.points.back();
+    at_ = tips.back().head<2>();
     result_.passes.push_back(std::move(pass));
 }
 
@@ -494,9 +624,36 @@ void Planner::add_warnings() {
     if (context_.part_box.hi.z() > field_->box().hi.z() + tolerance::contact_distance)
         warnings.push_back("the part reaches " + text(context_.part_box.hi.z() - field_->box().hi.z())
                            + " above the stock");
-    if (reach_->has_bodies())
-        warnings.push_back("the tool is short for the depth of the part: where shank or holder would come "
-                           "nearer to the part than the allowance nothing is cut");
+    warn_of_short_tool();
+}
+
+/// Where the part keeps shank or holder away though the cutter alone could go there, and something is left
+/// that it would have cut.
+void Planner::warn_of_short_tool() {
+    const std::vector<double>& heights = layers_.heights;
+    std::size_t places = 0;
+    double lacks = 0;
+    Vec3 at = Vec3::Zero();
+    for (const ReachGrid::HeldUp& p : grid_->held_up()) {
+        progress_.check();
+        // The deepest layer that the cutter could be on.
+        const auto deeper = std::upper_bound(heights.begin(), heights.end(), p.cutter, std::greater<>());
+        if (deeper == heights.begin()) continue;
+        const double z = *(deeper - 1);
+        const Vec3 tip(p.place.x(), p.place.y(), z);
+        if (z >= p.tool || !field_->has_work(cutter_, tip, tip, expected() + field_->cell())) continue;
+        ++places;
+        if (p.tool - z > lacks) {
+            lacks = p.tool - z;
+            at = tip;
+        }
+    }
+    if (places == 0) return;
+    result_.warnings.push_back(
+        "the tool is short: shank or holder would come nearer to the part than the allowance, so over "
+        + format_number(std::max(100.0 * double(places) / double(grid_->columns() * grid_->rows()), 1e-3), 2)
+        + " % of the ground the cutter stays above where it could be, by up to " + text(lacks) + ", most at "
+        + text(at) + ": use a longer tool");
 }
 
 /// The part with every vertex moved along its normal (Lu 3.4.3).
@@ -530,7 +687,7 @@ void Planner::check_passes(const Progress& progress) {
                     const double n = std::max(1.0, std::ceil((b - a).norm() / reach_->spacing()));
                     for (double i = 0; i <= n; ++i) {
                         const Vec3 p = a + (i / n) * (b - a);
-                        const double depth = exact.tip_z(p.x(), p.y(), hint) - p.z();
+                        const double depth = exact.tip_z(p.x(), p.y(), hint, p.z() + w.depth) - p.z();
                         if (depth > w.depth) w = {depth, p};
                     }
                 }

@@ -7,9 +7,10 @@
 // compare; what it cuts beyond the allowance is looked for and reported.
 //
 // Each layer is cut along parallel lines, one step-over apart, and then along the borders of what is free, so
-// that walls parallel to the lines keep no more than others. Lines follow each other in one go where the way
-// between their ends is free, straight or along the border. Where a layer leaves a floor that no deeper layer
-// cuts away, lines may stand closer (layer depth from the tolerance).
+// that walls parallel to the lines keep no more than others, and along floors of valleys into which it just
+// fits (rough_valley.h). Lines follow each other in one go where the way between their ends is free, straight
+// or along the border. Where a layer leaves a floor that no deeper layer cuts away, lines may stand closer
+// (layer depth from the tolerance).
 //
 // The stock as it stands is known as a height field (stock_field.h): what is air is passed over; tools enter
 // from outside, where nothing stands, or by a ramp or a helix; what shank or holder would hit is left out and
@@ -50,9 +51,11 @@ public:
     bool three_axis() const override { return true; }
     bool reads_stock() const override { return true; }
 
-    /// The passes are level, one or more a layer, in machining order. `cusp_max` is what stays above the
-    /// allowance wherever the cutter can go: what the layers leave on the slopes that the part has, or what
-    /// the planned passes were found to leave, whichever is more.
+    /// The passes are level, one or more a layer, but for those along floors of valleys between two layers,
+    /// which count with the one above; in machining order, which is not that of layers. `Pass::layer` counts
+    /// the `layers` of the result, those that are cut. `cusp_max` is what stays above the allowance wherever
+    /// the cutter can go: what the layers leave on the slopes that the part has, or what the planned passes
+    /// were found to leave, whichever is more.
     ///
     /// Throws Error(out_of_range) for a depth that is no length above 0 or longer than the flutes, a
     /// step-over wider than the cutter, tessellation tolerances that use up the tolerance;

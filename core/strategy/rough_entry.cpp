@@ -58,6 +58,13 @@ double UprightBodies::clear_height(const StockField& field, const Vec2& a, const
     return z;
 }
 
+double UprightBodies::widest() const {
+    double radius = 0;
+    for (const Body& body : bodies_)
+        radius = std::max(radius, body.radius);
+    return radius;
+}
+
 bool UprightBodies::clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const {
     for (const Body& body : bodies_) {
         // A shank as thick as its cutter slides along what the cutter has cut, and cells that the wall
@@ -151,6 +158,37 @@ bool RoughEntry::ramp(const RoughWay& way, double z, double shortest, std::vecto
         if (i > 0) done += (ground[i] - ground[i - 1]).norm();
         const double height = i + 1 == ground.size() ? z : top + (z - top) * (all > 0 ? done / all : 1);
         down.emplace_back(ground[i].x(), ground[i].y(), height);
+    }
+    return true;
+}
+
+bool RoughEntry::descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down) const {
+    down.clear();
+    if (settings_.entry == RoughSettings::Entry::plunge
+        || stands_free(tips.front().head<2>(), tips.front().z()))
+        return true;
+    // The leg, and how high what stands on it holds the cutter.
+    std::vector<Vec3> leg{tips.front()};
+    double length = 0, top = leg[0].z(), low = leg[0].z();
+    for (std::size_t i = 1; i < tips.size() && length < longest_leg * cutter_.radius(); ++i) {
+        const Vec2 a = tips[i - 1].head<2>(), b = tips[i].head<2>();
+        length += (b - a).norm();
+        leg.push_back(tips[i]);
+        top = std::max({top, tips[i].z(), field_.stand_height(cutter_, a, b)});
+        low = std::min(low, tips[i].z());
+    }
+    if (length < shortest_leg * cutter_.radius()) return false;
+    const double fall = std::tan(settings_.ramp_angle);
+    const double legs = 2 * std::max(1.0, std::ceil((top - low) / (2 * fall * length)));
+    if (!(legs <= most_legs)) return false;
+    double done = 0;
+    down.emplace_back(leg[0].x(), leg[0].y(), top);
+    for (double k = 0; k < legs; ++k) {
+        for (std::size_t i = 1; i < leg.size(); ++i) {
+            done += (leg[i] - leg[i - 1]).head<2>().norm();
+            down.emplace_back(leg[i].x(), leg[i].y(), std::max(leg[i].z(), top - fall * done));
+        }
+        std::reverse(leg.begin(), leg.end());
     }
     return true;
 }

@@ -20,6 +20,7 @@ public:
     /// What the tip must be above on a level way from a to b so that none of them touches what may stand.
     /// Those no wider than the cutter need nothing of their own where the cutter itself is clear.
     double clear_height(const StockField& field, const Vec2& a, const Vec2& b) const;
+    double widest() const; ///< radius
     /// True when none of them meets the stock on a level way of the tip from a to b.
     bool clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const;
 
@@ -44,6 +45,10 @@ public:
     /// and the way down to its first point at z: nothing where that stands free, or where plunging is
     /// allowed. False where there is no room for a ramp or a helix.
     bool enter(RoughWay& way, double z, std::vector<Vec3>& down) const;
+    /// The way down to the first of tips that are not level: nothing where that stands free, or where
+    /// plunging is allowed; else a ramp forth and back over their beginning, no deeper than they are. False
+    /// where that is too short.
+    bool descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down) const;
 
 private:
     bool stands_free(const Vec2& p, double z) const;

@@ -15,6 +15,8 @@ constexpr std::size_t line_block = 1;
 /// Halvings of a grid's edge: down to a thousandth of the margin on any edge that is allowed.
 constexpr int most_halvings = 40;
 constexpr std::size_t longest_thinned = 256;
+/// Of the margin: how well ends of what is free are known.
+constexpr double border_share = 0.25;
 
 } // namespace
 
@@ -39,11 +41,16 @@ RoughReach::RoughReach(ContactIndexPtr index, const PlanContext& context, double
 }
 
 double RoughReach::tip_z(const Vec2& p, Hints& hints) const {
-    double z = cutter_.tip_z(p.x(), p.y(), hints.cutter);
-    if (bodies_.empty()) return z;
+    return raised(p, cutter_.tip_z(p.x(), p.y(), hints.cutter), hints);
+}
+
+double RoughReach::raised(const Vec2& p, double z, Hints& hints) const {
     hints.bodies.resize(bodies_.size());
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        z = std::max(z, bodies_[i].lift.tip_z(p.x(), p.y(), hints.bodies[i]) - bodies_[i].base);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const double under = z + bodies_[i].base;
+        const double body = bodies_[i].lift.tip_z(p.x(), p.y(), hints.bodies[i], under);
+        if (body > under) z = body - bodies_[i].base;
+    }
     return z;
 }
 
@@ -58,27 +65,52 @@ void RoughReach::tip_z(std::span<const Vec2> points, std::span<double> heights,
     }
 }
 
-double RoughReach::highest(const Vec2& a, const Vec2& b, Hints& hints) const {
+double RoughReach::highest(const Vec2& a, const Vec2& b, Hints& hints, double least) const {
     const double n = std::max(1.0, std::ceil((b - a).norm() / spacing_));
-    double z = -infinity;
-    for (double i = 0; i <= n; ++i)
-        z = std::max(z, tip_z(a + (i / n) * (b - a), hints));
+    double z = least;
+    for (double i = 0; i <= n; ++i) {
+        const Vec2 p = a + (i / n) * (b - a);
+        z = raised(p, cutter_.tip_z(p.x(), p.y(), hints.cutter, z), hints);
+    }
     return z;
+}
+
+bool RoughReach::is_free(const Vec2& p, double z, Hints& hints) const {
+    if (cutter_.is_above(p.x(), p.y(), z, hints.cutter)) return false;
+    hints.bodies.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].lift.is_above(p.x(), p.y(), z + bodies_[i].base, hints.bodies[i])) return false;
+    return true;
 }
 
 bool RoughReach::is_free(const Vec2& a, const Vec2& b, double z, Hints& hints) const {
     const double n = std::max(1.0, std::ceil((b - a).norm() / spacing_));
     for (double i = 0; i <= n; ++i)
-        if (!(tip_z(a + (i / n) * (b - a), hints) <= z)) return false;
+        if (!is_free(a + (i / n) * (b - a), z, hints)) return false;
     return true;
 }
 
-double RoughReach::last_free(const Vec2& free, const Vec2& blocked, double z, Hints& hints) const {
+double RoughReach::last_free(const Vec2& free, double lift_free, const Vec2& blocked, double lift_blocked,
+                             double z, Hints& hints) const {
     double low = 0, high = 1;
     const double length = (blocked - free).norm();
-    for (int i = 0; i < most_halvings && (high - low) * length > 0.1 * margin_; ++i) {
-        const double mid = 0.5 * (low + high);
-        (tip_z(free + mid * (blocked - free), hints) <= z ? low : high) = mid;
+    if (!(length > 0)) return 0;
+    const double enough = std::min(1.0, border_share * margin_ / length);
+    // As if the lift were straight between the two, now a little on one side of the root and now on the
+    // other, so that both ends close in on it; by halves where that does not help, as at a jump.
+    bool straight = std::isfinite(lift_free) && std::isfinite(lift_blocked), was_free = false;
+    for (int i = 0; i < most_halvings && high - low > enough; ++i) {
+        double mid = 0.5 * (low + high);
+        if (straight) {
+            const double root = low + (high - low) * (z - lift_free) / (lift_blocked - lift_free);
+            mid = std::clamp(root + (was_free ? 0.45 : -0.45) * enough, low + 0.45 * enough,
+                             high - 0.45 * enough);
+        }
+        const double before = high - low, lift = tip_z(free + mid * (blocked - free), hints);
+        was_free = lift <= z;
+        (was_free ? low : high) = mid;
+        (was_free ? lift_free : lift_blocked) = lift;
+        straight = straight && (i == 0 || high - low < 0.5 * before) && std::isfinite(lift);
     }
     return low;
 }
@@ -120,6 +152,19 @@ ReachGrid::ReachGrid(const RoughReach& reach, const DriveFrame& frame, const Vec
     }
     for (const double z : heights_)
         lowest_ = std::min(lowest_, z);
+    if (!reach.has_bodies()) return;
+    std::vector<double> alone;
+    for (std::size_t row = 0; row < rows_; row += band) {
+        points.clear();
+        for (std::size_t r = row; r < std::min(rows_, row + band); ++r)
+            for (std::size_t c = 0; c < columns_; ++c)
+                points.push_back(place(c, r));
+        alone.resize(points.size());
+        reach.cutter().tip_z(points, alone, progress.part(1, 1));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (const double tool = heights_[row * columns_ + i]; alone[i] < tool)
+                held_up_.push_back({points[i], alone[i], tool});
+    }
 }
 
 std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) const {
@@ -128,7 +173,8 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) con
     // the first to the second. Each crossing is left once and met once, in the two cells beside its edge.
     constexpr std::size_t nowhere = std::size_t(-1);
     struct Crossing {
-        Vec2 free, blocked, at;
+        std::size_t free, blocked;
+        Vec2 at;
         std::size_t next = nowhere;
         bool met = false;
     };
@@ -140,7 +186,7 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) con
         const auto [found, is_new] = of_edge.try_emplace(edge, crossings.size());
         if (is_new) {
             const std::size_t f = is_free(a) ? a : b, o = f == a ? b : a;
-            crossings.push_back({place(f % columns_, f / columns_), place(o % columns_, o / columns_), {}});
+            crossings.push_back({f, o, {}});
         }
         return found->second;
     };
@@ -169,7 +215,9 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) con
     parallel_for(crossings.size(), 64, progress.part(0, 0), [&](std::size_t i) {
         Crossing& c = crossings[i];
         RoughReach::Hints hints;
-        c.at = c.free + reach_.last_free(c.free, c.blocked, z, hints) * (c.blocked - c.free);
+        const Vec2 a = place(c.free % columns_, c.free / columns_),
+                   b = place(c.blocked % columns_, c.blocked / columns_);
+        c.at = a + reach_.last_free(a, heights_[c.free], b, heights_[c.blocked], z, hints) * (b - a);
     });
 
     std::vector<Contour> all;
@@ -214,7 +262,9 @@ std::vector<Interval> ReachLine::free(double z, RoughReach::Hints& hints) const 
     const auto u = [&](std::size_t i) { return u0_ + double(i) * step_; };
     const auto end = [&](std::size_t inside, std::size_t outside) {
         const Vec2 a = frame_.xy(u(inside), v_), b = frame_.xy(u(outside), v_);
-        return u(inside) + reach_.last_free(a, b, z, hints) * (u(outside) - u(inside));
+        return u(inside)
+               + reach_.last_free(a, heights_[inside], b, heights_[outside], z, hints)
+                     * (u(outside) - u(inside));
     };
     for (std::size_t i = 0; i < heights_.size(); ++i) {
         if (!(heights_[i] <= z)) continue;
@@ -228,20 +278,23 @@ std::vector<Interval> ReachLine::free(double z, RoughReach::Hints& hints) const 
     return all;
 }
 
-std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside) {
+namespace {
+
+template <class Point>
+std::vector<Point> thinned_points(const std::vector<Point>& way, double beside) {
     if (way.size() < 3) return way;
-    std::vector<Vec2> kept{way.front()};
+    std::vector<Point> kept{way.front()};
     std::size_t from = 0;
     while (from + 1 < way.size()) {
         std::size_t best = from + 1;
         for (std::size_t to = from + 2; to < way.size() && to - from < longest_thinned; ++to) {
-            const Vec2 chord = way[to] - way[from];
+            const Point chord = way[to] - way[from];
             const double length = chord.norm();
             bool near = length > 0;
             for (std::size_t k = from + 1; near && k < to; ++k) {
-                const Vec2 d = way[k] - way[from];
+                const Point d = way[k] - way[from];
                 const double along = d.dot(chord) / length;
-                const double across = std::abs(d.x() * chord.y() - d.y() * chord.x()) / length;
+                const double across = (d - along / length * chord).norm();
                 near = across <= beside && along >= -beside && along <= length + beside;
             }
             if (!near) break;
@@ -251,6 +304,16 @@ std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside) {
         from = best;
     }
     return kept;
+}
+
+} // namespace
+
+std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside) {
+    return thinned_points(way, beside);
+}
+
+std::vector<Vec3> thinned_way(const std::vector<Vec3>& way, double beside) {
+    return thinned_points(way, beside);
 }
 
 } // namespace facetmill

@@ -41,18 +41,24 @@ public:
     /// The same for the cutter alone.
     const AxialLift& cutter() const { return cutter_; }
     bool has_bodies() const { return !bodies_.empty(); }
-    /// The highest of them on the way from a to b.
-    double highest(const Vec2& a, const Vec2& b, Hints& hints) const;
+    /// The highest of them on the way from a to b, or `least` if that is higher.
+    double highest(const Vec2& a, const Vec2& b, Hints& hints, double least = -infinity) const;
     /// True when the whole way is free for tips at z.
     bool is_free(const Vec2& a, const Vec2& b, double z, Hints& hints) const;
-    /// The farthest place from `free` towards `blocked` that is free at z, to the margin.
-    double last_free(const Vec2& free, const Vec2& blocked, double z, Hints& hints) const;
+    bool is_free(const Vec2& p, double z, Hints& hints) const;
+    /// The farthest place from `free` towards `blocked` that is free at z, as a share of the way and to a
+    /// quarter of the margin; the lifts at both are known.
+    double last_free(const Vec2& free, double lift_free, const Vec2& blocked, double lift_blocked, double z,
+                     Hints& hints) const;
 
 private:
     struct Body {
         AxialLift lift;
         double base;
     };
+    /// The tip at z or as much higher as shank and holder ask for.
+    double raised(const Vec2& p, double z, Hints& hints) const;
+
     double margin_, spacing_;
     AxialLift cutter_;
     std::vector<Body> bodies_;
@@ -76,10 +82,20 @@ public:
     std::vector<Contour> contours(double z, const Progress& progress) const;
     double lowest() const { return lowest_; }
 
-private:
+    std::size_t columns() const { return columns_; }
+    std::size_t rows() const { return rows_; }
     Vec2 place(std::size_t column, std::size_t row) const {
         return frame_.xy(lo_.x() + double(column) * step_.x(), lo_.y() + double(row) * step_.y());
     }
+    double height(std::size_t column, std::size_t row) const { return heights_[at(column, row)]; }
+    /// A place where shank or holder hold the tip up above where the cutter alone could be.
+    struct HeldUp {
+        Vec2 place;
+        double cutter, tool; ///< lowest tips
+    };
+    const std::vector<HeldUp>& held_up() const { return held_up_; }
+
+private:
     std::size_t at(std::size_t column, std::size_t row) const { return row * columns_ + column; }
 
     const RoughReach& reach_;
@@ -87,6 +103,7 @@ private:
     Vec2 lo_, step_;
     std::size_t columns_ = 0, rows_ = 0;
     std::vector<double> heights_;
+    std::vector<HeldUp> held_up_;
     double lowest_ = infinity;
 };
 
@@ -110,5 +127,6 @@ private:
 
 /// The polyline without the points that it passes within `beside` when they are left out. Ends stay.
 std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside);
+std::vector<Vec3> thinned_way(const std::vector<Vec3>& way, double beside);
 
 } // namespace facetmill

@@ -13,12 +13,14 @@ namespace {
 
 constexpr double most_looked_at = 2e5;
 constexpr std::size_t block = 256;
-/// Where the part holds the cutter up by more than this share of what is allowed, it is out of reach.
+/// Where the part keeps the cutter away by more than this share of what is allowed, a place is out of reach.
 constexpr double reach_share = 0.05;
+/// Places beside the tip that would touch, from which the cutter may reach a place too.
+constexpr int looks_beside = 8;
 /// Of the cells' size: what the field cannot tell apart along a slanting line.
 constexpr double field_noise = 1;
-/// The height over a cell says little of the distance from a steep place.
-const double flattest_normal = std::cos(75 * pi / 180);
+/// Steeper places are under the cutter's side: what stays there is in the wall's own cell.
+const double flattest_normal = std::cos(85 * pi / 180);
 
 /// How far from p along n the stock reaches, in steps of half a cell.
 double height_along(const StockField& field, const Vec3& p, const Vec3& n, double most) {
@@ -53,29 +55,36 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
         columns * rows, block, Remaining(), progress,
         [&](std::size_t begin, std::size_t end) {
             Remaining worst;
+            LiftHint hint;
             for (std::size_t i = begin; i < end; ++i) {
                 const int column = int(i % columns) * stride, row = int(i / columns) * stride;
-                const double top = field.middle(column, row);
                 const Vec2 p = field.centre(column, row);
-                if (top == -infinity) continue;
+                if (field.middle(column, row) == -infinity) continue;
                 const AxialContact seen = needle.contact(p.x(), p.y());
                 if (seen.facet == no_index) continue;
                 const Vec3 n = up.towards_tool(in.mesh->facet_normal(seen.facet));
                 if (!(n.z() > flattest_normal)) continue;
                 const Vec3 on_part(p.x(), p.y(), seen.tip_z);
-                double left = (top - seen.tip_z) * n.z() - in.allowance;
                 ++worst.places;
-                if (!(left > 0)) continue;
-                // Beside a wall the place lies in the wall's own allowance.
                 const Vec3 over = on_part + in.allowance * n;
-                if (kept.tip_z(over.x(), over.y()) > over.z() + reach_share * in.allowed) continue;
                 const Vec3 tip = over + cover.tip_offset(n);
                 if (tip.z() < in.lowest_tip) continue;
                 // Along the normal, where the stock over neighbouring cells may be higher.
-                left = height_along(field, over, n, top - in.field->box().lo.z());
-                if (left <= std::min(worst.height, in.allowed + field_noise * field.cell())) continue;
-                if (lift.tip_z(tip.x(), tip.y()) > tip.z() + reach_share * in.allowed) {
-                    if (left <= in.allowed + field_noise * field.cell()) continue;
+                const double left = height_along(field, over, n, field.box().size().z());
+                if (left <= in.allowed + field_noise * field.cell()) continue;
+                // Beside a wall the place lies in the wall's own allowance.
+                if (kept.is_above(over.x(), over.y(), over.z() + reach_share * in.allowed, hint)) continue;
+                // How far away the cutter stays, from wherever it comes down: over the place that would
+                // touch, or a little beside it where the part holds it up less.
+                const double near = reach_share * in.allowed;
+                double away = infinity;
+                for (int k = 0; k <= looks_beside && away > near; ++k) {
+                    const double turn = 2 * pi * k / looks_beside, out = k == 0 ? 0 : near;
+                    const double x = tip.x() + out * std::cos(turn), y = tip.y() + out * std::sin(turn);
+                    away = std::min(
+                        away, cover.ray_entry(over, n, Vec3(x, y, lift.tip_z(x, y)), 4 * cover.radius()));
+                }
+                if (away > near) {
                     ++worst.out_of_reach;
                     if (left > worst.beyond) {
                         worst.beyond = left;

@@ -18,7 +18,8 @@ struct RemainingInput {
 };
 
 struct Remaining {
-    double height = 0;      ///< the most, along the normal, mm
+    /// The most, along the normal, if that is more than expected by more than the field can tell; mm.
+    double height = 0;
     Vec3 at = Vec3::Zero(); ///< on the part
     std::size_t places = 0; ///< that were looked at
     std::size_t out_of_reach =
@@ -27,7 +28,7 @@ struct Remaining {
     Vec3 beyond_at = Vec3::Zero();
 };
 
-/// Looks at up to 200 000 cells that the part is seen in from above, flatter than 75 degrees, and at whose
+/// Looks at up to 200 000 cells that the part is seen in from above, flatter than 85 degrees, and at whose
 /// facet's plane the cutter could stand; the plane stands for the part round the cell. Throws Cancelled
 /// within 20 ms. The same bits for every thread count.
 Remaining find_remaining(const RemainingInput& input, const Progress& progress);

@@ -206,23 +206,34 @@ std::vector<RoughWay> LayerWays::along_contours(std::span<const Contour> contour
             any = any || busy[i];
         }
         if (!any) continue;
-        // Up to a radius before and after, where the tool may come in free; short gaps are passed.
-        std::vector<char> cut(n, 0);
-        const auto spread = [&](std::size_t i, bool ahead) {
+        std::vector<char> cut = busy;
+        // Gaps that are shorter than what leaving and coming back takes are run through.
+        const double gap = 2.2 * cutter_.radius();
+        const auto after = [&](std::size_t i) { return contour.closed ? (i + 1) % n : i + 1; };
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!busy[i]) continue;
+            std::size_t k = after(i);
             double arc = 0;
-            for (std::size_t k = 1; k < n && arc < 1.1 * cutter_.radius(); ++k) {
-                if (!contour.closed && (ahead ? i + k >= n : i < k)) break;
-                const std::size_t j = ahead ? (i + k) % n : (i + n - k) % n;
+            for (std::size_t steps = 1; steps < n && k < n && !busy[k] && arc <= gap; ++steps, k = after(k))
+                arc += (points[k + 1] - points[k]).norm();
+            if (k >= n || !busy[k] || arc > gap) continue;
+            for (std::size_t j = after(i); j != k; j = after(j))
+                cut[j] = 1;
+        }
+        // The tool comes in where nothing stands, if that is so within a radius before.
+        const std::vector<char> wanted = cut;
+        for (std::size_t i = 0; i < n; ++i) {
+            const bool starts = i == 0 ? !contour.closed || !wanted[n - 1] : !wanted[i - 1];
+            if (!wanted[i] || !starts) continue;
+            double arc = 0;
+            for (std::size_t j = i; arc < 1.1 * cutter_.radius();) {
+                if (field_.stand_height(cutter_, points[j], points[j]) <= z + least_) break;
+                if (j == 0 && !contour.closed) break;
+                j = (j + n - 1) % n;
+                if (wanted[j]) break;
                 cut[j] = 1;
                 arc += (points[j + 1] - points[j]).norm();
             }
-        };
-        for (std::size_t i = 0; i < n; ++i) {
-            if (!busy[i]) continue;
-            cut[i] = 1;
-            const std::size_t next = (i + 1) % n, last = (i + n - 1) % n;
-            if (!busy[next]) spread(i, true);
-            if (!busy[last]) spread(i, false);
         }
         for (std::size_t i = 0; i < n; ++i)
             every = every && cut[i];

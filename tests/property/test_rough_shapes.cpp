@@ -2,8 +2,10 @@
 // than is stated, nothing collides. Judged by the path checker and by the verifier, which share no code with
 // the planner.
 #include "core/base/parallel.h"
+#include "core/gouge/axial_lift.h"
 #include "core/link/motion.h"
 #include "core/mesh/sample.h"
+#include "core/strategy/cutter_cover.h"
 #include "core/strategy/rough.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
@@ -56,6 +58,56 @@ std::vector<double> numbers(const StrategyResult& r, const ToolMotions& m) {
         all.insert(all.end(), motion.to.tip.data(), motion.to.tip.data() + 3);
     }
     return all;
+}
+
+/// A profile across X, as (y, z), drawn along it; `rise` is its slope along X.
+Mesh drawn(const std::vector<Vec2>& profile, double rise) {
+    constexpr int pieces = 12;
+    constexpr double half = 24;
+    Mesh m;
+    const auto row = Index(profile.size());
+    for (int i = 0; i <= pieces; ++i)
+        for (const Vec2& p : profile) {
+            const double x = half * (2.0 * i / pieces - 1);
+            m.vertices.push_back(Vec3(x, p.x(), p.y() + rise * x));
+        }
+    for (Index i = 0; i < Index(pieces); ++i)
+        for (Index k = 0; k + 1 < row; ++k) {
+            const Index a = i * row + k, b = a + row;
+            m.facets.push_back({a, b, b + 1});
+            m.facets.push_back({a, b + 1, a + 1});
+        }
+    return m;
+}
+
+/// The most that was found left where the cutter, come down on the part and its allowance, stands no farther
+/// from the place than `near`; and how many places those were. Told by the lift over many tips round the one
+/// that would touch: what the tool cannot reach, from wherever it comes, does not count.
+std::pair<double, std::size_t> left_within_reach(const Verification& v, const PlanContext& context,
+                                                 double allowance, double near) {
+    const CutterProfile profile(context.tool.cutter());
+    const CutterCover cover(profile, 1e-3);
+    const AxialLift lift(context.contact, profile, allowance);
+    const DeviationSurface& s = *v.surface;
+    double most = 0;
+    std::size_t places = 0;
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+        const Vec3 n(s.normals[i][0], s.normals[i][1], s.normals[i][2]);
+        if (s.flags[i] != 0 || n.z() <= 0.02) continue;
+        const Vec3 p = Vec3(s.points[i][0], s.points[i][1], s.points[i][2]) + allowance * n;
+        const Vec3 touching = p + cover.tip_offset(n);
+        if (touching.z() < context.part_box.lo.z()) continue;
+        double away = infinity;
+        for (int k = 0; k <= 16 && away > near; ++k) {
+            const double turn = 2 * pi * k / 8, out = k == 0 ? 0 : k <= 8 ? near : 3 * near;
+            const double x = touching.x() + out * std::cos(turn), y = touching.y() + out * std::sin(turn);
+            away = std::min(away, cover.ray_entry(p, n, Vec3(x, y, lift.tip_z(x, y)), 100));
+        }
+        if (away > near) continue;
+        ++places;
+        most = std::max(most, double(s.deviation[i]));
+    }
+    return {most, places};
 }
 
 } // namespace
@@ -132,6 +184,119 @@ private slots:
                                 .arg(judged.collisions.size())
                                 .arg(judged.collisions.empty() ? -1 : int(judged.collisions[0].kind))
                                 .arg(judged.collisions.empty() ? 0 : judged.collisions[0].depth)));
+    }
+
+    void narrow_valleys_are_cut_data() {
+        QTest::addColumn<int>("valley");
+        QTest::addColumn<double>("corner");
+        QTest::addColumn<double>("turn");
+        const char* const names[] = {"slot", "rising slot", "vee"};
+        const auto add = [&](int valley, double corner, double turn) {
+            QTest::addRow("%s, corner radius %g, turned by %g", names[valley], corner, turn)
+                << valley << corner << turn;
+        };
+        for (const double corner : {1.0, 3.0})
+            for (const double turn : {0.0, 0.35}) {
+                add(0, corner, turn);
+                add(2, corner, turn);
+            }
+        add(0, 0, 0.35);
+        add(1, 0, 0);
+        add(1, 0, 0.35);
+        add(2, 0, 0);
+        add(2, 0, 0.35);
+    }
+
+    /// A valley that is hardly wider than the tool, or as narrow as it comes at its floor: between the nodes
+    /// of a layer's grid there may be room for it where at no node there is.
+    void narrow_valleys_are_cut() {
+        QFETCH(int, valley);
+        QFETCH(double, corner);
+        QFETCH(double, turn);
+        const double diameter = 6, allowance = 0.3;
+        const Tool tool = bull_tool(diameter, corner);
+        const double half = 0.5 * diameter + allowance + 0.06, lean = std::tan(radians(4));
+        const std::vector<Vec2> slot{{-16, 0},   {-half - 9 * lean, 0}, {-half, -9},
+                                     {half, -9}, {half + 9 * lean, 0},  {16, 0}};
+        const std::vector<Vec2> vee{{-16, 0}, {-5, 0}, {0, -20}, {5, 0}, {16, 0}};
+        const Mesh part = turned(drawn(valley == 2 ? vee : slot, valley == 1 ? 0.1 : 0), turn);
+        RoughSettings s;
+        s.allowance = allowance;
+        s.tolerance = 5;
+        s.depth = {1.3, {}};
+        const Rough op(s);
+        const PlanContext context = raised(part, tool);
+        const StrategyResult path = op.plan(context, Progress());
+        const ToolMotions motions = link_operation(op, path, context, Progress());
+        VerifySettings v;
+        v.resolution = 0.5;
+        v.sample_spacing = 0.4;
+        v.allowance = allowance;
+        v.gouge_limit = 1e-3;
+        StockSolid stock;
+        stock.box = context.stock_box;
+        const VerifyProgram program{"R", VerifyTool(tool), std::make_shared<ToolMotions>(motions), {}};
+        const Verification judged = verify(part, stock, {&program, 1}, v, Progress());
+        QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
+                                                 .arg(judged.figures.gouge_max)
+                                                 .arg(judged.collisions.size())));
+        const auto [left, places] = left_within_reach(judged, context, allowance, 0.02);
+        QVERIFY2(places > 2000, qPrintable(QString::number(places)));
+        QVERIFY2(
+            left <= path.cusp_max,
+            qPrintable(QString("%1 stated, %2 found in %3 places").arg(path.cusp_max).arg(left).arg(places)));
+        // And what is stated is no more than layers of this depth leave: the valley is not just given up.
+        QVERIFY2(path.cusp_max < 3, qPrintable(QString::number(path.cusp_max)));
+    }
+
+    /// Flutes shorter than the part is high are no fault where the shank runs along walls as the cutter does;
+    /// a holder that keeps the tool away from a wall is.
+    void a_short_tool_is_told_of_where_it_matters() {
+        RoughSettings s;
+        s.allowance = 0.4;
+        s.tolerance = 6;
+        s.depth = {2, {}};
+        for (const bool holder : {false, true}) {
+            Tool tool = flat_tool(6);
+            tool.flute_length = 10;
+            tool.shank_length = holder ? 4 : 40;
+            if (holder) tool.holder = {{30, 40}};
+            const StrategyResult path = Rough(s).plan(raised(step(0, 18), tool), Progress());
+            const bool told =
+                std::any_of(path.warnings.begin(), path.warnings.end(), [](const std::string& warning) {
+                    return warning.find("the tool is short") != std::string::npos;
+                });
+            QCOMPARE(told, holder);
+        }
+    }
+
+    /// Two pockets far apart: one is cut to its floor before the other is begun, and no pass comes before one
+    /// that it was planned after nearby.
+    void one_hollow_is_cut_after_the_other() {
+        const auto pockets = [](double x, double y) {
+            return std::abs(y) < 7 && std::abs(std::abs(x) - 28) < 9 ? -9.0 : 0.0;
+        };
+        const Mesh part = height_field(pockets, Vec2(-44, -14), Vec2(44, 14), 176, 56);
+        const Tool tool = flat_tool(4);
+        PlanContext context = context_of(part, tool);
+        RoughSettings s;
+        s.allowance = 0.2;
+        s.tolerance = 5;
+        s.depth = {1.5, {}};
+        const Rough op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        QVERIFY(path.passes.size() >= 12);
+        int changes = 0;
+        std::array<int, 2> deepest{-1, -1};
+        for (std::size_t i = 0; i < path.passes.size(); ++i) {
+            const Pass& pass = path.passes[i];
+            const bool right = pass.cl.front().tip.x() > 0;
+            if (i > 0 && right != (path.passes[i - 1].cl.front().tip.x() > 0)) ++changes;
+            QVERIFY(pass.layer >= deepest[right]);
+            deepest[right] = pass.layer;
+        }
+        QCOMPARE(changes, 1);
+        QVERIFY(deepest[0] > 4 && deepest[0] == deepest[1]);
     }
 
     void threads_do_not_change_a_bit() {

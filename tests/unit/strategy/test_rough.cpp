@@ -230,6 +230,27 @@ private slots:
         QVERIFY2(is < 0.7 * fresh, qPrintable(QString("%1 %2").arg(is).arg(fresh)));
     }
 
+    /// Where an earlier operation left nothing to cut between two levels, there are no layers, and passes are
+    /// numbered by those that there are.
+    void layers_are_those_that_are_cut() {
+        const Tool tool = flat_tool(6);
+        PlanContext c = context(step(0, 8), tool, 2); // a wall at y = 0, low beyond it
+        auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = tool.cutter();
+        for (double y = 3.513; y < 20; y += 2.5)
+            earlier->motions.push_back({Vec3(-25, y, 3), Vec3(25, y, 3)});
+        c.earlier = {earlier};
+        const StrategyResult r = Rough(settings(1)).plan(c, Progress());
+        for (const Pass& p : r.passes) {
+            QVERIFY(p.layer >= 0 && std::size_t(p.layer) < r.layers.size());
+            for (const CutterLocation& l : p.cl)
+                QCOMPARE(l.tip.z(), r.layers[std::size_t(p.layer)]);
+        }
+        QVERIFY(std::any_of(r.layers.begin(), r.layers.end(), [](double z) { return z > 8; }));
+        QVERIFY(std::any_of(r.layers.begin(), r.layers.end(), [](double z) { return z < 3; }));
+        QVERIFY(std::none_of(r.layers.begin(), r.layers.end(), [](double z) { return z > 3 && z < 8; }));
+    }
+
     void oneway_lines_all_run_one_way() {
         const Tool tool = ball_tool(6);
         PlanContext c = context(
