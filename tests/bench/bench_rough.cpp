@@ -114,6 +114,7 @@ ClProgram row(const char* name, const PlanContext& context, bool ball, RoughSett
                 offset == RoughSettings::Offset::contact ? "contact" : "vertices", path.layers.size(),
                 path.passes.size(), totals.cut_length / inch, 100 * program.motions.air_length / all,
                 100 * totals.rapid_length / all, path.cusp_max / inch);
+    std::vector<Collision> hits;
     if (resolution > 0) {
         VerifySettings v;
         v.resolution = v.sample_spacing = resolution;
@@ -133,10 +134,18 @@ ClProgram row(const char* name, const PlanContext& context, bool ball, RoughSett
                     judged.figures.excess_p99 / inch, judged.figures.excess_max / inch,
                     within_reach(judged, context, op.common().allowance, path.cusp_max) / inch,
                     judged.collisions.size());
+        hits = judged.collisions;
     } else {
         std::printf(" %38s", "");
     }
     std::printf(" %6.2f %6.2f\n", seconds, cpu);
+    for (const Collision& hit : hits)
+        std::printf("    %s in %s: %.4f at (%.3f, %.3f, %.3f)\n",
+                    hit.kind == Collision::Kind::rapid    ? "rapid"
+                    : hit.kind == Collision::Kind::holder ? "holder"
+                                                          : "shank",
+                    hit.with_part ? "part" : "stock", hit.depth / inch, hit.place.x() / inch,
+                    hit.place.y() / inch, hit.place.z() / inch);
     for (const std::string& warning : path.warnings)
         std::printf("    %s\n", warning.c_str());
     std::fflush(stdout);
