@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/budget.h"
 #include "core/strategy/rough.h"
+#include "core/strategy/shared_parameters.h"
 #include "core/strategy/slice.h"
 #include "core/strategy/stepover.h"
 #include "core/strategy/uncut.h"
@@ -484,18 +485,9 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
                  "zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above "
                  "the part.",
              .words = {"zigzag", "oneway"}});
-        t.add(&S::chord_tolerance, {.key = "chord_tolerance",
-                                    .label = "Chord tolerance",
-                                    .help = "How far straight moves may run beside the exact path, to either "
-                                            "side; auto is a twentieth of the "
-                                            "tolerance. At most half the tolerance is used.",
-                                    .kind = K::number_or_word,
-                                    .quantity = Quantity::length,
-                                    .minimum = 0,
-                                    .maximum = 1000,
-                                    .open_minimum = true,
-                                    .words = {"auto"},
-                                    .advanced = true});
+        t.add(&S::chord_tolerance,
+              chord_tolerance_parameter(
+                  "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, {.key = "normal_limit",
                                  .label = "Normal limit",
                                  .help = "Largest turn of the surface normal between neighbouring points of "

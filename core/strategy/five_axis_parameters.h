@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/strategy/finish5.h"
+#include "core/strategy/shared_parameters.h"
 
 namespace facetmill {
 
@@ -62,17 +63,7 @@ void add_five_axis_parameters(ParameterTable<S>& t) {
                           "returns above the part.",
                   .words = {"zigzag", "oneway"}});
     t.add(member(&S::chord_tolerance),
-          {.key = "chord_tolerance",
-           .label = "Chord tolerance",
-           .help = "How far motions may run beside the exact path; auto is a "
-                   "twentieth of the tolerance. At most half the tolerance is used.",
-           .kind = K::number_or_word,
-           .quantity = Quantity::length,
-           .minimum = 0,
-           .maximum = 1000,
-           .open_minimum = true,
-           .words = {"auto"},
-           .advanced = true});
+          chord_tolerance_parameter("How far motions may run beside the exact path"));
     t.add(member(&S::normal_limit),
           {.key = "normal_limit",
            .label = "Normal limit",
@@ -92,14 +83,7 @@ void add_five_axis_parameters(ParameterTable<S>& t) {
            .minimum = radians(0.5),
            .maximum = pi,
            .advanced = true});
-    t.add(member(&S::holder_clearance), {.key = "holder_clearance",
-                                         .label = "Holder clearance",
-                                         .help = "Distance that shank and holder keep from the part.",
-                                         .kind = K::number,
-                                         .quantity = Quantity::length,
-                                         .minimum = 0,
-                                         .maximum = 1000,
-                                         .advanced = true});
+    t.add(member(&S::holder_clearance), holder_clearance_parameter());
     t.add(member(&S::accelerations),
           {.key = "accelerations",
            .label = "Accelerations",

@@ -1,5 +1,6 @@
 // What the parameters of LatheCommon are, and what they do.
 #include "core/strategy/lathe.h"
+#include "core/strategy/shared_parameters.h"
 
 #include <algorithm>
 
@@ -118,25 +119,8 @@ std::vector<ParameterInfo> described() {
          .quantity = Quantity::length,
          .minimum = 0,
          .maximum = 1e5},
-        {.key = "chord_tolerance",
-         .label = "Chord tolerance",
-         .help = "How far motions may run beside the exact path, to either side; auto is a twentieth of the "
-                 "tolerance. At most half the tolerance is used.",
-         .kind = K::number_or_word,
-         .quantity = Quantity::length,
-         .minimum = 0,
-         .maximum = 1000,
-         .open_minimum = true,
-         .words = {"auto"},
-         .advanced = true},
-        {.key = "holder_clearance",
-         .label = "Holder clearance",
-         .help = "Distance that shank and holder keep from the part.",
-         .kind = K::number,
-         .quantity = Quantity::length,
-         .minimum = 0,
-         .maximum = 1000,
-         .advanced = true},
+        chord_tolerance_parameter("How far motions may run beside the exact path, to either side"),
+        holder_clearance_parameter(),
         {.key = "winding",
          .label = "Winding",
          .help = "Turning angles in the table of positions: unwound they grow turn after turn, modulo "
