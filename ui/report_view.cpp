@@ -33,6 +33,26 @@ private:
     QString quiet_, line_, rows_;
 };
 
+/// What a part that turns needs of its stock, and what no place of the cutter serves.
+void add_turning(Facts& facts, const TurnedPath& turned, const Box3& part, LengthUnit unit,
+                 const QString& attention) {
+    const auto number = [&](double mm) { return text(format_number(mm / mm_per(unit), 4)); };
+    // Of the part's box: exact for an axis along X, Y or Z.
+    const double length = part.size().dot(turned.axis.direction.cwiseAbs());
+    facts.add(QObject::tr("Smallest stock"),
+              QStringLiteral("Ø %1 × %2").arg(number(2 * turned.part_radius), shown_length(length, unit, 4)));
+    facts.add(QObject::tr("Stock turns in"),
+              QStringLiteral("Ø %1").arg(shown_length(2 * turned.stock_radius, unit, 4)));
+    double area = 0;
+    for (const UnreachedRegion& r : turned.unreached)
+        area += r.area;
+    if (area > 0)
+        facts.add(QObject::tr("Out of reach"),
+                  QObject::tr("%1 % of the surface")
+                      .arg(text(format_number(std::max(100 * area / turned.surface_area, 0.01), 2))),
+                  attention);
+}
+
 QString heading(const QString& title) {
     return QStringLiteral("<p style=\"margin:0 0 4px 0; font-size:large\"><b>%1</b></p>")
         .arg(title.toHtmlEscaped());
@@ -156,11 +176,15 @@ QString ReportView::operation_html(std::size_t i) const {
     const StrategyResult& path = result->path;
     Facts facts(palette());
     facts.add(tr("Passes"), count_text(std::size_t(std::max(0, path.drive_planes))));
-    facts.add(tr("Step-over"), path.stepover_min == path.stepover_max
-                                   ? shown_length(path.stepover_min, unit, 4)
-                                   : text(format_number(path.stepover_min / mm_per(unit), 4))
-                                         + QStringLiteral(" to ") + shown_length(path.stepover_max, unit, 4));
-    facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
+    facts.add(path.turned ? tr("Side feed") : tr("Step-over"),
+              path.stepover_min == path.stepover_max
+                  ? shown_length(path.stepover_min, unit, 4)
+                  : text(format_number(path.stepover_min / mm_per(unit), 4)) + QStringLiteral(" to ")
+                        + shown_length(path.stepover_max, unit, 4));
+    if (!path.turned)
+        facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
+    else if (document_.part())
+        add_turning(facts, *path.turned, document_.part()->box, unit, signal.attention.name());
     facts.add(tr("CC points"), count_text(result->cc_points));
     facts.add(tr("CL points"), count_text(result->cl_points));
     double cut = 0, rapid = 0, time = 0;

@@ -18,7 +18,9 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr double margin = 8, tick_length = 4, bar_width = 12, bar_gap = 10;
+constexpr double margin = 8, tick_length = 4, label_gap = 3, bar_width = 12, bar_gap = 10;
+/// Side of the smallest frame.
+constexpr double least_frame = 64;
 constexpr double angle_step = 90, full_turn = 360;
 /// Of all: no less is shown.
 constexpr double most_zoom = 1e-3;
@@ -26,6 +28,28 @@ constexpr double most_zoom = 1e-3;
 QString number(double v, double step) {
     const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
     return QString::number(v, 'f', digits).replace(QChar('-'), QChar(0x2212));
+}
+
+/// Of the legend, as many as a bar of this height has room for.
+std::vector<std::pair<double, QString>> depth_ticks(const UnrolledPath& path, double height,
+                                                    const QFontMetricsF& fm) {
+    const int most = std::max(2, int(height / (2.2 * fm.height())));
+    const double step = round_step(path.high - path.low, most);
+    std::vector<std::pair<double, QString>> ticks;
+    for (const double v : round_ticks(path.low, path.high, most))
+        ticks.emplace_back(v, number(v, step));
+    return ticks;
+}
+
+/// A title of one line with its middle at `middle`, or as near as it can be and end before `from` and `to`;
+/// elided where there is less room than it needs.
+void draw_title(QPainter& p, const QString& text, double middle, double from, double to, double top) {
+    const QFontMetricsF fm(p.font());
+    const double room = std::max(to - from, 0.0);
+    const QString shown = fm.elidedText(text, Qt::ElideRight, room);
+    const double width = std::min(std::ceil(fm.horizontalAdvance(shown)) + 1, room);
+    const double left = std::max(std::min(middle - 0.5 * width, to - width), from);
+    p.drawText(QRectF(left, top, width, fm.height()), int(Qt::AlignCenter | Qt::TextDontClip), shown);
 }
 
 } // namespace
@@ -42,6 +66,7 @@ void UnrolledView::set_path(UnrolledPathPtr path) {
     path_ = std::move(path);
     motion_.reset();
     empty_text_.clear();
+    updateGeometry(); // its legend needs room
     reset_view();
 }
 
@@ -103,12 +128,22 @@ void UnrolledView::set_motion(std::optional<std::size_t> motion) {
 
 QRectF UnrolledView::frame(const QSize& size, const QFontMetricsF& fm, bool titled) const {
     const double left =
-        margin + fm.height() + 4 + fm.horizontalAdvance(QStringLiteral("360.0°")) + tick_length + 3;
-    const double widest = fm.horizontalAdvance(QStringLiteral("−000.00"));
-    const double right = size.width() - margin - bar_gap - bar_width - tick_length - 3 - widest;
+        margin + fm.height() + 4 + fm.horizontalAdvance(QStringLiteral("360.0°")) + tick_length + label_gap;
     const double top = margin + fm.height() * (titled ? 2.4 : 1.0);
     const double bottom = size.height() - margin - 2 * fm.height() - tick_length - 2;
-    return {left, top, std::max(right - left, 20.0), std::max(bottom - top, 20.0)};
+    const double height = std::max(bottom - top, least_frame);
+    double widest = 0;
+    if (path_)
+        for (const auto& [unused, label] : depth_ticks(*path_, height, fm))
+            widest = std::max(widest, fm.horizontalAdvance(label));
+    const double right = size.width() - margin - bar_gap - bar_width - tick_length - label_gap - widest;
+    return {left, top, std::max(right - left, least_frame), height};
+}
+
+QSize UnrolledView::minimumSizeHint() const {
+    const QSize probe(1000, 1000);
+    const QRectF in = frame(probe, QFontMetricsF(font()), false);
+    return {probe.width() - int(in.width() - least_frame), probe.height() - int(in.height() - least_frame)};
 }
 
 QRectF UnrolledView::frame() const {
@@ -148,8 +183,8 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
                    number(v, step_x));
     }
     const QString unit = text(path_->unit);
-    p.drawText(QRectF(in.left(), in.bottom() + tick_length + 2 + fm.height(), in.width(), fm.height()),
-               int(Qt::AlignCenter), tr("Along the axis (%1)").arg(unit));
+    draw_title(p, tr("Along the axis (%1)").arg(unit), in.center().x(), margin, size.width() - margin,
+               in.bottom() + tick_length + 2 + fm.height());
     // Turning angle: quarters of the turn, round steps where that is too coarse.
     const auto y_of = [&](double angle) {
         return in.bottom() - in.height() * (angle - window.low) / (window.high - window.low);
@@ -170,7 +205,7 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
         p.drawLine(QPointF(in.left(), y), QPointF(in.right(), y));
         p.setPen(ink);
         p.drawLine(QPointF(in.left() - tick_length, y), QPointF(in.left(), y));
-        p.drawText(QRectF(0, y - fm.height() / 2, in.left() - tick_length - 3, fm.height()),
+        p.drawText(QRectF(0, y - fm.height() / 2, in.left() - tick_length - label_gap, fm.height()),
                    int(Qt::AlignRight | Qt::AlignVCenter), number(v, step_angle) + QChar(0x00B0));
     }
     // What the cutter cannot come to.
@@ -190,10 +225,11 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
     }
     p.restore();
     p.save();
-    p.translate(margin + fm.height() / 2, in.center().y());
+    // Upward, from above the row of the other title.
+    p.translate(margin, size.height());
     p.rotate(-90);
-    p.drawText(QRectF(-in.height() / 2, -fm.height() / 2, in.height(), fm.height()), int(Qt::AlignCenter),
-               tr("Turning angle"));
+    draw_title(p, tr("Turning angle"), size.height() - in.center().y(), margin + fm.height(),
+               size.height() - margin, 0);
     p.restore();
     p.setBrush(Qt::NoBrush);
     p.drawRect(in);
@@ -207,16 +243,13 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
             QColor::fromRgbF(float(c.r), float(c.g), float(c.b)));
     }
     p.drawRect(bar);
-    const int most_y = std::max(2, int(bar.height() / (2.2 * fm.height())));
-    const double step_y = round_step(path_->high - path_->low, most_y);
-    for (const double v : round_ticks(path_->low, path_->high, most_y)) {
+    for (const auto& [v, label] : depth_ticks(*path_, bar.height(), fm)) {
         const double y = bar.bottom() - bar.height() * unrolled_share(*path_, v);
         p.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + tick_length, y));
-        p.drawText(QPointF(bar.right() + tick_length + 3, y + fm.ascent() / 2 - 1), number(v, step_y));
+        p.drawText(QPointF(bar.right() + tick_length + label_gap, y + fm.ascent() / 2 - 1), label);
     }
-    const QString legend = tr("Depth (%1)").arg(unit);
-    p.drawText(QRectF(size.width() - margin - 200, in.top() - fm.height() - 3, 200, fm.height()),
-               int(Qt::AlignRight | Qt::AlignVCenter), legend);
+    draw_title(p, tr("Depth (%1)").arg(unit), size.width(), margin, size.width() - margin,
+               in.top() - fm.height() - 3);
     if (titled) {
         QFont bold = p.font();
         bold.setBold(true);

@@ -34,7 +34,8 @@ public:
     /// White ground, with the operation's name; no mark.
     QImage picture(const QSize& size) const;
     QSize sizeHint() const override { return {420, 420}; }
-    QSize minimumSizeHint() const override { return {160, 140}; }
+    /// Room for a small frame beside its titles and labels.
+    QSize minimumSizeHint() const override;
 
 signals:
     /// The tool is wanted at the end of this motion.

@@ -21,10 +21,13 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QTest>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <climits>
 #include <cmath>
+#include <tuple>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -146,6 +149,69 @@ private slots:
         const QImage saved(file);
         QVERIFY(saved.width() >= 1000 && saved.pixelColor(2, 2) == Qt::white);
         saved.save(QStringLiteral(FACETMILL_PICTURE_OUT "/unrolled-export.png"));
+    }
+
+    /// The stock that the part needs as it turns, from its extents.
+    void the_report_says_what_stock_it_takes() {
+        QVERIFY(plan_prism());
+        const auto* report = w().findChild<QTextBrowser*>(QStringLiteral("report"));
+        QVERIFY(report);
+        const QString said = report->toPlainText();
+        QVERIFY2(said.contains(QStringLiteral("Smallest stock"))
+                     && said.contains(QStringLiteral("Ø 70.71 × 40 mm")),
+                 qPrintable(said));
+        QVERIFY(said.contains(QStringLiteral("Side feed"))
+                && said.contains(QStringLiteral("Stock turns in")));
+        QVERIFY(!said.contains(QStringLiteral("from X")) && !said.contains(QStringLiteral("Out of reach")));
+    }
+
+    /// Slips in the form say so beside their field and change nothing; those that only planning can find
+    /// fail with their reason.
+    void bad_input_is_told() {
+        QVERIFY(open_prism());
+        const LatheCommon before = settings();
+        for (const auto& [key, value, says, good] :
+             {std::tuple("side_feed", "0", "above 0", "4"), std::tuple("points_per_turn", "2", "3", "72"),
+              std::tuple("core_radius", "-1", "0", "0")}) {
+            enter(w(), key, QString::fromUtf8(value));
+            const QString said = error_under(w(), key);
+            QVERIFY2(said.contains(QString::fromUtf8(says)), qPrintable(QString(key) + ": " + said));
+            QVERIFY(settings().side_feed == before.side_feed
+                    && settings().points_per_turn == before.points_per_turn
+                    && settings().core_radius == before.core_radius);
+            shot(w(), QStringLiteral("lathe-bad-") + QLatin1String(key));
+            enter(w(), key, QString::fromUtf8(good));
+            QCOMPARE(error_under(w(), key), QString());
+        }
+        const auto fails = [&](const char* key, const ParameterValue& value, const char* says) {
+            w().document().change(QStringLiteral("bad"), [&](Project& p) {
+                p.operations[0] = make_operation("lathe_finish");
+                p.operations[0]->common().tolerance = 0.5;
+                p.operations[0]->set(key, value);
+            });
+            w().plan();
+            if (!wait_until_settled(w())) return false;
+            return w().document().state(0) == OperationState::failed
+                   && w().message_bar().message().contains(QString::fromUtf8(says));
+        };
+        QVERIFY2(fails("allowance", 40.0, "nothing of the stock stands above"),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY2(fails("points_per_turn", 72.5, "whole number"), qPrintable(w().message_bar().message()));
+        QVERIFY2(fails("chuck", std::array<double, 2>{80, 100}, "no room"),
+                 qPrintable(w().message_bar().message()));
+        // The part beside its axis.
+        w().document().change(QStringLiteral("beside"), [&](Project& p) {
+            p.operations[0] = make_operation("lathe_finish");
+            p.operations[0]->set("axis", std::string("points"));
+            p.operations[0]->set("axis_from", std::array<double, 3>{0, 60, 0});
+            p.operations[0]->set("axis_to", std::array<double, 3>{40, 60, 0});
+        });
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("35 mm beside the part")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(!view()->path());
+        shot(w(), QStringLiteral("lathe-beside"));
     }
 
     void a_click_here_and_a_click_there_mean_the_same() {
@@ -314,6 +380,51 @@ private slots:
         w().resize(1280, 800);
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("unrolled-wide-again"));
+    }
+
+    /// Titles of the axes and of the legend are whole in any size that a dock may have.
+    void titles_are_whole_in_a_narrow_view() {
+        QVERIFY(plan_prism());
+        UnrolledView narrow;
+        narrow.set_path(view()->path());
+        const QFontMetricsF fm(narrow.font());
+        for (const QSize& size : {narrow.minimumSizeHint(), QSize(230, 320), QSize(420, 180)}) {
+            QVERIFY(size.width() >= narrow.minimumSizeHint().width());
+            narrow.resize(size);
+            const QRectF in = narrow.frame();
+            QVERIFY(in.width() >= 60 && in.height() >= 60 && QRectF(narrow.rect()).contains(in));
+            const QImage image = narrow.grab().toImage().convertToFormat(QImage::Format_RGB32);
+            const QRgb ground = image.pixel(1, 1);
+            // From the first to the last ink in a part of the picture, to the right or (upright) up.
+            const auto ink = [&](const QRect& part, bool upright) {
+                int first = INT_MAX, last = INT_MIN;
+                for (int y = part.top(); y <= part.bottom(); ++y)
+                    for (int x = part.left(); x <= part.right(); ++x)
+                        if (image.pixel(x, y) != ground) {
+                            first = std::min(first, upright ? y : x);
+                            last = std::max(last, upright ? y : x);
+                        }
+                return double(last) - double(first);
+            };
+            const int line = int(fm.height()), bottom = size.height() - 8;
+            const auto is_whole = [&](double length, const char* title) {
+                const double whole = fm.horizontalAdvance(QString::fromUtf8(title));
+                return length > whole - 6 && length < whole + 6;
+            };
+            const double across = ink(QRect(0, bottom - line + 1, size.width(), line), false);
+            QVERIFY2(is_whole(across, "Along the axis (mm)"), qPrintable(QString::number(across)));
+            const double up = ink(QRect(8, 0, line, bottom - line), true);
+            QVERIFY2(is_whole(up, "Turning angle"), qPrintable(QString::number(up)));
+            // Its upper half: beside the lower one are labels of the topmost ticks.
+            const double legend = ink(QRect(0, 0, size.width(), int(in.top()) - line / 2 - 2), false);
+            QVERIFY2(is_whole(legend, "Depth (mm)"), qPrintable(QString::number(legend)));
+            // Numbers beside the legend end before the view does.
+            const int right = size.width() - 4;
+            QVERIFY(ink(QRect(right, 0, 4, size.height()), false) < 0);
+            image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/unrolled-narrow-%1x%2.png")
+                           .arg(size.width())
+                           .arg(size.height()));
+        }
     }
 
     void the_axis_through_two_picked_points() {
