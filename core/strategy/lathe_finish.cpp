@@ -10,6 +10,20 @@ namespace {
 const OperationRegistration registration("lathe_finish", "Finish, turning part",
                                          [] { return std::make_unique<LatheFinish>(); });
 
+constexpr std::size_t points_per_check = 256;
+
+/// Whether the path comes anywhere deeper than the raw material stands.
+bool meets_stock(const LathePath& path, const PlanContext& context, const Progress& progress) {
+    const LatheStock stock(path.field().frame(), context, LatheStock::Of::cutter, progress);
+    const double least = path.base().chord_tolerance;
+    ToolLift::Hint hint;
+    for (std::size_t i = 0; i < path.points().size(); ++i) {
+        if (i % points_per_check == 0) progress.check();
+        if (stock.u(path.points()[i].place, hint) > path.points()[i].u + least) return true;
+    }
+    return false;
+}
+
 } // namespace
 
 const ParameterTable<LatheFinishSettings>& lathe_finish_parameters() {
@@ -28,6 +42,10 @@ StrategyResult LatheFinish::plan(const PlanContext& context, const Progress& pro
     const double chord = chord_budget(settings_.chord_tolerance, cusp);
     const LathePath path(settings_, context, settings_.allowance + context.tessellation_tolerance[1], cusp,
                          chord, progress.part(0, 0.97));
+    // A stock that is the part itself is cut over without a word; an allowance that leaves nothing is a slip.
+    if (settings_.allowance > 0 && path.field().stock_radius() > 0
+        && !meets_stock(path, context, progress.part(0.97, 0.98)))
+        throw_no_stock_above(settings_.name, settings_.allowance, context.unit);
     StrategyResult result = path.base();
     const std::vector<std::string> uncut = reach_warnings(path.reach(), context.unit);
     result.warnings.insert(result.warnings.end(), uncut.begin(), uncut.end());

@@ -119,6 +119,13 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     progress.set(1);
 }
 
+void throw_no_stock_above(const std::string& operation, double allowance, LengthUnit unit) {
+    throw Error(ErrorCode::empty_result, operation,
+                "nothing of the stock stands above the part and the allowance of "
+                    + length_text(allowance, unit),
+                "choose a smaller allowance, or a larger stock");
+}
+
 void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
     auto& warnings = base_.warnings;
     const LatheFrame& frame = field_->frame();

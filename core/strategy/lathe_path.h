@@ -38,4 +38,7 @@ private:
     StrategyResult base_;
 };
 
+/// Of an operation whose allowance takes all that stands of the stock: Error(empty_result).
+[[noreturn]] void throw_no_stock_above(const std::string& operation, double allowance, LengthUnit unit);
+
 } // namespace facetmill

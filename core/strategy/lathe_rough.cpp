@@ -44,10 +44,8 @@ public:
             }
         const double least = std::max(least_share * settings_.depth_of_cut, result_.chord_tolerance);
         if (!(top - low > least))
-            throw Error(ErrorCode::empty_result, settings_.name,
-                        "nothing of the stock stands above the part and the allowance of "
-                            + text(settings_.allowance + settings_.finishing_allowance),
-                        "choose a smaller finishing allowance, or a larger stock");
+            throw_no_stock_above(settings_.name, settings_.allowance + settings_.finishing_allowance,
+                                 context_.unit);
         const double wanted = (top - low) / settings_.depth_of_cut;
         if (wanted > most_passes)
             throw Error(ErrorCode::limit_exceeded, "depth_of_cut",
