@@ -27,6 +27,10 @@ constexpr double touching = 0.02, least_fillet = 0.05;
 /// the first with half the cutter's radius.
 constexpr int directions = 8, rounds = 6, most_moves = 40;
 constexpr double golden_angle = 2.399963229728653;
+/// Of a thorough search: places that it looks at, within so many radii of the cutter, and from how many of
+/// the best it goes downhill; samples of a region that get one.
+constexpr int spread = 96, best_starts = 3, most_again = 64;
+constexpr double spread_share = 1.25;
 /// Steps to the angle at which the cutter that touches a plane stands.
 constexpr int angle_steps = 4;
 /// Where between two turns a crease may lie, in advances; halvings of the advance that it allows, and the
@@ -41,6 +45,10 @@ constexpr std::size_t most_named = 3;
 
 struct Sample {
     double angle = 0, y = 0, area = 0, distance = 0; ///< where on the part; angle from 0 up to a turn
+    double half = 0;                                 ///< of the side of the square that it stands for
+    bool alone = false; ///< no other sample says how far what it stands for reaches
+    bool sure = false;  ///< searched thoroughly
+    Vec3 p = Vec3::Zero(), n = Vec3::Zero();
     UnreachedRegion::Why why = UnreachedRegion::Why::narrow;
 };
 
@@ -102,8 +110,8 @@ public:
                     for (std::size_t row = 0; row < rows.rows(); ++row)
                         for (std::size_t column = 0; column < rows.columns(row); ++column) {
                             if (++looked % samples_per_check == 0) progress.check();
-                            sample(rows.point(row, column), n, scale * rows.weight(row), hint, found.out,
-                                   progress);
+                            sample(rows.point(row, column), n, scale * rows.weight(row), false, hint,
+                                   found.out, progress);
                         }
                 }
                 return found;
@@ -113,30 +121,82 @@ public:
 
     Found creases(const Progress& progress) const {
         const std::vector<Crease> all = find_creases(progress);
+        // Where creases meet more stays than in their middles: creases filed under their ends.
+        const std::size_t corners = mesh_.vertices.size();
+        std::vector<std::size_t> first(corners + 1, 0);
+        for (const Crease& c : all)
+            for (const Index v : c.ends)
+                ++first[v + 1];
+        std::vector<Index> ends; // corners with creases
+        for (std::size_t v = 0; v < corners; ++v) {
+            if (first[v + 1] > 0) ends.push_back(Index(v));
+            first[v + 1] += first[v];
+        }
+        progress.check();
+        std::vector<std::size_t> meeting(2 * all.size()), next(first.begin(), first.end() - 1);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (const Index v : all[i].ends)
+                meeting[next[v]++] = i;
         return parallel_reduce(
-            all.size(), creases_per_block, Found(), progress,
+            all.size() + ends.size(), creases_per_block, Found(), progress,
             [&](std::size_t begin, std::size_t end) {
                 Found found;
                 LatheField::Hint hint;
+                std::vector<Vec3> normals;
                 for (std::size_t i = begin; i < end; ++i) {
-                    const Crease& c = all[i];
-                    const Vec3 way = c.b - c.a;
-                    const auto pieces = std::size_t(way.norm() / spacing_) + 1;
-                    for (std::size_t k = 0; k < pieces; ++k) {
-                        progress.check();
-                        crease(c, c.a + (double(k) + 0.5) / double(pieces) * way, way.norm() / double(pieces),
-                               hint, found, progress);
+                    if (i < all.size()) {
+                        const Vec3 &a = mesh_.vertices[all[i].ends[0]], &b = mesh_.vertices[all[i].ends[1]];
+                        const auto pieces = std::size_t((b - a).norm() / spacing_) + 1;
+                        const double length = (b - a).norm() / double(pieces);
+                        for (std::size_t k = 0; k < pieces; ++k)
+                            hollow(a + (double(k) + 0.5) / double(pieces) * (b - a), all[i].normal, length,
+                                   hint, found, progress);
+                        continue;
                     }
+                    const Index v = ends[i - all.size()];
+                    normals.clear();
+                    for (std::size_t k = first[v]; k < first[v + 1]; ++k)
+                        for (const Vec3& n : all[meeting[k]].normal)
+                            if (std::find(normals.begin(), normals.end(), n) == normals.end())
+                                normals.push_back(n);
+                    hollow(mesh_.vertices[v], normals, 0, hint, found, progress);
                 }
                 return found;
             },
             joined);
     }
 
+    /// Looks for a better place than the sample has, from places all around it: downhill alone may end in a
+    /// dip that is not the deepest. False where one serves it after all.
+    bool search_again(Sample& s, LatheField::Hint& hint, const Progress& progress) const {
+        const LathePlace straight = straight_over(s.p);
+        const double radius = field_.cover().radius(), away = std::max(frame_.away(s.p), 0.5 * radius);
+        std::vector<std::pair<double, LathePlace>> starts;
+        for (int k = 0; k < spread; ++k) {
+            const double out = spread_share * radius * std::sqrt((k + 0.5) / spread);
+            const LathePlace place{straight.angle + out * std::cos(k * golden_angle) / away,
+                                   straight.y + out * std::sin(k * golden_angle)};
+            const Rest here = rest(stand(place, hint), s.p, s.n);
+            if (here.height <= allowed_) return false;
+            starts.emplace_back(here.distance, place);
+        }
+        std::stable_sort(starts.begin(), starts.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        starts.resize(best_starts);
+        starts.emplace_back(0, straight);
+        for (const auto& [unused, start] : starts) {
+            const Nearest found = nearest_from(start, s.p, s.n, hint, progress);
+            if (found.height <= allowed_) return false;
+            s.distance = std::min(s.distance, found.distance - field_.allowance());
+        }
+        s.sure = true;
+        return true;
+    }
+
 private:
     /// An edge between two facets with these normals, towards the tool, that is hollow.
     struct Crease {
-        Vec3 a, b;
+        std::array<Index, 2> ends;
         std::array<Vec3, 2> normal;
     };
 
@@ -205,7 +265,7 @@ private:
         const double half_cosine = std::sqrt(std::max(0.5 * (1 + n[0].dot(n[1])), 0.0));
         if (half_cosine * least >= 1) return;
         if (!(n[0].dot(mesh_.vertices[other.across] - a) > 0)) return; // bulges
-        creases.push_back({a, b, n});
+        creases.push_back({{low, h.high}, n});
     }
 
     /// Where the cutter stands that touches the plane through p with normal n; over p where it cannot.
@@ -236,39 +296,61 @@ private:
         return std::atan2(v.dot(frame_.axis().direction.cross(frame_.zero())), v.dot(frame_.zero()));
     }
 
-    /// What the cutter that is lowered at a place leaves over p along n, and how far it is from p.
-    struct Rest {
+    /// The cutter lowered at a place, or where the range ends before it, and its frame.
+    struct Stand {
         LathePoint at;
+        Vec3 tip, x, y, axis;
+        Vec3 local(const Vec3& v) const { return {v.dot(x), v.dot(y), v.dot(axis)}; }
+    };
+    Stand stand(LathePlace place, LatheField::Hint& hint) const {
+        place.y = std::clamp(place.y, range_.from, range_.to);
+        const LathePoint at = field_.point(place, hint);
+        const CutterLocation tool = frame_.at(place, at.u);
+        const Vec3 x = frame_.axis().direction.cross(tool.axis).normalized();
+        return {at, tool.tip, x, tool.axis.cross(x), tool.axis};
+    }
+
+    /// What a cutter leaves over p along n, and how far it is from p.
+    struct Rest {
         double height = infinity, distance = infinity; ///< above what the allowance leaves; from p
     };
-    Rest rest(const Vec3& p, const Vec3& n, LathePlace place, LatheField::Hint& hint) const {
-        place.y = std::clamp(place.y, range_.from, range_.to);
+    Rest rest(const Stand& tool, const Vec3& p, const Vec3& n) const {
         Rest r;
-        r.at = field_.point(place, hint);
-        const CutterLocation tool = frame_.at(place, r.at.u);
-        const Vec3 x = frame_.axis().direction.cross(tool.axis).normalized(), y = tool.axis.cross(x);
-        const auto local = [&](const Vec3& v) { return Vec3(v.dot(x), v.dot(y), v.dot(tool.axis)); };
         const CutterCover& cover = field_.cover();
-        r.distance = cover.distance(local(p - tool.tip));
-        const Vec3 normal = local(n);
+        r.distance = cover.distance(tool.local(p - tool.tip));
+        const Vec3 normal = tool.local(n);
         if (normal.z() >= 0)
-            r.height = cover.ray_entry(local(p + field_.allowance() * n - tool.tip), normal, Vec3::Zero(),
-                                       2 * cover.radius());
+            r.height = cover.ray_entry(tool.local(p + field_.allowance() * n - tool.tip), normal,
+                                       Vec3::Zero(), 2 * cover.radius());
         // A cutter that touches p may be passed by its own tangent.
         if (r.distance <= field_.allowance() + touching * allowed_) r.height = 0;
         return r;
     }
 
-    void sample(const Vec3& p, const Vec3& facet_normal, double area, LatheField::Hint& hint,
-                std::vector<Sample>& out, const Progress& progress) const {
-        const double along = frame_.along(p);
-        if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
-        // Either side of a facet may be out, as the winding of a scan says nothing.
-        const Vec3 n = facet_normal.dot(frame_.radial(angle_of(p))) < 0 ? Vec3(-facet_normal) : facet_normal;
-        LathePlace place = place_over(p, n);
-        if ((named_from_ && place.y < range_.from) || (named_to_ && place.y > range_.to)) return;
-        Rest best = rest(p, n, place, hint);
-        if (best.height <= allowed_) return;
+    /// The place whose tool axis runs through p, or beside it where p is nearer to the turning axis than the
+    /// offset.
+    LathePlace straight_over(const Vec3& p) const {
+        const double rho = frame_.away(p), offset = frame_.offset();
+        const double angle =
+            angle_of(p)
+            - (rho > std::abs(offset) ? std::asin(offset / rho) : std::copysign(0.5 * pi, offset));
+        const double out = (p - frame_.axis().point).dot(frame_.radial(angle));
+        return {angle, frame_.along(p) - std::tan(frame_.tilt()) * out};
+    }
+
+    /// The place, of those that a search from `place` downhill in the distance comes to, that serves p, or
+    /// that is nearest to it.
+    struct Nearest : Rest {
+        LathePoint at;
+    };
+    Nearest nearest_from(LathePlace place, const Vec3& p, const Vec3& n, LatheField::Hint& hint,
+                         const Progress& progress) const {
+        const auto at = [&](const LathePlace& q) {
+            const Stand tool = stand(q, hint);
+            return Nearest{rest(tool, p, n), tool.at};
+        };
+        Nearest best = at(place);
+        if (best.height <= allowed_) return best;
         const double away = std::max(frame_.away(p), 0.5 * field_.cover().radius());
         double step = 0.5 * field_.cover().radius(), first = 0;
         for (int round = 0; round < rounds; ++round, step *= 0.5, first += golden_angle) {
@@ -280,8 +362,8 @@ private:
                     const double way = first + 2 * pi * k / directions;
                     const LathePlace next{place.angle + step * std::cos(way) / away,
                                           place.y + step * std::sin(way)};
-                    const Rest here = rest(p, n, next, hint);
-                    if (here.height <= allowed_) return;
+                    const Nearest here = at(next);
+                    if (here.height <= allowed_) return here;
                     if (here.distance >= best.distance - tolerance::contact_distance) continue;
                     best = here;
                     place = next;
@@ -290,11 +372,34 @@ private:
                 }
             }
         }
+        return best;
+    }
+
+    /// Finds out whether any place serves p, and adds it to `out` if not, with the distance at the best.
+    void sample(const Vec3& p, const Vec3& facet_normal, double area, bool alone, LatheField::Hint& hint,
+                std::vector<Sample>& out, const Progress& progress) const {
+        const double along = frame_.along(p);
+        if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
+        // Either side of a facet may be out, as the winding of a scan says nothing.
+        const Vec3 n = facet_normal.dot(frame_.radial(angle_of(p))) < 0 ? Vec3(-facet_normal) : facet_normal;
+        const LathePlace place = place_over(p, n);
+        if ((named_from_ && place.y < range_.from) || (named_to_ && place.y > range_.to)) return;
+        Nearest best = nearest_from(place, p, n, hint, progress);
+        if (best.height <= allowed_) return;
+        // Straight over p it is no farther than the part's outside.
+        const Stand above = stand(straight_over(p), hint);
+        if (const Nearest straight{rest(above, p, n), above.at}; straight.distance < best.distance)
+            best = straight;
+        if (best.height <= allowed_) return;
         Sample s;
+        s.p = p;
+        s.n = n;
         s.angle = angle_of(p);
         if (s.angle < 0) s.angle += 2 * pi;
         s.y = along;
         s.area = area;
+        s.half = std::max(std::min({0.5 * std::sqrt(area), along - from_, to_ - along}), 0.0);
+        s.alone = alone;
         s.distance = best.distance - field_.allowance();
         s.why = reason(p, n, best.at);
         out.push_back(s);
@@ -322,24 +427,31 @@ private:
         return true;
     }
 
-    void crease(const Crease& c, const Vec3& p, double length, LatheField::Hint& hint, Found& found,
-                const Progress& progress) const {
+    /// A place of a hollow edge of which it stands for `length`, or (0) where such edges meet; normals of the
+    /// facets beside it.
+    void hollow(const Vec3& p, std::span<const Vec3> normals, double length, LatheField::Hint& hint,
+                Found& found, const Progress& progress) const {
+        progress.check();
         const double along = frame_.along(p), radius = field_.cover().radius();
         if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
-        const Vec3 middle = (c.normal[0] + c.normal[1]).normalized();
-        const LathePlace place = place_over(p, middle);
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& n : normals)
+            middle += n;
+        const LathePlace place = place_over(p, middle.normalized());
         if (place.y < range_.from || place.y > range_.to) return;
-        const auto height = [&](const LathePlace& at, std::size_t side) {
-            return rest(p, c.normal[side], at, hint).height;
-        };
-        const double rests = std::max(height(place, 0), height(place, 1));
+        const Stand over = stand(place, hint);
+        double rests = 0;
+        for (const Vec3& n : normals)
+            rests = std::max(rests, rest(over, p, n).height);
         if (rests <= least_fillet * allowed_) return;
         if (rests > allowed_) {
-            // Narrower than samples of facets are apart it would be missed.
-            const double half_angle = 0.5 * std::acos(std::clamp(c.normal[0].dot(c.normal[1]), -1.0, 1.0));
-            const double wide = radius * std::tan(half_angle) - std::sqrt(2 * radius * allowed_);
-            if (wide > 0 && wide < 0.5 * spacing_)
-                sample(p, c.normal[0], 2 * wide * length, hint, found.out, progress);
+            // A ball leaves h (s) = (w - s)^2 / 2r at the distance s from where it leaves h (0): more than is
+            // allowed up to this. Where samples of facets are farther apart they would miss it; where not, it
+            // is here that the cutter stays farthest away.
+            const double wide = std::sqrt(2 * radius) * (std::sqrt(rests) - std::sqrt(allowed_));
+            const bool missed = wide < 0.5 * spacing_;
+            const double area = !missed ? 0 : length > 0 ? 2 * wide * length : pi * wide * wide;
+            sample(p, normals[0], area, missed, hint, found.out, progress);
             return;
         }
         // Of two cutters, an advance apart, that pass it to both sides the nearer one leaves what stays.
@@ -350,9 +462,10 @@ private:
                 std::array<LathePlace, 2> places{place, place};
                 (feed_.across_turns ? places[0].y : places[0].angle) -= share * advance;
                 (feed_.across_turns ? places[1].y : places[1].angle) += (1 - share) * advance;
-                for (std::size_t side = 0; side < 2; ++side) {
-                    const double first = height(places[0], side);
-                    if (first > most) most = std::max(most, std::min(first, height(places[1], side)));
+                const Stand before = stand(places[0], hint), after = stand(places[1], hint);
+                for (const Vec3& n : normals) {
+                    const double first = rest(before, p, n).height;
+                    if (first > most) most = std::max(most, std::min(first, rest(after, p, n).height));
                 }
             }
             return most;
@@ -381,11 +494,12 @@ private:
 /// Samples of one reason that lie together, on a grid over the unrolled part that closes around it.
 class Regions {
 public:
-    Regions(const std::vector<Sample>& samples, double cell, double radius)
-        : samples_(samples), cell_(cell),
+    /// The samples that a region's distance comes from are searched for again, and left out if served.
+    Regions(const Search& search, std::vector<Sample>& samples, double cell, double radius)
+        : search_(search), samples_(samples), cell_(cell), radius_(radius),
           around_(std::max<std::int64_t>(3, std::int64_t(2 * pi * radius / cell))) {}
 
-    std::vector<UnreachedRegion> find() {
+    std::vector<UnreachedRegion> find(const Progress& progress) {
         std::vector<std::size_t> parent(samples_.size());
         std::iota(parent.begin(), parent.end(), std::size_t(0));
         const auto root = [&](std::size_t i) {
@@ -414,14 +528,30 @@ public:
         for (std::size_t i = 0; i < samples_.size(); ++i)
             members[root(i)].push_back(i);
         std::vector<UnreachedRegion> regions;
-        for (const auto& [unused, of] : members)
-            regions.push_back(region(of));
+        for (auto& [unused, of] : members) {
+            make_sure(of, progress);
+            if (of.empty()) continue;
+            if (UnreachedRegion r = region(of); r.area > 0) regions.push_back(std::move(r));
+        }
         std::stable_sort(regions.begin(), regions.end(),
                          [](const UnreachedRegion& a, const UnreachedRegion& b) { return a.area > b.area; });
         return regions;
     }
 
 private:
+    /// Until the farthest has been searched thoroughly.
+    void make_sure(std::vector<std::size_t>& of, const Progress& progress) const {
+        LatheField::Hint hint;
+        for (int k = 0; k < most_again && !of.empty(); ++k) {
+            progress.check();
+            const auto farthest = std::max_element(of.begin(), of.end(), [&](std::size_t a, std::size_t b) {
+                return samples_[a].distance < samples_[b].distance;
+            });
+            if (samples_[*farthest].sure) return;
+            if (!search_.search_again(samples_[*farthest], hint, progress)) of.erase(farthest);
+        }
+    }
+
     UnreachedRegion region(const std::vector<std::size_t>& of) const {
         UnreachedRegion r;
         r.why = samples_[of.front()].why;
@@ -432,9 +562,13 @@ private:
             const Sample& s = samples_[i];
             r.area += s.area;
             r.distance = std::max(r.distance, s.distance);
-            r.from = std::min(r.from, s.y);
-            r.to = std::max(r.to, s.y);
+            const double half = s.alone || of.size() == 1 ? s.half : 0;
+            r.from = std::min(r.from, s.y - half);
+            r.to = std::max(r.to, s.y + half);
             angles.push_back(s.angle);
+            if (half > 0)
+                for (const double to : {s.angle - half / radius_, s.angle + half / radius_})
+                    angles.push_back(to - 2 * pi * std::floor(to / (2 * pi)));
         }
         // Round the part but for the widest gap; a gap no wider than the grid can tell is none.
         std::sort(angles.begin(), angles.end());
@@ -454,8 +588,9 @@ private:
         return r;
     }
 
-    const std::vector<Sample>& samples_;
-    double cell_;
+    const Search& search_;
+    std::vector<Sample>& samples_;
+    double cell_, radius_;
     std::int64_t around_;
 };
 
@@ -476,15 +611,15 @@ LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, con
                        const Progress& progress) {
     const Search search(settings, field, context, range, allowed, feed);
     Found found = search.facets(progress.part(0, 0.7));
-    Found creases = search.creases(progress.part(0.7, 1));
+    Found creases = search.creases(progress.part(0.7, 0.95));
     found.out.insert(found.out.end(), creases.out.begin(), creases.out.end());
     LatheReach reach;
     reach.area = found.area;
     reach.limits = std::move(creases.limits);
     reach.crease_cusp = creases.crease_cusp;
-    reach.regions = Regions(found.out, cell_spacings * search.spacing(),
+    reach.regions = Regions(search, found.out, cell_spacings * search.spacing(),
                             std::max(field.part_radius(), tolerance::smallest_extent))
-                        .find();
+                        .find(progress.part(0.95, 1));
     return reach;
 }
 

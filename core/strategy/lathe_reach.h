@@ -18,8 +18,9 @@
 // Creases. The side feed (lathe_feed.h) comes from the cusps over what the tips touch. In an edge of the part
 // that is hollow the cutter rolls from one facet to the other and leaves a fillet, which no tip touches; a
 // ball of radius r between planes that turn by delta leaves r (1 / cos(delta / 2) - 1). What two neighbouring
-// turns leave there stands on the fillet. So every such edge is looked at, with two cutters a side feed
-// apart, and limits the feed where both together would be more than is allowed.
+// turns leave there stands on the fillet. So every such edge, and every corner where such edges meet, is
+// looked at with two cutters a side feed apart, and limits the feed where both together would be more than
+// is allowed.
 #pragma once
 
 #include "core/strategy/lathe_way.h"

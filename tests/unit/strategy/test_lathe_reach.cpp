@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -62,6 +63,45 @@ Looked look(const Mesh& part, const Tool& tool, LatheCommon s = {}, double allow
     l.reach = lathe_reach(s, field, context, l.range, allowed, {across, [=](double) { return advance; }},
                           Progress());
     return l;
+}
+
+/// The largest, over these places of a part about X, of how far each stays from a cutter without flanks at
+/// its nearest, over all angles and lengths within its diameter: on a grid, then on finer ones about the
+/// best.
+double largest_by_trying(const std::vector<Vec3>& places, const Mesh& part, const Tool& tool) {
+    const PlanContext context = context_of(part, tool);
+    const LatheField field({}, context, 0, Progress());
+    const LatheRange range = lathe_range({}, field, context, Progress());
+    const double radius = 0.5 * tool.diameter, corner = tool.corner_radius, level = radius - corner;
+    LatheField::Hint hint;
+    const auto distance = [&](const Vec3& p, const LathePlace& place) {
+        const CutterLocation at = field.frame().at(place, field.u(place, hint));
+        const Vec3 rel = p - at.tip;
+        const double z = rel.dot(at.axis), rho = (rel - z * at.axis).norm();
+        if (z >= corner) return std::max(rho - radius, 0.0);
+        if (rho <= level) return std::max(-z, 0.0);
+        return std::max(std::hypot(rho - level, z - corner) - corner, 0.0);
+    };
+    double most = 0;
+    for (const Vec3& p : places) {
+        LathePlace best{std::atan2(-p.y(), p.z()), p.x()};
+        double least = infinity, half = tool.diameter;
+        constexpr int pieces = 24, rounds = 4;
+        for (int round = 0; round < rounds; ++round, half *= 4.0 / pieces) {
+            const LathePlace about = best;
+            for (int i = -pieces; i <= pieces; ++i)
+                for (int k = -pieces; k <= pieces; ++k) {
+                    const LathePlace place{about.angle + half * i / pieces / field.frame().away(p),
+                                           std::clamp(about.y + half * k / pieces, range.from, range.to)};
+                    if (const double here = distance(p, place); here < least) {
+                        least = here;
+                        best = place;
+                    }
+                }
+        }
+        most = std::max(most, least);
+    }
+    return most;
 }
 
 QByteArray told(const LatheReach& reach) {
@@ -225,6 +265,169 @@ private slots:
         QCOMPARE(held.reach.regions[0].why, Why::held);
         QVERIFY2(held.reach.regions[0].to > 6.5 && held.reach.regions[0].to < held.range.from + 1,
                  qPrintable(QString("%1").arg(held.reach.regions[0].to)));
+    }
+
+    void the_distance_is_the_largest_of_the_nearest_data() {
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<double>("corner");
+        for (int seed = 0; seed < 4; ++seed)
+            for (const double corner : {3.0, 1.0, 0.0})
+                QTest::addRow("part %d corner %g", seed, corner) << seed << corner;
+    }
+
+    /// A region's distance against the largest, over the part, of the smallest, over all places of the
+    /// cutter: notches lengthwise and around, with floors or pointed, leaning, deeper and narrower at random.
+    void the_distance_is_the_largest_of_the_nearest() {
+        QFETCH(int, seed);
+        QFETCH(double, corner);
+        std::mt19937 random{std::mt19937::result_type(seed)};
+        const auto any = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const double mouth = any(2.5, 5), floor = seed % 2 == 0 ? 0 : any(0.5, 1.5), depth = any(1.2, 3),
+                     lean = any(-0.4, 0.4) * mouth;
+        // Along the section, or from end to end; the middle of a side of the turned one is its lowest.
+        std::vector<Vec2> notch;
+        constexpr int sides = 24;
+        const bool lengthwise = seed < 2;
+        if (lengthwise)
+            notch = {{0.5 * mouth, 8},
+                     {lean + 0.5 * floor + 0.01, 8 - depth},
+                     {lean - 0.5 * floor - 0.01, 8 - depth},
+                     {-0.5 * mouth, 8}};
+        else
+            notch = {{6 - 0.5 * mouth, 9},
+                     {6 + lean - 0.5 * floor - 0.01, 9 - depth},
+                     {6 + lean + 0.5 * floor + 0.01, 9 - depth},
+                     {6 + 0.5 * mouth, 9}};
+        std::vector<Vec2> outline = notch;
+        if (lengthwise) {
+            outline.insert(outline.begin(), {{-8, -8}, {8, -8}, {8, 8}});
+            outline.emplace_back(-8, 8);
+        } else {
+            outline.insert(outline.begin(), Vec2(0, 9));
+            outline.emplace_back(12, 9);
+        }
+        const Mesh part = lengthwise ? drawn_out(outline, 6) : turned_profile(outline, sides);
+        std::vector<Vec3> places;
+        const double turn = pi / sides;
+        for (std::size_t i = 1; i < notch.size(); ++i)
+            for (int k = 0; k <= 6; ++k) {
+                const Vec2 q = notch[i - 1] + k / 6.0 * (notch[i] - notch[i - 1]);
+                if (lengthwise)
+                    places.emplace_back(3, q.x(), q.y());
+                else {
+                    places.emplace_back(q.x(), q.y(), 0); // a corner of the section
+                    const double low = q.y() * std::cos(turn);
+                    places.emplace_back(q.x(), low * std::cos(turn), low * std::sin(turn));
+                }
+            }
+        Tool tool = ball_tool(6);
+        tool.corner_radius = corner;
+        const double exact = largest_by_trying(places, part, tool);
+        QVERIFY2(exact > 0.1, qPrintable(QString::number(exact)));
+        double most = 0;
+        for (const UnreachedRegion& r : look(part, tool).reach.regions)
+            most = std::max(most, r.distance);
+        // The search ends with steps of a 64th of the cutter's radius; the worst place is an edge, where both
+        // look.
+        QVERIFY2(most <= exact + 3.0 / 64 && most >= exact - 0.02,
+                 qPrintable(QString("%1, not %2").arg(most).arg(exact)));
+    }
+
+    /// Straight over a place the cutter is no farther from it than the part's outside.
+    void the_distance_has_a_bound() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> bump(0, 1);
+        for (int round = 0; round < 6; ++round) {
+            const int around = 24, along = 10;
+            Mesh part;
+            for (int i = 0; i <= along; ++i)
+                for (int k = 0; k < around; ++k) {
+                    const double angle = 2 * pi * k / around, r = 10 + bump(random);
+                    part.vertices.emplace_back(1.5 * i, r * std::cos(angle), r * std::sin(angle));
+                }
+            for (int i = 0; i < along; ++i)
+                for (int k = 0; k < around; ++k) {
+                    const auto at = [&](int a, int b) { return Index(a * around + b % around); };
+                    part.facets.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+                    part.facets.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+                }
+            double outside = 0;
+            for (const Vec3& v : part.vertices)
+                outside = std::max(outside, std::hypot(v.y(), v.z()));
+            // Of the middles of facets' edges at the innermost.
+            const double inside = 10 * std::cos(pi / around);
+            for (const auto& [name, tool] : tools_of_every_shape()) {
+                const Looked l = look(part, tool);
+                QVERIFY(!l.reach.regions.empty());
+                for (const UnreachedRegion& r : l.reach.regions) {
+                    QVERIFY(r.distance > 0 && r.area > 0);
+                    QVERIFY2(
+                        r.distance <= outside - inside + 1e-9,
+                        qPrintable(QString("%1: %2 > %3").arg(name).arg(r.distance).arg(outside - inside)));
+                    QVERIFY(r.from >= -1e-9 && r.to <= 15 + 1e-9 && r.from < r.to);
+                    QVERIFY(r.angle_from < r.angle_to && r.angle_to - r.angle_from <= 2 * pi + 1e-9);
+                }
+            }
+        }
+    }
+
+    /// Three planes that all turn by the same from each other meet in a corner, where a ball leaves more than
+    /// in the edges between them.
+    void corners_where_hollow_edges_meet() {
+        const double r = 6.35, slope = std::tan(radians(8));
+        // A shallow pit with three sides in the top of a block; its deepest place at (15, 0).
+        const auto pit = [&](double x, double y) {
+            double z = -infinity;
+            for (int k = 0; k < 3; ++k) {
+                const double angle = 2 * pi * (k + 0.25) / 3;
+                z = std::max(z, slope * ((x - 15) * std::cos(angle) + y * std::sin(angle)));
+            }
+            return 18 + z;
+        };
+        // Rays from the middle, some of them along the edges.
+        Mesh part;
+        part.vertices.emplace_back(15, 0, pit(15, 0));
+        constexpr int rays = 12;
+        for (int k = 0; k < rays; ++k) {
+            const double angle = 2 * pi * k / rays, x = 15 + 12 * std::cos(angle), y = 12 * std::sin(angle);
+            part.vertices.emplace_back(x, y, pit(x, y));
+        }
+        for (Index k = 0; k < rays; ++k)
+            part.facets.push_back({0, 1 + k, 1 + (k + 1) % rays});
+        // And a speck opposite, so that the axis runs through the part.
+        part.vertices.insert(part.vertices.end(), {{14.9, -0.1, -18}, {15.1, -0.1, -18}, {15, 0.1, -18}});
+        part.facets.push_back({rays + 1, rays + 2, rays + 3});
+        // Over the deepest place the ball touches all three sides: its centre is r / cos(slope angle) above.
+        const double corner = r / std::cos(radians(8)) - r;
+        // In an edge two sides turn by 2 alpha: cos(2 alpha) = n1 . n2.
+        const double c = std::cos(radians(8)), s = std::sin(radians(8));
+        const double two_alpha = std::acos(c * c + s * s * std::cos(2 * pi / 3));
+        const double edge = r * (1 / std::cos(0.5 * two_alpha) - 1);
+        QVERIFY(edge < 0.8 * corner);
+        // Between the two: edges are cut, the corner is not.
+        const Looked l = look(part, ball_tool(2 * r), {}, 0.5 * (edge + corner), 0.2);
+        QVERIFY2(l.reach.regions.size() == 1, told(l.reach).constData());
+        const UnreachedRegion& region = l.reach.regions[0];
+        QVERIFY2(std::abs(0.5 * (region.from + region.to) - 15) < 0.1
+                     && std::abs(0.5 * (region.angle_from + region.angle_to) - 2 * pi) < 0.1,
+                 qPrintable(QString("%1 %2 %3 %4")
+                                .arg(region.from)
+                                .arg(region.to)
+                                .arg(region.angle_from)
+                                .arg(region.angle_to)));
+        QVERIFY(region.area < 3 && region.from < 15 && region.to > 15);
+        QVERIFY(std::abs(region.distance - corner) < 0.02 * corner);
+        // Where both are allowed, the corner is what limits the feed.
+        const Looked limited = look(part, ball_tool(2 * r), {}, 1.2 * corner, 3.0);
+        double least = infinity, at = 0;
+        for (const FeedLimit& f : limited.reach.limits)
+            if (f.advance < least) {
+                least = f.advance;
+                at = f.at;
+            }
+        QVERIFY2(std::abs(at - 15) < 0.1, qPrintable(QString::number(at)));
     }
 
     /// What the settings leave out is no finding.
