@@ -329,9 +329,12 @@ private slots:
         double most = 0;
         for (const UnreachedRegion& r : look(part, tool).reach.regions)
             most = std::max(most, r.distance);
-        // The search ends with steps of a 64th of the cutter's radius; the worst place is an edge, where both
-        // look.
-        QVERIFY2(most <= exact + 3.0 / 64 && most >= exact - 0.02,
+        // The search ends with steps of a 64th of the cutter's radius. The worst place is an edge of the
+        // floor, where both look; not so under a wall that hangs over, where samples of the facets are what
+        // there is, and the distance changes by no more than the way between them.
+        const bool hangs_over = std::abs(lean) + 0.5 * floor + 0.01 > 0.5 * mouth;
+        const double lack = hangs_over ? std::sqrt(0.5) * std::sqrt(2 * 3 * 0.05) : 0.02;
+        QVERIFY2(most <= exact + 3.0 / 64 && most >= exact - lack,
                  qPrintable(QString("%1, not %2").arg(most).arg(exact)));
     }
 
