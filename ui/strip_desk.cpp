@@ -249,6 +249,9 @@ void StripDesk::fill() {
         item->setData(name_column, strip_role, qulonglong(i));
         item->setData(name_column, SortedItem::sort_role, double(i));
         item->setText(name_column, text(s.name));
+        // It takes its room in the column from the start; the colour comes with the states.
+        item->setIcon(name_column,
+                      swatch(strip_color(i, true, viewport_.scene().palette()), panel_->devicePixelRatioF()));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
         item->setText(type_column, type_text(s));

@@ -69,7 +69,8 @@ struct Scene::Impl {
     bool shows_strips() const;
     void color_strips();
     void add_strip_legend(std::vector<LegendEntry>& entries) const;
-    std::vector<OverlayNote> strip_notes() const;
+    /// Labels of the strips, where they stand over nothing of what is laid out.
+    std::vector<OverlayNote> strip_notes(const OverlayLayout& layout) const;
     /// The scale's colours on all deviation actors.
     void color_deviation();
     bool shows_back() const; ///< part of the surface turns its back to the eye

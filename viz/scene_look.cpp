@@ -452,7 +452,6 @@ OverlayContent Scene::Impl::overlay_content() const {
     content.unit = unit;
     content.mm_per_pixel = pixel_size() * ratio;
     content.axes = on(Layer::axes);
-    content.notes = strip_notes();
     if (all_overlay) {
         using Sample = LegendEntry::Sample;
         content.title = content.subtitle = "-";
@@ -471,6 +470,7 @@ OverlayContent Scene::Impl::overlay_content() const {
     const Mat3 frame = camera_frame();
     for (int k = 0; k < 3; ++k)
         content.axis_directions[std::size_t(k)] = frame.col(k);
+    if (shows_strips()) content.notes = strip_notes(overlay->layout(content));
     return content;
 }
 

@@ -3,7 +3,9 @@
 #include "viz/scene_impl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace facetmill {
@@ -122,7 +124,7 @@ void Scene::Impl::add_strip_legend(std::vector<LegendEntry>& entries) const {
                            std::to_string(n - shown) + " more regions"});
 }
 
-std::vector<OverlayNote> Scene::Impl::strip_notes() const {
+std::vector<OverlayNote> Scene::Impl::strip_notes(const OverlayLayout& layout) const {
     std::vector<OverlayNote> notes;
     if (!shows_strips()) return notes;
     const auto& all = strips->strips;
@@ -133,30 +135,54 @@ std::vector<OverlayNote> Scene::Impl::strip_notes() const {
         if ((chosen_strip == a) != (chosen_strip == b)) return chosen_strip == a;
         return all[a].area > all[b].area;
     });
-    const Eigen::Vector2i size = window_size();
+    const Vec2 picture = window_size().cast<double>() / ratio;
     std::vector<LayoutRect> taken;
+    for (const LayoutRect& r : {layout.title, layout.legend, layout.scale, layout.axes})
+        if (!r.empty()) taken.push_back(r);
+    const auto free = [&](const LayoutRect& r) {
+        return r.x0 >= label_room && r.x1 <= picture.x() - label_room && r.y0 >= 0 && r.y1 <= picture.y()
+               && std::none_of(taken.begin(), taken.end(), [&](const LayoutRect& t) {
+                      return r.x0 < t.x1 + label_room && t.x0 < r.x1 + label_room && r.y0 < t.y1 + label_room
+                             && t.y0 < r.y1 + label_room;
+                  });
+    };
+    /// About a place, or beside what stands there, as long as the place is below or above it.
+    const auto room_at = [&](const Vec2& at, double width, double height) -> std::optional<LayoutRect> {
+        std::vector<double> middles{at.x(), label_room + width / 2, picture.x() - label_room - width / 2};
+        for (const LayoutRect& t : taken) {
+            middles.push_back(t.x0 - 1.01 * label_room - width / 2);
+            middles.push_back(t.x1 + 1.01 * label_room + width / 2);
+        }
+        std::stable_sort(middles.begin(), middles.end(),
+                         [&](double a, double b) { return std::abs(a - at.x()) < std::abs(b - at.x()); });
+        for (const double x : middles) {
+            if (std::abs(x - at.x()) > width / 2) break;
+            const LayoutRect r{x - width / 2, at.y() - height / 2, x + width / 2, at.y() + height / 2};
+            if (free(r)) return r;
+        }
+        return std::nullopt;
+    };
+    std::size_t labels = 0;
     for (const std::size_t i : order) {
-        if (taken.size() == most_labels) break;
+        if (labels == most_labels) break;
         const StripDisplay::One& one = all[i];
         const Vec2 at = display_of(one.label_at) / ratio;
-        const double width =
-            std::max(overlay->note_width(one.name, true), overlay->note_width(one.detail, false));
-        LayoutRect r{at.x() - width / 2, at.y() - label_line, at.x() + width / 2, at.y() + label_line};
-        // Within the window.
-        const double shift =
-            std::max(0.0, label_room - r.x0) - std::max(0.0, r.x1 + label_room - double(size.x()) / ratio);
-        r.x0 += shift;
-        r.x1 += shift;
-        if (r.y0 < 0 || r.y1 > double(size.y()) / ratio || r.x0 < 0) continue;
-        const bool covered = std::any_of(taken.begin(), taken.end(), [&](const LayoutRect& t) {
-            return r.x0 < t.x1 + label_room && t.x0 < r.x1 + label_room && r.y0 < t.y1 + label_room
-                   && t.y0 < r.y1 + label_room;
-        });
-        if (covered) continue;
-        taken.push_back(r);
-        const double x = 0.5 * (r.x0 + r.x1);
-        notes.push_back({Vec2(x, at.y() - 0.5 * label_line), 0, one.name, true, true});
-        notes.push_back({Vec2(x, at.y() + 0.5 * label_line), 0, one.detail, false, true});
+        if (!at.allFinite()) continue;
+        const double name = overlay->note_width(one.name, true),
+                     wide = std::max(name, overlay->note_width(one.detail, false));
+        // Where there is no room for both lines the name alone.
+        bool both = true;
+        std::optional<LayoutRect> r = room_at(at, wide, 2 * label_line);
+        if (!r) {
+            both = false;
+            r = room_at(at, name, label_line);
+        }
+        if (!r) continue;
+        ++labels;
+        taken.push_back(*r);
+        const double x = 0.5 * (r->x0 + r->x1), y = both ? at.y() - 0.5 * label_line : at.y();
+        notes.push_back({Vec2(x, y), 0, one.name, true, true});
+        if (both) notes.push_back({Vec2(x, y + label_line), 0, one.detail, false, true});
     }
     return notes;
 }

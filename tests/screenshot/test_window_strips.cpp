@@ -265,7 +265,8 @@ private slots:
         const auto chosen = desk().chosen();
         QVERIFY(click_groove(0.5));
         QCOMPARE(desk().chosen(), chosen);
-        // With the list out of sight tool and touches are, too; the strips are seen as any operation's regions.
+        // With the list out of sight tool and touches are, too; the strips are seen as any operation's
+        // regions.
         dock()->close();
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().viewport().scene().has(Layer::strips));
@@ -282,8 +283,42 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("strips-small-dark"));
         QVERIFY(w().width() <= 800);
+        // Names are read whole.
+        const int icon = list()->visualItemRect(row("Valley 1")).height() + 2 * list()->iconSize().width();
+        QVERIFY2(list()->columnWidth(0)
+                     > icon + list()->fontMetrics().horizontalAdvance(QStringLiteral("Valley 2")),
+                 qPrintable(QString::number(list()->columnWidth(0))));
         QVERIFY(list()->isVisible() && list()->height() >= 60);
         w().set_theme(Theme::light);
+    }
+
+    /// Wherever strips come to lie in a small window, their labels leave the legend to be read.
+    void labels_keep_off_the_legend() {
+        QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
+        w().resize(800, 600);
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        Viewport& view = w().viewport();
+        Scene& scene = view.scene();
+        const Vec3 anchor(0, groove_y, 0);
+        const double per_mm = (scene.display_of(Vec3(1, 0, 0)) - scene.display_of(Vec3(0, 0, 0))).norm();
+        const double ratio = view.devicePixelRatioF(), wide = view.width() * ratio,
+                     high = view.height() * ratio;
+        // Well within the legend.
+        const QRect legend(int(wide) - int(140 * ratio), int(18 * ratio), int(122 * ratio), int(80 * ratio));
+        QImage first;
+        for (const double y : {0.5, 0.25, 0.15, 0.08})
+            for (const double x : {0.3, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+                scene.center_on(anchor + Vec3(0.5 - x, 0, 0) * wide / per_mm
+                                + Vec3(0, y - 0.5, 0) * high / per_mm);
+                view.refresh();
+                const QImage now = view_picture(w()).copy(legend);
+                if (x == 0.7 && y == 0.15) shot(w(), QStringLiteral("strips-legend"));
+                if (first.isNull()) first = now;
+                QVERIFY2(changed_pixels(first, now) == 0,
+                         qPrintable(
+                             QString("%1 pixels at (%2, %3)").arg(changed_pixels(first, now)).arg(x).arg(y)));
+            }
     }
 };
 
