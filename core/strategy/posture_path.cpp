@@ -194,6 +194,13 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
     });
     std::vector<Stop> run;
     std::size_t begin = 0; // the place that the run began with
+    // Beyond the end of the surface a place is there for what its pose would have held on the border.
+    const auto on_part = [&](const ContactPlace& place) -> CutterContact {
+        const double s = std::clamp(place.s, 0.0, line.line.length());
+        if (s == place.s) return {place.surface, place.frame.normal};
+        const SlicePoint end = line.line.at(s);
+        return {end.point, end.normal};
+    };
     const auto finish = [&](std::size_t end) {
         if (run.empty()) return;
         double length = 0;
@@ -201,7 +208,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
             length += (run[i].place.surface - run[i - 1].place.surface).norm();
         if (length < shortest_run_share * field.radius()) {
             for (const Stop& s : run)
-                result.uncut.push_back({s.place.surface, s.place.frame.normal});
+                result.uncut.push_back(on_part(s.place));
         } else {
             Pass pass;
             for (const Stop& s : run) {
@@ -232,7 +239,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
     for (std::size_t i = 0; i < line.places.size(); ++i) {
         if (!line.choices[i].free) {
             finish(i);
-            result.uncut.push_back({line.places[i].surface, line.places[i].frame.normal});
+            result.uncut.push_back(on_part(line.places[i]));
             continue;
         }
         if (!run.empty()) {
@@ -240,10 +247,10 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
                 run.insert(run.end(), gaps[i].way.begin(), gaps[i].way.end());
             } else {
                 // What lies between the two is cut by neither.
-                const Vec3 middle = 0.5 * (run.back().place.surface + stops[i].place.surface);
-                const Vec3 normal = run.back().place.frame.normal;
+                CutterContact middle = on_part(run.back().place);
+                middle.point = 0.5 * (middle.point + on_part(stops[i].place).point);
                 finish(i);
-                result.uncut.push_back({middle, normal});
+                result.uncut.push_back(middle);
             }
         }
         if (run.empty()) begin = i;

@@ -24,7 +24,7 @@ struct PlacedLine {
 
 struct JoinedPasses {
     std::vector<Pass> passes;                         ///< drive and offset are the caller's
-    std::vector<CutterContact> uncut;                 ///< contact points left to clean-up
+    std::vector<CutterContact> uncut;                 ///< contact points left to clean-up, on the part
     double cusp = 0;                                  ///< largest to expect along the line, mm
     double lead_min = infinity, lead_max = -infinity; ///< leads used, radians
 };
