@@ -1,6 +1,8 @@
 // Stand-ins for test parts that were published only as pictures: Lu's A-pillar and his surface with a gap
 // (Fig. 5-7), and a car body. Their shapes are ours; what they share with the originals are the features that
 // make them hard.
+#include "core/mesh/sample_standins.h"
+
 #include "core/base/units.h"
 #include "core/mesh/bspline.h"
 #include "core/mesh/sample_parts.h"
@@ -78,40 +80,70 @@ Mesh swept(double length, int cells, Place&& place, Lift&& lift, double toleranc
     return tessellate_patch(patch, grid, tolerance, name, progress);
 }
 
+// 20 in long: flange, concave blend, wall, crown, wall, concave blend, flange; it rises, sways and gets
+// slimmer.
+constexpr double pillar_length = 20.0;
+Profile pillar_profile(double x) {
+    const double t = x / pillar_length, sway = 1.5 * t * t;
+    const double crown = 0.7 - 0.2 * t, foot = crown + 0.5, height = 1.2 - 0.4 * t, edge = 2.2;
+    const double blend = 0.3 - 0.12 * t, shoulder = 0.35 - 0.1 * t;
+    return Profile{{Vec2(sway - edge, 0), Vec2(sway - foot, 0), Vec2(sway - crown, height),
+                    Vec2(sway + crown, height), Vec2(sway + foot, 0), Vec2(sway + edge, 0)},
+                   {0, blend, shoulder, shoulder, blend, 0}};
+}
+double pillar_rise(double x, double) {
+    return 5.0 * std::sin(0.5 * pi * x / pillar_length);
+}
+
+// 6 x 5 in, domed: a winding gap 1 in deep between two walls, its floor 1.2 in wide at one end and 0.6 in
+// at the other.
+constexpr double gap_length = 6.0;
+Profile gap_profile(double x) {
+    const double t = x / gap_length, middle = 0.3 * std::sin(2.0 * pi * t);
+    const double floor = 0.6 - 0.3 * t, top = floor + 0.15, depth = 1.0, edge = 2.5;
+    return Profile{{Vec2(-edge, depth), Vec2(middle - top, depth), Vec2(middle - floor, 0),
+                    Vec2(middle + floor, 0), Vec2(middle + top, depth), Vec2(edge, depth)},
+                   {0, 0.25, 0.15, 0.15, 0.25, 0}};
+}
+double gap_rise(double x, double y) {
+    const double s = x / (0.5 * gap_length) - 1.0;
+    return 0.3 * (1.0 - s * s) - 0.05 * y * y;
+}
+
+/// The curve at a parameter of all profiles, mm.
+template <class Place, class Lift>
+std::vector<Vec3> along(double length, Place&& place, Lift&& lift, double parameter) {
+    constexpr int pieces = 800;
+    std::vector<Vec3> curve;
+    for (int i = 0; i <= pieces; ++i) {
+        const double x = length * i / pieces;
+        const Vec2 p = place(x).point(parameter);
+        curve.emplace_back(mm_per_inch * Vec3(x, p.x(), p.y() + lift(x, p.x())));
+    }
+    return curve;
+}
+
 } // namespace
 
 Mesh pillar(double tolerance, const Progress& progress) {
-    // 20 in long: flange, concave blend, wall, crown, wall, concave blend, flange; it rises, sways and gets
-    // slimmer.
-    constexpr double length = 20.0;
-    const auto place = [](double x) {
-        const double t = x / length, sway = 1.5 * t * t;
-        const double crown = 0.7 - 0.2 * t, foot = crown + 0.5, height = 1.2 - 0.4 * t, edge = 2.2;
-        const double blend = 0.3 - 0.12 * t, shoulder = 0.35 - 0.1 * t;
-        return Profile{{Vec2(sway - edge, 0), Vec2(sway - foot, 0), Vec2(sway - crown, height),
-                        Vec2(sway + crown, height), Vec2(sway + foot, 0), Vec2(sway + edge, 0)},
-                       {0, blend, shoulder, shoulder, blend, 0}};
-    };
-    const auto lift = [](double x, double) { return 5.0 * std::sin(0.5 * pi * x / length); };
-    return swept(length, 80, place, lift, tolerance, "pillar", progress);
+    return swept(pillar_length, 80, pillar_profile, pillar_rise, tolerance, "pillar", progress);
+}
+
+std::vector<std::vector<Vec3>> pillar_valleys() {
+    return {along(pillar_length, pillar_profile, pillar_rise, 1.5),
+            along(pillar_length, pillar_profile, pillar_rise, 7.5)};
 }
 
 Mesh gap(double tolerance, const Progress& progress) {
-    // 6 x 5 in, domed: a winding gap 1 in deep between two walls, its floor 1.2 in wide at one end and 0.6 in
-    // at the other.
-    constexpr double length = 6.0;
-    const auto place = [](double x) {
-        const double t = x / length, middle = 0.3 * std::sin(2.0 * pi * t);
-        const double floor = 0.6 - 0.3 * t, top = floor + 0.15, depth = 1.0, edge = 2.5;
-        return Profile{{Vec2(-edge, depth), Vec2(middle - top, depth), Vec2(middle - floor, 0),
-                        Vec2(middle + floor, 0), Vec2(middle + top, depth), Vec2(edge, depth)},
-                       {0, 0.25, 0.15, 0.15, 0.25, 0}};
-    };
-    const auto lift = [](double x, double y) {
-        const double s = x / (0.5 * length) - 1.0;
-        return 0.3 * (1.0 - s * s) - 0.05 * y * y;
-    };
-    return swept(length, 32, place, lift, tolerance, "gap", progress);
+    return swept(gap_length, 32, gap_profile, gap_rise, tolerance, "gap", progress);
+}
+
+std::vector<std::vector<Vec3>> gap_valleys() {
+    return {along(gap_length, gap_profile, gap_rise, 3.5), along(gap_length, gap_profile, gap_rise, 5.5)};
+}
+
+std::vector<Vec3> gap_floor() {
+    return along(gap_length, gap_profile, gap_rise, 4.5);
 }
 
 Mesh shell(double tolerance, const Progress& progress) {

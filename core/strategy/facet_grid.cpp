@@ -1,6 +1,9 @@
 #include "core/strategy/facet_grid.h"
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+
+#include <array>
 
 namespace facetmill {
 
@@ -15,28 +18,40 @@ constexpr double cells_per_facet = 0.5;
 
 FacetGrid::FacetGrid(const Mesh& mesh, const Progress& progress) : mesh_(mesh), box_(mesh.box()) {
     const Vec3 size = box_.size();
-    double extent = 0;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        if (f % check_every == 0) progress.check();
-        for (int k = 0; k < 2; ++k) {
-            const double a = mesh.corner(f, 0)[k], b = mesh.corner(f, 1)[k], c = mesh.corner(f, 2)[k];
-            extent += std::max({a, b, c}) - std::min({a, b, c});
-        }
-    }
-    extent /= 2 * std::max<double>(1, double(mesh.facet_count()));
+    const std::size_t n = mesh.facet_count();
+    const auto spread = [&](std::size_t f) {
+        const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
+        return std::array<Vec2, 2>{a.cwiseMin(b).cwiseMin(c).head<2>(), a.cwiseMax(b).cwiseMax(c).head<2>()};
+    };
+    double extent = parallel_reduce(
+        n, check_every, 0.0, progress.part(0, 0),
+        [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t f = begin; f < end; ++f) {
+                const auto [lo, hi] = spread(f);
+                sum += (hi - lo).sum();
+            }
+            return sum;
+        },
+        [](double x, double y) { return x + y; });
+    extent /= 2 * std::max<double>(1, double(n));
     const double area = std::max(size.x() * size.y(), tolerance::smallest_extent);
     cell_ = std::max({extent / cells_per_facet, std::sqrt(area / most_cells),
                       std::max(size.x(), size.y()) / std::sqrt(most_cells), tolerance::smallest_extent});
     columns_ = int(size.x() / cell_) + 1;
     rows_ = int(size.y() / cell_) + 1;
     start_.assign(std::size_t(columns_) * std::size_t(rows_) + 1, 0);
+    std::vector<std::array<int, 4>> cells(n); // columns and rows of each
+    parallel_for(n, check_every, progress.part(0, 0), [&](std::size_t f) {
+        const auto [lo, hi] = spread(f);
+        cells[f] = {column(lo.x()), column(hi.x()), row(lo.y()), row(hi.y())};
+    });
     const auto each = [&](auto&& put) {
-        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        for (std::size_t f = 0; f < n; ++f) {
             if (f % check_every == 0) progress.check();
-            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
-            const Vec3 lo = a.cwiseMin(b).cwiseMin(c), hi = a.cwiseMax(b).cwiseMax(c);
-            for (int y = row(lo.y()); y <= row(hi.y()); ++y)
-                for (int x = column(lo.x()); x <= column(hi.x()); ++x)
+            const auto& [x0, x1, y0, y1] = cells[f];
+            for (int y = y0; y <= y1; ++y)
+                for (int x = x0; x <= x1; ++x)
                     put(std::size_t(y) * std::size_t(columns_) + std::size_t(x), Index(f));
         }
     };

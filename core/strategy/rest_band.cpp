@@ -245,7 +245,8 @@ private:
 
     void own(const Progress& progress) {
         const int curves = int(valleys_.curves.size());
-        std::vector<std::vector<std::uint32_t>> at(points_.size());
+        // The leaves in the band at point c: at[first[c]] and on.
+        std::vector<std::uint32_t> first(points_.size() + 1, 0);
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
             if (i % check_every == 0) progress.check();
             Leaf& l = leaves_[i];
@@ -259,17 +260,23 @@ private:
             }
             if (!l.in) continue;
             for (const Index c : l.corner)
-                at[c].push_back(std::uint32_t(i));
+                ++first[c + 1];
         }
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<std::uint32_t> at(first.back()), next(first.begin(), first.end() - 1);
+        for (std::size_t i = 0; i < leaves_.size(); ++i)
+            if (leaves_[i].in)
+                for (const Index c : leaves_[i].corner)
+                    at[next[c]++] = std::uint32_t(i);
         // What has no valley above it belongs to the valley beside it.
         std::vector<std::uint32_t> queue;
-        const auto spread = [&](std::size_t first) {
-            for (std::size_t q = first; q < queue.size(); ++q) {
+        const auto spread = [&](std::size_t begin) {
+            for (std::size_t q = begin; q < queue.size(); ++q) {
                 if (q % check_every == 0) progress.check();
                 const Leaf l = leaves_[queue[q]];
                 for (const Index c : l.corner)
-                    for (const std::uint32_t o : at[c])
-                        if (leaves_[o].owner < 0 && gap_[c] > in_.tolerance) {
+                    for (std::uint32_t k = first[c]; k < first[c + 1]; ++k)
+                        if (const std::uint32_t o = at[k]; leaves_[o].owner < 0 && gap_[c] > in_.tolerance) {
                             leaves_[o].owner = l.owner;
                             queue.push_back(o);
                         }
@@ -400,7 +407,7 @@ private:
             RestBand& band = bands[c];
             const std::vector<Vec3> along = tangents(curve);
             band.reach.assign(curve.points.size(), {0, 0});
-            std::vector<std::array<double, 2>> flanks(curve.points.size(), {0, 0});
+            band.flank.assign(curve.points.size(), {0, 0});
             PointGrid centers(radius_);
             for (std::size_t k = 0; k < curve.points.size(); ++k)
                 centers.add(curve.points[k].center);
@@ -428,10 +435,9 @@ private:
                 const std::size_t side = across >= 0 ? 0 : 1;
                 band.reach[nearest][side] = std::max(band.reach[nearest][side], std::abs(across));
                 const double flank = (rel - rel.dot(along[nearest]) * along[nearest]).norm();
-                flanks[nearest][side] = std::max(flanks[nearest][side], flank);
+                band.flank[nearest][side] = std::max(band.flank[nearest][side], flank);
             }
-            // Up both flanks.
-            for (const auto& f : flanks)
+            for (const auto& f : band.flank)
                 band.width = std::max(band.width, f[0] + f[1]);
         }
     }

@@ -23,6 +23,8 @@ struct RestBand {
     /// Per point of the curve: how far the band reaches to the left and to the right of the centre, across
     /// curve and fitted vector.
     std::vector<std::array<double, 2>> reach;
+    /// The same up the flanks: distance from the centre, across the curve.
+    std::vector<std::array<double, 2>> flank;
 };
 
 /// One band a curve, in their order, then hollows by area. Curves whose band is empty are left out. Throws

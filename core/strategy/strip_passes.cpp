@@ -4,6 +4,8 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/vector_lift.h"
+#include "core/mesh/refine.h"
+#include "core/strategy/border_touch.h"
 #include "core/strategy/lift_line.h"
 #include "core/strategy/point_grid.h"
 
@@ -15,6 +17,8 @@ namespace {
 
 /// Facets that lift the cutter are looked for along this many radii of the curve at once.
 constexpr double chunk_radii = 4;
+/// ... and so many radii beyond the band.
+constexpr double lift_radii = 2.5;
 /// ... and face along the fitted vector by more than this cosine.
 constexpr double facing = 0.01;
 /// A tip that the part holds up by more than this many radii above where it should be has no place there.
@@ -30,10 +34,17 @@ constexpr double smallest_step = 0.01;
 /// The step-over suits this share of the places along a pass; elsewhere passes are put in, halving so often.
 constexpr double usual_share = 0.85;
 constexpr int most_fills = 4;
+/// The end of a pass is found to this many halvings of a step.
+constexpr int end_halvings = 8;
 constexpr int ridge_angles = 241;
 constexpr double ridge_tilt = 1.4; ///< radians, to either side
 constexpr int lead_points = 6;
 constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
+
+/// What stays between two passes is looked at on the part at these shares of the way from one to the other.
+constexpr std::array<double, 3> between_shares{0.25, 0.5, 0.75};
+/// Sine of the angle: by less the part does not turn between two passes.
+constexpr double same_plane = 0.02;
 
 /// Largest d . p over the cutter with its tip at the origin.
 double support(const CutterProfile& profile, const Vec3& d) {
@@ -60,7 +71,13 @@ class ValleyCutter {
 public:
     ValleyCutter(const StripCutting& with, const ValleyCurve& curve, const RestBand& band)
         : with_(with), curve_(curve), band_(band), along_(tangents(curve)), radius_(with.cover->radius()),
-          count_(curve.points.size()) {}
+          count_(curve.points.size()) {
+        small_.mesh = with.mesh.get();
+        small_.grid = with.grid;
+        small_.side = with.side;
+        small_.lift = with.lift;
+        small_.cover = with.cover;
+    }
 
     StripCut run(const Progress& progress) {
         if (count_ < 2) return {};
@@ -80,10 +97,12 @@ private:
     /// Every stretch of the curve gets the facets around it.
     void make_lifts(const Progress& progress) {
         lift_of_.resize(count_);
-        double widest = 0;
+        double widest = 0, highest = 0;
         for (const auto& r : band_.reach)
             widest = std::max({widest, r[0], r[1]});
-        const double about = widest + with_.overlap + 2.5 * radius_;
+        for (const auto& f : band_.flank)
+            highest = std::max({highest, f[0], f[1]});
+        const double beyond = with_.overlap + lift_radii * radius_;
         // First and last point of each stretch.
         std::vector<std::array<std::size_t, 2>> chunks;
         for (std::size_t first = 0; first < count_;) {
@@ -95,15 +114,16 @@ private:
         }
         parallel_for(chunks.size(), 1, progress, [&](std::size_t k) {
             const auto [first, last] = chunks[k];
-            const auto lift = lift_about(first, last, about, progress);
+            const auto lift = lift_about(first, last, widest + beyond, highest + beyond, progress);
             for (std::size_t i = first; i <= last; ++i)
                 lift_of_[i] = lift;
         });
     }
 
-    /// The facets within `about` of a stretch that face along its vector; null where there are none.
-    std::shared_ptr<const VectorLift> lift_about(std::size_t first, std::size_t last, double about,
-                                                 const Progress& progress) const {
+    /// The facets beside a stretch that face along its vector, up to `aside` across and `high` along it; null
+    /// where there are none.
+    std::shared_ptr<const VectorLift> lift_about(std::size_t first, std::size_t last, double aside,
+                                                 double high, const Progress& progress) const {
         Vec3 up = Vec3::Zero();
         Box3 box;
         std::vector<Vec3> centers;
@@ -115,11 +135,17 @@ private:
         up.normalize();
         const Mesh& mesh = *with_.mesh;
         std::vector<Index> facets;
-        with_.grid->near(box.center().head<2>(), about + 0.5 * box.size().head<2>().norm(), [&](Index f) {
+        const double seen = aside + high * up.head<2>().norm() + 0.5 * box.size().head<2>().norm();
+        with_.grid->near(box.center().head<2>(), seen, [&](Index f) {
             const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
-            const Vec3 lo = a.cwiseMin(b).cwiseMin(c), hi = a.cwiseMax(b).cwiseMax(c);
+            const Vec3 middle = (a + b + c) / 3;
+            const double size = std::sqrt(std::max(
+                {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
             const bool is_near = std::any_of(centers.begin(), centers.end(), [&](const Vec3& p) {
-                return (lo - p).maxCoeff() <= about && (p - hi).maxCoeff() <= about;
+                const Vec3 rel = middle - p;
+                const double height = rel.dot(up);
+                return height <= high + size && height >= -aside - size
+                       && (rel - height * up).norm() <= aside + size;
             });
             if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing)
                 facets.push_back(f);
@@ -128,31 +154,50 @@ private:
         std::sort(facets.begin(), facets.end());
         facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
         if (facets.empty()) return nullptr;
-        auto part = std::make_shared<Mesh>();
-        for (const Index f : facets) {
-            const auto v = Index(part->vertices.size());
-            for (int k = 0; k < 3; ++k)
-                part->vertices.push_back(mesh.corner(f, k));
-            part->facets.push_back({v, v + 1, v + 2});
-        }
         return std::make_shared<VectorLift>(
-            std::make_shared<ContactIndex>(std::move(part), progress.part(0, 0)), with_.cover->profile(),
-            std::span<const BodySection>(), with_.allowance);
+            std::make_shared<ContactIndex>(std::make_shared<Mesh>(part_of(mesh, facets).mesh),
+                                           progress.part(0, 0)),
+            with_.cover->profile(), std::span<const BodySection>(), with_.allowance);
     }
 
-    /// The cutter at `offset` to the left of point i of the curve.
-    Spot spot(std::size_t i, double offset) const {
+    /// A place of the curve, at one of its points or between two.
+    struct Place {
+        PencilPoint point;
+        Vec3 along = Vec3::Zero();
+        const VectorLift* lift = nullptr;
+        bool corner = false; ///< where it meets others
+    };
+    Place place(std::size_t i) const {
+        const bool corner =
+            !curve_.closed && ((i == 0 && curve_.node[0] >= 0) || (i + 1 == count_ && curve_.node[1] >= 0));
+        return {at(i), along_[i], lift_of_[i].get(), corner};
+    }
+    Place between(std::size_t i, std::size_t k, double t) const {
+        Place p = place(i);
+        const PencilPoint &a = at(i), &b = at(k);
+        p.corner = false;
+        p.point.center += t * (b.center - a.center);
+        p.point.from += t * (b.from - a.from);
+        p.point.up = ((1 - t) * a.up + t * b.up).normalized();
+        p.point.on_part = a.on_part && b.on_part;
+        return p;
+    }
+
+    Spot spot(std::size_t i, double offset) const { return spot(place(i), offset); }
+
+    /// The cutter at `offset` to the left of a place of the curve.
+    Spot spot(const Place& of, double offset) const {
         Spot s;
-        const PencilPoint& p = at(i);
-        const Vec3 left = left_of(along_[i], p.up);
-        if (left == Vec3::Zero() || !lift_of_[i]) return s;
+        const PencilPoint& p = of.point;
+        const Vec3 left = left_of(of.along, p.up);
+        if (left == Vec3::Zero() || !of.lift) return s;
         const Vec3 base = p.center + offset * left;
         if (with_.along_z) {
             if (!place_along_z(p, base, offset, s)) return s;
         } else {
             Vec3 tip = base + with_.cover->tip_offset(p.up);
-            if (offset == 0) tip += lowest(i, tip, left) * left;
-            const VectorContact c = lift_of_[i]->contact({tip, Vec3::UnitZ(), p.up});
+            if (offset == 0) tip += lowest(of, tip, left);
+            const VectorContact c = of.lift->contact({tip, Vec3::UnitZ(), p.up});
             // Past the end of the flanks it would slide on to whatever comes.
             if (!(c.lift > -(p.on_part ? most_sink : most_sink_beyond) * radius_)) return s;
             s.touch = c.point;
@@ -169,19 +214,42 @@ private:
             s.tip.z() = c.tip_z;
         }
         s.normal = with_.cover->contact_normal(s.touch - s.tip).value_or(p.up);
-        s.free = true;
+        // Beyond the border there is nothing to cut.
+        s.free = !rolls_over_border(*with_.mesh, *with_.grid, *with_.side, s.touch, s.normal);
         return s;
     }
 
     /// How far to the left the cutter comes lowest against the fitted vector: there it touches both flanks,
-    /// though noise has moved the centre. The lift has one low place, as the valley has.
-    double lowest(std::size_t i, const Vec3& tip, const Vec3& left) const {
-        const auto height = [&](double x) {
-            return lift_of_[i]->lift({tip + x * left, Vec3::UnitZ(), at(i).up});
+    /// though noise has moved the centre. The lift has one low place, as the valley has. In a corner it is
+    /// looked for along the curve, too: there it touches all three flanks.
+    Vec3 lowest(const Place& of, const Vec3& tip, const Vec3& left) const {
+        const double aside = aside_share * radius_, accuracy = aside_accuracy * radius_;
+        const auto lowest_on = [&](const Vec3& from) {
+            const auto height = [&](double x) {
+                return of.lift->lift({from + x * left, Vec3::UnitZ(), of.point.up});
+            };
+            LowPlace low = golden_minimum(height, -aside, aside, accuracy, -infinity);
+            if (const double middle = height(0); !(low.value < middle)) low = {0, middle};
+            return low;
         };
-        const double aside = aside_share * radius_;
-        const LowPlace low = golden_minimum(height, -aside, aside, aside_accuracy * radius_, -infinity);
-        return low.value < height(0) ? low.at : 0;
+        if (!of.corner) return lowest_on(tip).at * left;
+        const Vec3 ahead = left.cross(of.point.up);
+        const LowPlace along = golden_minimum([&](double y) { return lowest_on(tip + y * ahead).value; },
+                                              -aside, aside, accuracy, -infinity);
+        return along.at * ahead + lowest_on(tip + along.at * ahead).at * left;
+    }
+
+    /// Between the last place of a pass and the next, where there is none any more: as far as it goes.
+    std::optional<Spot> last_before(std::size_t i, std::size_t k, double offset) const {
+        std::optional<Spot> last;
+        double lo = 0, hi = 1;
+        for (int n = 0; n < end_halvings; ++n) {
+            const double mid = 0.5 * (lo + hi);
+            const Spot s = spot(between(i, k, mid), offset);
+            (s.free ? lo : hi) = mid;
+            if (s.free) last = s;
+        }
+        return last;
     }
 
     /// Touching both flanks, or the flank at the place beside the centre.
@@ -248,7 +316,8 @@ private:
             for (int tries = 0; tries < most_tries; ++tries) {
                 next = spots(side * (offset + step), todo, progress);
                 // Of most places; further passes are put in at the others.
-                std::vector<double> all = ridges(last, next, progress);
+                std::vector<double> all = left_between(last, next, progress);
+                std::erase(all, 0);
                 std::sort(all.begin(), all.end());
                 cusp = all.empty() ? 0 : all[std::size_t(usual_share * double(all.size() - 1))];
                 if (cusp <= with_.cusp || step <= smallest_step * radius_) break;
@@ -284,16 +353,43 @@ private:
         }
     }
 
-    /// What stays between two passes, where both have a place.
-    std::vector<double> ridges(const std::vector<Spot>& a, const std::vector<Spot>& b,
-                               const Progress& progress) const {
+    /// What stays between two passes; 0 where not both have a place.
+    std::vector<double> left_between(const std::vector<Spot>& a, const std::vector<Spot>& b,
+                                     const Progress& progress) const {
         std::vector<double> all(count_, 0);
         parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
-            if (a[i].free && b[i].free)
-                all[i] = ridge(with_.cover->profile(), b[i].tip - a[i].tip, along_[i]);
+            if (a[i].free && b[i].free) all[i] = left_between(a[i], b[i], i);
         });
-        std::erase(all, 0);
         return all;
+    }
+
+    /// What stays between two places beside each other. Where both touch a plane, or the part is round, it is
+    /// no more than their ridge. In a hollow both come to nearly the same place and touch far from each
+    /// other: there it is measured on the part, less what the cutter cannot reach at all.
+    double left_between(const Spot& a, const Spot& b, std::size_t i) const {
+        double most = ridge(with_.cover->profile(), b.tip - a.tip, along_[i]);
+        const Vec3 way = b.touch - a.touch;
+        if (most > with_.cusp || a.normal.cross(b.normal).norm() < same_plane
+            || (b.normal - a.normal).dot(way) >= 0)
+            return most;
+        LiftHint hint;
+        for (const double share : between_shares) {
+            const Vec3 out = (1 - share) * a.normal + share * b.normal;
+            if (out.norm() < same_plane) continue;
+            const Vec3 n = out.normalized();
+            const double back = std::min(way.norm(), radius_);
+            const auto hit = with_.grid->first_hit(a.touch + share * way + back * n, -n, 2 * back + radius_);
+            if (!hit) continue;
+            const Vec3 facet = with_.side->towards_tool(with_.mesh->facet_normal(hit->facet));
+            if (!(facet.dot(n) > 0) || facet.z() < -tolerance::vertical_normal_z) continue;
+            const Vec3 p = a.touch + share * way + (back - hit->distance) * n + with_.allowance * facet;
+            const double rest = std::min(with_.cover->distance(p - a.tip), with_.cover->distance(p - b.tip));
+            if (rest <= std::max(most, with_.cusp)) continue;
+            double limit = nearest_touch(small_, p, facet, hint).gap;
+            if (n.z() >= 0) limit = std::min(limit, nearest_touch(small_, p, n, hint).gap);
+            most = std::max(most, rest - limit);
+        }
+        return most;
     }
 
     /// Short passes between two where too much stays.
@@ -302,9 +398,9 @@ private:
         if (depth == 0) return;
         std::vector<char> which(count_, 0);
         bool any = false;
+        const std::vector<double> left = left_between(a, b, progress);
         for (std::size_t i = 0; i < count_; ++i)
-            if (a[i].free && b[i].free
-                && ridge(with_.cover->profile(), b[i].tip - a[i].tip, along_[i]) > with_.cusp) {
+            if (left[i] > with_.cusp) {
                 any = true;
                 for (const std::size_t k : {i > 0 ? i - 1 : i, i, i + 1 < count_ ? i + 1 : i})
                     which[k] = 1;
@@ -375,13 +471,29 @@ private:
                     way += spacing(r[k], r[(k + 1) % n]);
                 }
             }
-            if (backwards) std::reverse(r.begin(), r.end());
+            std::vector<Spot> way;
+            for (const std::size_t i : r)
+                way.push_back(spots[i]);
+            const auto next = [&](std::size_t i, bool ahead) {
+                if (ahead) return i + 1 < count_ ? i + 1 : curve_.closed ? 0 : count_;
+                return i > 0 ? i - 1 : curve_.closed ? count_ - 1 : count_;
+            };
+            for (const bool ahead : {true, false}) {
+                const std::size_t end = ahead ? r.back() : r.front(), k = next(end, ahead);
+                if (k == count_ || !wanted[k] || spots[k].free) continue;
+                if (const auto last = last_before(end, k, offset))
+                    way.insert(ahead ? way.end() : way.begin(), *last);
+            }
+            if (backwards) {
+                std::reverse(r.begin(), r.end());
+                std::reverse(way.begin(), way.end());
+            }
             Pass pass;
             pass.drive = number;
             pass.offset = offset;
-            for (const std::size_t i : r) {
-                pass.cl.push_back({spots[i].tip, Vec3::UnitZ()});
-                pass.cc.push_back({spots[i].touch, spots[i].normal});
+            for (const Spot& s : way) {
+                pass.cl.push_back({s.tip, Vec3::UnitZ()});
+                pass.cc.push_back({s.touch, s.normal});
             }
             add_leads(pass, at(r.front()).up, at(r.back()).up);
             cut_.passes.push_back(std::move(pass));
@@ -436,6 +548,7 @@ private:
     const StripCutting& with_;
     const ValleyCurve& curve_;
     const RestBand& band_;
+    ValleyInput small_; ///< the part and the cutter, for what it cannot reach
     std::vector<Vec3> along_;
     double radius_;
     std::size_t count_;
@@ -562,6 +675,7 @@ void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
         if (step <= 0) continue;
         const Vec3 ahead = (end.center - before).normalized();
         const auto reach = side == 0 ? band.reach.front() : band.reach.back();
+        const auto flank = side == 0 ? band.flank.front() : band.flank.back();
         for (int k = 1; k * step <= way + step; ++k) {
             PencilPoint q = end;
             q.on_part = false;
@@ -569,6 +683,7 @@ void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
                 *v += k * step * ahead;
             p.insert(side == 0 ? p.begin() : p.end(), q);
             band.reach.insert(side == 0 ? band.reach.begin() : band.reach.end(), reach);
+            band.flank.insert(side == 0 ? band.flank.begin() : band.flank.end(), flank);
         }
     }
 }
@@ -580,6 +695,7 @@ StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const Re
     ValleyCurve longer = curve;
     RestBand wider;
     wider.reach = band.reach;
+    wider.flank = band.flank;
     run_out(with, longer, wider);
     StripCut cut = ValleyCutter(with, longer, wider).run(progress.part(0, 0.8));
     clear(with, cut.passes, progress.part(0.8, 1));

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/border_touch.h"
 #include "core/strategy/facet_rows.h"
 #include "core/strategy/point_grid.h"
 
@@ -26,6 +27,8 @@ constexpr double least_jump = 0.12;
 constexpr double most_move = 0.45;
 /// By more, in radii, the tip falls only beside an upright wall.
 constexpr double fall_share = 0.02;
+/// Of a step: points nearer to each other are one.
+constexpr double least_step = 0.4;
 /// Of an arc on which the next point is looked for.
 constexpr int arc_samples = 13, ring_samples = 24;
 constexpr int halvings = 30, arc_halvings = 16;
@@ -39,7 +42,9 @@ constexpr double fit_share = 0.25;
 /// Cosine, and share of the way, by which a centre runs back against the tip.
 constexpr double back_share = 0.1;
 /// Planes whose normals span less than this meet in no one place.
-constexpr double flat_corner = 1e-3;
+constexpr double flat_corner = 0.02;
+/// What is farther from the touched points than so many radii is no corner under the cutter.
+constexpr double corner_reach = 3;
 /// Ends nearer to each other than this many steps meet.
 constexpr double node_steps = 2;
 
@@ -146,23 +151,34 @@ private:
     /// one of those that face another way.
     std::vector<Index> asked_facets(double spacing, const Progress& progress) const {
         const Mesh& mesh = *in_.mesh;
+        // What is done with each: left out, asked, or asked where it is the first that faces one of five ways
+        // in its cell.
+        enum : std::uint8_t { out, asked_for, small };
+        std::vector<std::uint8_t> what(mesh.facet_count(), out);
+        parallel_for(mesh.facet_count(), check_every, progress.part(0, 0), [&](std::size_t f) {
+            const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
+            if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) return;
+            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
+            const double longest2 =
+                std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+            what[f] = asked_for;
+            if (longest2 >= small_share * small_share * spacing * spacing) return;
+            const Vec3 size = n.cwiseAbs();
+            const int facing = size.z() >= size.x() && size.z() >= size.y() ? 0
+                               : size.x() >= size.y()                       ? (n.x() > 0 ? 1 : 2)
+                                                                            : (n.y() > 0 ? 3 : 4);
+            what[f] = std::uint8_t(small + facing);
+        });
         std::array<PointGrid, 5> seen{PointGrid(spacing), PointGrid(spacing), PointGrid(spacing),
                                       PointGrid(spacing), PointGrid(spacing)};
         std::vector<Index> asked;
         for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
             if (f % check_every == 0) progress.check();
-            const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
-            if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
-            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
-            const double longest2 =
-                std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-            if (longest2 < small_share * small_share * spacing * spacing) {
-                const Vec3 size = n.cwiseAbs();
-                const std::size_t facing = size.z() >= size.x() && size.z() >= size.y() ? 0
-                                           : size.x() >= size.y()                       ? (n.x() > 0 ? 1 : 2)
-                                                                                        : (n.y() > 0 ? 3 : 4);
-                if (!seen[facing].add_first((a + b + c) / 3)) continue;
-            }
+            if (what[f] == out) continue;
+            if (what[f] >= small
+                && !seen[std::size_t(what[f] - small)].add_first(
+                    (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3))
+                continue;
             asked.push_back(Index(f));
         }
         return asked;
@@ -403,10 +419,18 @@ private:
         std::vector<std::array<bool, 2>> open; // ends that a third flank made
         for (std::size_t c = 0; c < out_.curves.size(); ++c) {
             ValleyCurve& curve = out_.curves[c];
-            fit(curve);
-            parallel_for(curve.points.size(), 64, progress.part(0, 0),
-                         [&](std::size_t i) { place(curve.points[i]); });
-            add_runs(curve, ends_[c], runs, open);
+            const auto place_all = [&] {
+                parallel_for(curve.points.size(), 64, progress.part(0, 0),
+                             [&](std::size_t i) { place(curve.points[i]); });
+            };
+            thin_out(curve);
+            // Each by its own normals first: they say where the cutter rolls out over a rim.
+            fit(curve, 0, std::vector<Rolls>(curve.points.size(), Rolls::no));
+            place_all();
+            const std::vector<Rolls> rolls = rolling(curve);
+            fit(curve, fit_share * radius_, rolls);
+            place_all();
+            add_runs(curve, rolls, ends_[c], runs, open);
             progress.check();
         }
         leave_out_doubles(runs, open);
@@ -415,32 +439,95 @@ private:
         progress.set(1);
     }
 
-    void fit(ValleyCurve& curve) const {
-        auto& p = curve.points;
+    /// use(point, way) for the points up to `window` along the tip's way from point i to one side (1, -1).
+    template <class Use>
+    static void within(const ValleyCurve& curve, std::size_t i, std::ptrdiff_t side, double window,
+                       Use&& use) {
+        const auto& p = curve.points;
         const auto n = std::ptrdiff_t(p.size());
-        const double window = fit_share * radius_;
-        std::vector<Vec3> up(p.size());
-        for (std::ptrdiff_t i = 0; i < n; ++i) {
-            Vec3 sum = p[std::size_t(i)].normal[0] + p[std::size_t(i)].normal[1];
-            for (const std::ptrdiff_t step : {-1, 1}) {
-                double way = 0;
-                std::ptrdiff_t k = i;
-                for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
-                    std::ptrdiff_t next = k + step;
-                    if (curve.closed) next = (next + n) % n;
-                    if (next < 0 || next >= n) break;
-                    way += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
-                    if (way > window) break;
-                    k = next;
-                    sum += (1 - way / window) * (p[std::size_t(k)].normal[0] + p[std::size_t(k)].normal[1]);
-                }
+        double way = 0;
+        auto k = std::ptrdiff_t(i);
+        for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
+            std::ptrdiff_t next = k + side;
+            if (curve.closed) next = (next + n) % n;
+            if (next < 0 || next >= n) break;
+            way += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
+            if (way > window) break;
+            k = next;
+            use(std::size_t(k), way);
+        }
+    }
+
+    /// Where a curve was lost its steps became ever shorter.
+    void thin_out(ValleyCurve& curve) const {
+        std::vector<PencilPoint> kept;
+        for (const PencilPoint& p : curve.points)
+            if (kept.empty() || (p.tip - kept.back().tip).norm() >= least_step * step_) kept.push_back(p);
+        if (curve.points.size() > 1 && !curve.closed && kept.size() > 1) kept.back() = curve.points.back();
+        curve.points = std::move(kept);
+    }
+
+    /// Where the cutter rolls out of a valley's end, over its rim or over the part's border, both touched
+    /// points stay behind and the centre runs back while the tip goes on.
+    enum class Rolls : std::uint8_t { no, on_one_side, out };
+    std::vector<Rolls> rolling(const ValleyCurve& curve) const {
+        const auto& p = curve.points;
+        std::vector<Rolls> rolls(p.size(), Rolls::no);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            bool back = true;
+            std::size_t asked = 0;
+            for (const std::ptrdiff_t side : {-1, 1}) {
+                std::size_t last = i;
+                within(curve, i, side, fit_share * radius_, [&](std::size_t k, double) {
+                    if (p[k].on_part) last = k;
+                });
+                if (last == i) continue;
+                ++asked;
+                back = back && p[i].on_part && runs_back(p[i], p[last]);
             }
+            int over = 0;
+            for (std::size_t side = 0; side < 2; ++side)
+                over +=
+                    rolls_over_border(*in_.mesh, *in_.grid, *in_.side, p[i].touch[side], p[i].normal[side]);
+            if (over == 2 || (asked > 0 && back))
+                rolls[i] = Rolls::out;
+            else if (over == 1)
+                rolls[i] = Rolls::on_one_side;
+        }
+        return rolls;
+    }
+    static bool runs_back(const PencilPoint& a, const PencilPoint& b) {
+        const Vec3 center = b.center - a.center, tip = b.tip - a.tip;
+        return center.dot(tip) < -back_share * center.norm() * tip.norm()
+               && center.norm() > back_share * tip.norm();
+    }
+
+    /// Fitted vectors: averages along the curve, without what the cutter touches where it rolls out.
+    void fit(ValleyCurve& curve, double window, const std::vector<Rolls>& rolls) const {
+        auto& p = curve.points;
+        std::vector<Vec3> sums(p.size());
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            Vec3 sum = Vec3::Zero();
+            const auto add = [&](std::size_t k, double way) {
+                const double weight = window > 0 ? 1 - way / window : 1;
+                if (rolls[k] == Rolls::no) sum += weight * (p[k].normal[0] + p[k].normal[1]);
+            };
+            add(i, 0);
+            for (const std::ptrdiff_t side : {-1, 1})
+                within(curve, i, side, window, add);
+            sums[i] = sum;
+        }
+        // Beyond as at the last place before.
+        for (std::size_t i = 1; i < p.size(); ++i)
+            if (sums[i] == Vec3::Zero()) sums[i] = sums[i - 1];
+        for (std::size_t i = p.size(); i-- > 1;)
+            if (sums[i - 1] == Vec3::Zero()) sums[i - 1] = sums[i];
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            Vec3 sum = sums[i] == Vec3::Zero() ? Vec3(p[i].normal[0] + p[i].normal[1]) : sums[i];
             // A 3-axis cutter is never moved downwards out of a valley.
             sum.z() = std::max(sum.z(), 0.0);
-            up[std::size_t(i)] = sum.norm() > tolerance::level_angle ? Vec3(sum.normalized()) : Vec3::UnitZ();
+            p[i].up = sum.norm() > tolerance::level_angle ? Vec3(sum.normalized()) : Vec3::UnitZ();
         }
-        for (std::size_t i = 0; i < p.size(); ++i)
-            p[i].up = up[i];
     }
 
     void place(PencilPoint& p) const {
@@ -452,20 +539,16 @@ private:
         p.gap = in_.cover->distance(p.center - p.tip);
     }
 
-    void add_runs(const ValleyCurve& curve, const std::array<End, 2>& ends, std::vector<ValleyCurve>& runs,
-                  std::vector<std::array<bool, 2>>& open) const {
+    void add_runs(const ValleyCurve& curve, const std::vector<Rolls>& rolls, const std::array<End, 2>& ends,
+                  std::vector<ValleyCurve>& runs, std::vector<std::array<bool, 2>>& open) const {
         const auto& p = curve.points;
         const std::size_t n = p.size();
         std::vector<char> good(n);
         for (std::size_t i = 0; i < n; ++i)
-            good[i] = p[i].on_part && p[i].gap > in_.tolerance;
-        // Where the cutter rolls out of a valley's end over its rim, the centre runs back into the valley.
+            good[i] = p[i].on_part && rolls[i] != Rolls::out && p[i].gap > in_.tolerance;
         for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
-            const PencilPoint &a = p[i > 0 ? i - 1 : n - 1], &b = p[i];
-            const Vec3 center = b.center - a.center, tip = b.tip - a.tip;
-            if (a.on_part && b.on_part && center.dot(tip) < -back_share * center.norm() * tip.norm()
-                && center.norm() > back_share * tip.norm())
-                good[i] = good[i > 0 ? i - 1 : n - 1] = 0;
+            const std::size_t before = i > 0 ? i - 1 : n - 1;
+            if (p[before].on_part && p[i].on_part && runs_back(p[before], p[i])) good[i] = good[before] = 0;
         }
         // A closed curve is opened at its first bad place.
         std::size_t first = 0;
@@ -500,10 +583,57 @@ private:
             run.closed = whole && closed;
             for (std::size_t i = a; i < b; ++i)
                 run.points.push_back(p[at(i)]);
+            // The touched points come to the border before the centre does.
+            const auto rolls_at = [&](std::size_t i) { return rolls[at(i)] != Rolls::no; };
+            if (!run.closed && (rolls_at(b - 1) || (b < n && rolls_at(b)))) go_to_border(run);
+            if (!run.closed && (rolls_at(a) || (a > 0 && rolls_at(a - 1)))) {
+                std::reverse(run.points.begin(), run.points.end());
+                go_to_border(run);
+                std::reverse(run.points.begin(), run.points.end());
+            }
             runs.push_back(std::move(run));
             open.push_back({!curve.closed && a == 0 && ends[0] != End::off,
                             !curve.closed && b == n && ends[1] != End::off});
         }
+    }
+
+    /// The last point's centre goes on straight over the surface to the part's border, if it is near.
+    void go_to_border(ValleyCurve& run) const {
+        auto& p = run.points;
+        const PencilPoint end = p.back();
+        Vec3 ahead = Vec3::Zero();
+        for (std::size_t i = p.size(); i-- > 0 && ahead.norm() < fit_share * radius_;)
+            ahead = end.center - p[i].center;
+        if (ahead == Vec3::Zero()) return;
+        ahead.normalize();
+        const auto ahead_by = [&](double way) -> std::optional<PencilPoint> {
+            PencilPoint q = end;
+            for (Vec3* v : {&q.tip, &q.touch[0], &q.touch[1], &q.from})
+                *v += way * ahead;
+            const auto hit = in_.grid->first_hit(q.from, -q.up, reach_);
+            if (!hit) return std::nullopt;
+            q.center = q.from - hit->distance * q.up;
+            if ((q.center - end.center).norm() > 1.5 * way) return std::nullopt; // another surface
+            return q;
+        };
+        std::vector<PencilPoint> more;
+        double way = step_;
+        for (; way <= radius_; way += step_) {
+            const auto q = ahead_by(way);
+            if (!q) break;
+            more.push_back(*q);
+        }
+        if (way > radius_) return; // no border there
+        double lo = way - step_, hi = way;
+        std::optional<PencilPoint> last;
+        while (hi - lo > end_share * step_) {
+            const double mid = 0.5 * (lo + hi);
+            const auto q = ahead_by(mid);
+            (q ? lo : hi) = mid;
+            if (q) last = q;
+        }
+        p.insert(p.end(), more.begin(), more.end());
+        if (last) p.push_back(*last);
     }
 
     /// A cutter that rolls out over the end of a valley sees it once more.
@@ -627,11 +757,14 @@ private:
             Vec3 way = -node.up;
             if (const auto meet = corner(touches, normals); meet && (*meet - node.from).dot(way) > 0)
                 way = (*meet - node.from).normalized();
-            const auto hit = in_.grid->first_hit(node.from, way, reach_);
+            const auto hit = in_.grid->first_hit(node.from, way, corner_reach * radius_);
             if (!hit) continue;
             node.on_part = true;
             node.center = node.from + hit->distance * way;
             node.gap = in_.cover->distance(node.center - node.tip);
+            // Three flanks that the cutter touches without leaving anything between them are no corner: as
+            // where a floor becomes too narrow for it.
+            if (!(node.gap > in_.tolerance)) continue;
             const int number = int(out_.nodes.size());
             out_.nodes.push_back(node.center);
             for (const std::size_t g : group)

@@ -89,9 +89,9 @@ double geometric_limit(const AxialLift& lift, double r, const Vec3& p, const Vec
 
 /// Under a sanitizer the smallest says enough.
 const std::vector<ValleyPart>& parts() {
-    static const std::vector<ValleyPart> all = under_sanitizer
-                                                   ? std::vector<ValleyPart>{corner_part()}
-                                                   : std::vector{mould_part(), corner_part(), ring_part()};
+    static const std::vector<ValleyPart> all =
+        under_sanitizer ? std::vector<ValleyPart>{corner_part()}
+                        : std::vector{mould_part(), corner_part(), ring_part(), pillar_part(), gap_part()};
     return all;
 }
 
@@ -106,8 +106,10 @@ const PlannedPart& planned(int part, bool noisy, bool along_z) {
     PlannedPart& p = known[{part, noisy, along_z}];
     if (p.context.part) return p;
     const ValleyPart& v = parts()[std::size_t(part)];
-    p.context = cleanup_context(noisy ? scanned(v.mesh, 1.6, 0.01, 7) : v.mesh, ball_tool(v.diameter),
-                                ball_tool(v.previous));
+    // Long enough for a full block.
+    Tool tool = ball_tool(v.diameter);
+    tool.flute_length = std::max(tool.flute_length, v.mesh.box().size().z() + 20);
+    p.context = cleanup_context(noisy ? scanned(v.mesh, 1.6, 0.01, 7) : v.mesh, tool, ball_tool(v.previous));
     CleanupSettings s = settings();
     if (along_z) s.lift = CleanupSettings::Lift::z;
     p.op = Cleanup(s);
@@ -139,8 +141,12 @@ private slots:
         QTest::addColumn<bool>("noisy");
         const auto& all = parts();
         for (int i = 0; i < int(all.size()); ++i)
-            for (const bool noisy : {false, true})
+            for (const bool noisy : {false, true}) {
+                // Where its floor becomes too narrow for the ball, three curves end within some millimetres
+                // of each other: bench_cleanup tells by how much.
+                if (all[std::size_t(i)].name == "gap") continue;
                 QTest::addRow("%s%s", all[std::size_t(i)].name.c_str(), noisy ? " noisy" : "") << i << noisy;
+            }
     }
 
     /// At least 99 % of the length of known valleys lie beside a centre, at most 1 % of the length of centres
@@ -151,7 +157,7 @@ private slots:
         const ValleyPart& known = parts()[std::size_t(part)];
         const StrategyResult& path = planned(part, noisy, false).path;
         const auto found = centers(path);
-        const double beside = noisy ? 0.3 : 0.15;
+        const double beside = noisy ? known.beside_noisy : known.beside;
         std::size_t missed = 0, wrong = 0;
         double worst = 0;
         const auto places = places_along(known.valleys, 0.2);
@@ -185,6 +191,18 @@ private slots:
         qInfo("%s", qPrintable(figures));
         QVERIFY2(double(missed) <= 0.01 * double(places.size()), qPrintable(figures));
         QVERIFY2(double(wrong) <= 0.01 * double(center_places.size()), qPrintable(figures));
+        // What lies under a gap is on its strip.
+        PointGrid band(0.5);
+        for (const Strip& strip : path.strips)
+            for (const auto& t : strip.band)
+                band.add((t[0] + t[1] + t[2]) / 3);
+        std::size_t bare = 0;
+        const auto under = places_along(known.covered, 0.2);
+        for (const Vec3& p : under)
+            bare +=
+                !band.near_until(p, 0.7, [&](std::size_t c) { return (band.points()[c] - p).norm() < 0.7; });
+        QVERIFY2(double(bare) <= 0.01 * double(under.size()),
+                 qPrintable(QString("%1 of %2 not covered").arg(bare).arg(under.size())));
     }
 
     void only_what_no_cutter_reaches_stays_data() {
@@ -194,7 +212,8 @@ private slots:
         const auto& all = parts();
         for (int i = 0; i < int(all.size()); ++i) {
             QTest::addRow("%s", all[std::size_t(i)].name.c_str()) << i << false << false;
-            if (all[std::size_t(i)].name == "mould") continue; // it takes its time
+            // They take their time.
+            if (all[std::size_t(i)].name == "mould" || all[std::size_t(i)].name == "pillar") continue;
             QTest::addRow("%s noisy", all[std::size_t(i)].name.c_str()) << i << true << false;
             QTest::addRow("%s along z", all[std::size_t(i)].name.c_str()) << i << false << true;
         }

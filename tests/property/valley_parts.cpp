@@ -1,7 +1,9 @@
 #include "tests/property/valley_parts.h"
 
+#include "core/gouge/axial_lift.h"
 #include "core/mesh/sample.h"
 #include "core/mesh/sample_mould.h"
+#include "core/mesh/sample_standins.h"
 #include "tests/property/shapes.h"
 #include "tests/support/random_meshes.h"
 
@@ -11,6 +13,47 @@ namespace facetmill::test {
 
 ValleyPart mould_part() {
     return {"mould", *make_sample("mould", default_sample_tolerance, Progress()), sample::mould_valleys()};
+}
+
+ValleyPart pillar_part() {
+    ValleyPart part{"pillar", *make_sample("pillar", default_sample_tolerance, Progress()),
+                    sample::pillar_valleys(), 25.4, 8};
+    part.beside_noisy = 0.5;
+    return part;
+}
+
+ValleyPart gap_part() {
+    ValleyPart part{"gap", *make_sample("gap", default_sample_tolerance, Progress()), {}, 25.4, 6};
+    // A tenth of the width of the gap's floor: the ball touches the walls high above it.
+    part.beside = part.beside_noisy = 1.5;
+    // Where the ball, as low as it comes across the gap, rests on the walls instead of the floor.
+    const Tool ball = ball_tool(part.previous);
+    const auto index = std::make_shared<ContactIndex>(
+        make_sample("gap", 0.1 * default_sample_tolerance, Progress()), Progress());
+    const AxialLift lift(index, CutterProfile(ball.cutter()));
+    const auto floor = sample::gap_floor();
+    const auto blends = sample::gap_valleys();
+    std::size_t first = floor.size(); // that it does not come down to
+    for (std::size_t i = floor.size(); i-- > 0;) {
+        const double half = 0.5 * std::abs(blends[1][i].y() - blends[0][i].y());
+        AxialContact lowest;
+        lowest.tip_z = infinity;
+        for (int k = -40; k <= 40; ++k) {
+            const AxialContact c = lift.contact(floor[i].x(), floor[i].y() + half * k / 40);
+            if (c.tip_z < lowest.tip_z) lowest = c;
+        }
+        if (lowest.tip_z - floor[i].z() < 0.05) break;
+        first = i;
+    }
+    const auto cut = [&](const std::vector<Vec3>& line, std::size_t from, std::size_t to) {
+        return std::vector<Vec3>(line.begin() + std::ptrdiff_t(from), line.begin() + std::ptrdiff_t(to));
+    };
+    for (const auto& line : blends) {
+        part.valleys.push_back(cut(line, 0, first));
+        part.covered.push_back(cut(line, first, line.size()));
+    }
+    part.valleys.push_back(cut(floor, first, floor.size()));
+    return part;
 }
 
 ValleyPart corner_part() {
@@ -72,6 +115,40 @@ ValleyPart ring_part() {
     return part;
 }
 
+namespace {
+
+/// Turns diagonals of about half of all pairs of facets that are level with each other.
+void turn_diagonals(Mesh& m, Random& rng) {
+    std::map<std::array<Index, 2>, std::vector<std::array<std::size_t, 2>>> at; // facets, and which edge
+    for (std::size_t f = 0; f < m.facets.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index a = m.facets[f][k], b = m.facets[f][(k + 1) % 3];
+            at[{std::min(a, b), std::max(a, b)}].push_back({f, k});
+        }
+    std::vector<char> done(m.facets.size(), 0);
+    for (const auto& [edge, sides] : at) {
+        if (sides.size() != 2 || uniform(rng, 0, 1) < 0.3) continue;
+        const auto [f, i] = sides[0];
+        const auto [g, j] = sides[1];
+        if (done[f] || done[g]) continue;
+        const Index a = m.facets[f][i], b = m.facets[f][(i + 1) % 3], c = m.facets[f][(i + 2) % 3],
+                    d = m.facets[g][(j + 2) % 3];
+        if (m.facets[g][j] != b) continue;
+        const auto normal = [&](Index x, Index y, Index z) -> Vec3 {
+            return (m.vertices[y] - m.vertices[x]).cross(m.vertices[z] - m.vertices[x]);
+        };
+        const Vec3 n = normal(a, b, c), o = normal(b, a, d), p = normal(a, d, c), q = normal(d, b, c);
+        const double least = 0.2 * std::min(n.norm(), o.norm());
+        if (n.cross(o).norm() > 0.01 * n.norm() * o.norm() || n.dot(o) <= 0) continue;
+        if (n.dot(p) <= least * n.norm() || n.dot(q) <= least * n.norm()) continue;
+        m.facets[f] = {a, d, c};
+        m.facets[g] = {d, b, c};
+        done[f] = done[g] = 1;
+    }
+}
+
+} // namespace
+
 Mesh scanned(const Mesh& mesh, double longest, double noise, std::uint64_t seed) {
     Random rng(seed);
     Mesh m = mesh;
@@ -126,6 +203,7 @@ Mesh scanned(const Mesh& mesh, double longest, double noise, std::uint64_t seed)
         }
         m.facets = std::move(facets);
     }
+    turn_diagonals(m, rng);
     for (Vec3& v : m.vertices)
         v += noise * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
     return m;
