@@ -325,9 +325,8 @@ private slots:
         QVERIFY(!path.strips.empty() && !path.passes.empty());
         for (const Strip& strip : path.strips)
             QVERIFY(strip.kind == StripKind::no_posture);
-        // Every one of them is near to a strip, but for those beyond the part's border.
+        // Every one of them is near to a strip.
         for (const CutterContact& c : left) {
-            if (std::abs(c.point.x()) > 20 || std::abs(c.point.y()) > 16) continue;
             double least = infinity;
             for (const Strip& strip : path.strips)
                 for (const auto& t : strip.band)
