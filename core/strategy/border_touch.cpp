@@ -1,5 +1,7 @@
 #include "core/strategy/border_touch.h"
 
+#include "core/strategy/surface_lines.h"
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -13,13 +15,6 @@ constexpr double on_edge = 1e-4;
 /// Cosine of the angle by which noise turns facets.
 constexpr double same_normal = 0.9945;
 
-double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 d = b - a;
-    const double length2 = d.squaredNorm();
-    const double t = length2 > 0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0;
-    return (p - a - t * d).norm();
-}
-
 } // namespace
 
 bool rolls_over_border(const Mesh& mesh, const FacetGrid& grid, const UpSide& side, const Vec3& touch,
@@ -28,7 +23,7 @@ bool rolls_over_border(const Mesh& mesh, const FacetGrid& grid, const UpSide& si
     grid.near(touch.head<2>(), on_edge, [&](Index f) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = mesh.facets[f][k], b = mesh.facets[f][(k + 1) % 3];
-            if (distance_to_edge(touch, mesh.vertices[a], mesh.vertices[b]) <= on_edge)
+            if (distance_to_segment(touch, mesh.vertices[a], mesh.vertices[b]) <= on_edge)
                 found.push_back({std::min(a, b), std::max(a, b), f});
         }
     });

@@ -87,11 +87,11 @@ double geometric_limit(const AxialLift& lift, double r, const Vec3& p, const Vec
     return best;
 }
 
-/// Under a sanitizer the smallest says enough.
+/// Under a sanitizer the smallest says enough. The sample `gap` is measured by bench_cleanup.
 const std::vector<ValleyPart>& parts() {
     static const std::vector<ValleyPart> all =
         under_sanitizer ? std::vector<ValleyPart>{corner_part()}
-                        : std::vector{mould_part(), corner_part(), ring_part(), pillar_part(), gap_part()};
+                        : std::vector{mould_part(), corner_part(), ring_part(), pillar_part()};
     return all;
 }
 
@@ -141,12 +141,8 @@ private slots:
         QTest::addColumn<bool>("noisy");
         const auto& all = parts();
         for (int i = 0; i < int(all.size()); ++i)
-            for (const bool noisy : {false, true}) {
-                // Where its floor becomes too narrow for the ball, three curves end within some millimetres
-                // of each other: bench_cleanup tells by how much.
-                if (all[std::size_t(i)].name == "gap") continue;
+            for (const bool noisy : {false, true})
                 QTest::addRow("%s%s", all[std::size_t(i)].name.c_str(), noisy ? " noisy" : "") << i << noisy;
-            }
     }
 
     /// At least 99 % of the length of known valleys lie beside a centre, at most 1 % of the length of centres
@@ -191,18 +187,6 @@ private slots:
         qInfo("%s", qPrintable(figures));
         QVERIFY2(double(missed) <= 0.01 * double(places.size()), qPrintable(figures));
         QVERIFY2(double(wrong) <= 0.01 * double(center_places.size()), qPrintable(figures));
-        // What lies under a gap is on its strip.
-        PointGrid band(0.5);
-        for (const Strip& strip : path.strips)
-            for (const auto& t : strip.band)
-                band.add((t[0] + t[1] + t[2]) / 3);
-        std::size_t bare = 0;
-        const auto under = places_along(known.covered, 0.2);
-        for (const Vec3& p : under)
-            bare +=
-                !band.near_until(p, 0.7, [&](std::size_t c) { return (band.points()[c] - p).norm() < 0.7; });
-        QVERIFY2(double(bare) <= 0.01 * double(under.size()),
-                 qPrintable(QString("%1 of %2 not covered").arg(bare).arg(under.size())));
     }
 
     void only_what_no_cutter_reaches_stays_data() {

@@ -48,10 +48,8 @@ ValleyPart gap_part() {
     const auto cut = [&](const std::vector<Vec3>& line, std::size_t from, std::size_t to) {
         return std::vector<Vec3>(line.begin() + std::ptrdiff_t(from), line.begin() + std::ptrdiff_t(to));
     };
-    for (const auto& line : blends) {
+    for (const auto& line : blends)
         part.valleys.push_back(cut(line, 0, first));
-        part.covered.push_back(cut(line, first, line.size()));
-    }
     part.valleys.push_back(cut(floor, first, floor.size()));
     return part;
 }

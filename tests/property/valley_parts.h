@@ -16,9 +16,7 @@ struct ValleyPart {
     double previous = 12, diameter = 4; ///< balls: the previous tool, and the one that cleans up
     /// Creases are found to less; the middle of a blend depends on where the ball touches its facets.
     double beside = 0.15, beside_noisy = 0.3;
-    /// Polylines: blends that lie under a gap the ball cannot enter. They belong to the gap's valley, and are
-    /// covered by its strip.
-    std::vector<std::vector<Vec3>> covered{};
+};
 };
 
 ValleyPart mould_part();

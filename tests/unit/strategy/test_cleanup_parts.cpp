@@ -1,5 +1,6 @@
 // What clean-up is made of: rays against every facet, distances from cutters, what stays between two passes,
 // what a cutter leaves in a crease.
+#include "core/strategy/border_touch.h"
 #include "core/strategy/cleanup.h"
 #include "core/strategy/rest_band.h"
 #include "core/strategy/strip_passes.h"
@@ -128,6 +129,24 @@ private slots:
                                             .arg(expected)));
                 }
         }
+    }
+
+    /// Only on the border, and only with a normal that the surface has not there.
+    void a_cutter_rolls_over_the_border_of_a_sheet_alone() {
+        const Mesh sheet =
+            height_field([](double, double) { return 0.0; }, Vec2(-10, -10), Vec2(10, 10), 10, 10);
+        const Mesh solid = box(Vec3(-10, -10, -5), Vec3(10, 10, 0));
+        const FacetGrid grid(sheet, Progress()), solid_grid(solid, Progress());
+        const UpSide side(sheet, Progress()), solid_side(solid, Progress());
+        const Vec3 up = Vec3::UnitZ(), out = Vec3(std::sin(0.3), 0, std::cos(0.3));
+        for (const Vec3& touch : {Vec3(10, 1, 0), Vec3(10, 2, 0), Vec3(10, 10, 0)}) {
+            QVERIFY(rolls_over_border(sheet, grid, side, touch, out));
+            QVERIFY(!rolls_over_border(sheet, grid, side, touch, up));
+            QVERIFY(!rolls_over_border(solid, solid_grid, solid_side, touch, out));
+        }
+        // On an edge, at a vertex and within a facet.
+        for (const Vec3& touch : {Vec3(4, 1, 0), Vec3(4, 2, 0), Vec3(4.7, 2.1, 0)})
+            QVERIFY(!rolls_over_border(sheet, grid, side, touch, out));
     }
 
     /// A crease of 90 degrees, its valley level: a ball of radius R touches R away from it along both flanks,
