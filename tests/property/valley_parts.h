@@ -17,7 +17,6 @@ struct ValleyPart {
     /// Creases are found to less; the middle of a blend depends on where the ball touches its facets.
     double beside = 0.15, beside_noisy = 0.3;
 };
-};
 
 ValleyPart mould_part();
 /// The samples, with what a ball of 25.4 mm cannot enter: in the pillar two blends; in the gap two blends as
