@@ -596,10 +596,9 @@ void Planner::take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down,
 }
 
 std::string Planner::text(const Vec3& p) const {
-    std::string all;
-    for (int k = 0; k < 3; ++k)
-        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(context_.unit), 5);
-    return all + ") " + std::string(unit_name(context_.unit));
+    const auto number = [&](double mm) { return format_number(mm / mm_per(context_.unit), 5); };
+    return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ") "
+           + std::string(unit_name(context_.unit));
 }
 
 void Planner::add_warnings() {

@@ -2,9 +2,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/strategy/border_touch.h"
 #include "core/strategy/facet_rows.h"
 #include "core/strategy/point_grid.h"
+#include "core/strategy/valley_fit.h"
 
 #include <numeric>
 #include <optional>
@@ -39,8 +39,6 @@ constexpr int steps_to_go_on = 4;
 constexpr std::size_t most_steps = 200000;
 /// The fitted vector is an average over this many radii along the curve, to either side.
 constexpr double fit_share = 0.25;
-/// Cosine, and share of the way, by which a centre runs back against the tip.
-constexpr double back_share = 0.1;
 /// Planes whose normals span less than this meet in no one place.
 constexpr double flat_corner = 0.02;
 /// What is farther from the touched points than so many radii is no corner under the cutter.
@@ -425,10 +423,10 @@ private:
             };
             thin_out(curve);
             // Each by its own normals first: they say where the cutter rolls out over a rim.
-            fit(curve, 0, std::vector<Rolls>(curve.points.size(), Rolls::no));
+            fit_up(curve, 0, std::vector<Rolls>(curve.points.size(), Rolls::no));
             place_all();
-            const std::vector<Rolls> rolls = rolling(curve);
-            fit(curve, fit_share * radius_, rolls);
+            const std::vector<Rolls> rolls = rolling(in_, curve, fit_share * radius_);
+            fit_up(curve, fit_share * radius_, rolls);
             place_all();
             add_runs(curve, rolls, ends_[c], runs, open);
             progress.check();
@@ -439,25 +437,6 @@ private:
         progress.set(1);
     }
 
-    /// use(point, way) for the points up to `window` along the tip's way from point i to one side (1, -1).
-    template <class Use>
-    static void within(const ValleyCurve& curve, std::size_t i, std::ptrdiff_t side, double window,
-                       Use&& use) {
-        const auto& p = curve.points;
-        const auto n = std::ptrdiff_t(p.size());
-        double way = 0;
-        auto k = std::ptrdiff_t(i);
-        for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
-            std::ptrdiff_t next = k + side;
-            if (curve.closed) next = (next + n) % n;
-            if (next < 0 || next >= n) break;
-            way += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
-            if (way > window) break;
-            k = next;
-            use(std::size_t(k), way);
-        }
-    }
-
     /// Where a curve was lost its steps became ever shorter.
     void thin_out(ValleyCurve& curve) const {
         std::vector<PencilPoint> kept;
@@ -465,69 +444,6 @@ private:
             if (kept.empty() || (p.tip - kept.back().tip).norm() >= least_step * step_) kept.push_back(p);
         if (curve.points.size() > 1 && !curve.closed && kept.size() > 1) kept.back() = curve.points.back();
         curve.points = std::move(kept);
-    }
-
-    /// Where the cutter rolls out of a valley's end, over its rim or over the part's border, both touched
-    /// points stay behind and the centre runs back while the tip goes on.
-    enum class Rolls : std::uint8_t { no, on_one_side, out };
-    std::vector<Rolls> rolling(const ValleyCurve& curve) const {
-        const auto& p = curve.points;
-        std::vector<Rolls> rolls(p.size(), Rolls::no);
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            bool back = true;
-            std::size_t asked = 0;
-            for (const std::ptrdiff_t side : {-1, 1}) {
-                std::size_t last = i;
-                within(curve, i, side, fit_share * radius_, [&](std::size_t k, double) {
-                    if (p[k].on_part) last = k;
-                });
-                if (last == i) continue;
-                ++asked;
-                back = back && p[i].on_part && runs_back(p[i], p[last]);
-            }
-            int over = 0;
-            for (std::size_t side = 0; side < 2; ++side)
-                over +=
-                    rolls_over_border(*in_.mesh, *in_.grid, *in_.side, p[i].touch[side], p[i].normal[side]);
-            if (over == 2 || (asked > 0 && back))
-                rolls[i] = Rolls::out;
-            else if (over == 1)
-                rolls[i] = Rolls::on_one_side;
-        }
-        return rolls;
-    }
-    static bool runs_back(const PencilPoint& a, const PencilPoint& b) {
-        const Vec3 center = b.center - a.center, tip = b.tip - a.tip;
-        return center.dot(tip) < -back_share * center.norm() * tip.norm()
-               && center.norm() > back_share * tip.norm();
-    }
-
-    /// Fitted vectors: averages along the curve, without what the cutter touches where it rolls out.
-    void fit(ValleyCurve& curve, double window, const std::vector<Rolls>& rolls) const {
-        auto& p = curve.points;
-        std::vector<Vec3> sums(p.size());
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            Vec3 sum = Vec3::Zero();
-            const auto add = [&](std::size_t k, double way) {
-                const double weight = window > 0 ? 1 - way / window : 1;
-                if (rolls[k] == Rolls::no) sum += weight * (p[k].normal[0] + p[k].normal[1]);
-            };
-            add(i, 0);
-            for (const std::ptrdiff_t side : {-1, 1})
-                within(curve, i, side, window, add);
-            sums[i] = sum;
-        }
-        // Beyond as at the last place before.
-        for (std::size_t i = 1; i < p.size(); ++i)
-            if (sums[i] == Vec3::Zero()) sums[i] = sums[i - 1];
-        for (std::size_t i = p.size(); i-- > 1;)
-            if (sums[i - 1] == Vec3::Zero()) sums[i - 1] = sums[i];
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            Vec3 sum = sums[i] == Vec3::Zero() ? Vec3(p[i].normal[0] + p[i].normal[1]) : sums[i];
-            // A 3-axis cutter is never moved downwards out of a valley.
-            sum.z() = std::max(sum.z(), 0.0);
-            p[i].up = sum.norm() > tolerance::level_angle ? Vec3(sum.normalized()) : Vec3::UnitZ();
-        }
     }
 
     void place(PencilPoint& p) const {
