@@ -6,15 +6,23 @@
 namespace facetmill {
 
 extern const AxialKernels axial_kernels_baseline;
-#ifdef FACETMILL_AVX2
+#ifdef FACETMILL_X86
 extern const AxialKernels axial_kernels_avx2;
+extern const AxialKernels axial_kernels_avx512;
 #endif
 
 int axial_kernel_sets(const AxialKernels* (&sets)[4]) {
     int count = 0;
     sets[count++] = &axial_kernels_baseline;
-#ifdef FACETMILL_AVX2
-    if (__builtin_cpu_supports("avx2")) sets[count++] = &axial_kernels_avx2;
+#ifdef FACETMILL_X86
+    if (__builtin_cpu_supports("avx2")) {
+        sets[count++] = &axial_kernels_avx2;
+        // All of x86-64-v4 that is not in every processor with AVX2.
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")
+            && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq")
+            && __builtin_cpu_supports("avx512cd"))
+            sets[count++] = &axial_kernels_avx512;
+    }
 #endif
     return count;
 }
