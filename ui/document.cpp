@@ -1,5 +1,6 @@
 #include "ui/document.h"
 
+#include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
 #include "core/strategy/manual_posture.h"
 #include "core/strategy/region_edit.h"
@@ -300,19 +301,9 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
                 alone.tools.push_back(t);
         alone.operations.push_back(operation.clone());
     };
-    const Operation& operation = *project.operations.at(i);
     // What the operations before come to is part of what it is planned from, where it asks for that.
-    std::vector<const Operation*> asked{&operation};
-    bool stock = operation.reads_stock(), left = operation.reads_left().any();
-    for (std::size_t k = i; k-- > 0;) {
-        const Operation& before = *project.operations[k];
-        if (!left && !(stock && before.three_axis())) continue;
-        asked.push_back(&before);
-        stock = stock || before.reads_stock();
-        left = left || before.reads_left().any();
-    }
-    for (auto o = asked.rbegin(); o != asked.rend(); ++o)
-        add(**o);
+    for (const AskedOperation& asked : asked_operations(project, [&](std::size_t k) { return k == i; }))
+        add(*asked.operation);
     // The unit is left out: it is one of the display and of the files, not of the path.
     std::string text = project_to_json(alone);
     for (const std::filesystem::path& file : files_of(project))

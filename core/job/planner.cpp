@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/mesh/geometry.h"
@@ -477,27 +478,11 @@ std::shared_ptr<const EarlierLeft> Planner::Cache::left(const Project& project,
 std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const std::string& only_operation,
                                                 const Progress& progress) {
     check_project(project);
-    struct Asked {
-        const Operation* operation;
-        bool result;         ///< else only for those after it
-        bool leaves = false; ///< an operation after it asks what stands
-        bool read = false;   ///< an operation after it asks what it came to
-        bool needed() const { return result || leaves || read; }
-    };
-    std::vector<Asked> asked;
     std::vector<std::string> names;
-    for (const auto& o : project.operations) {
+    for (const auto& o : project.operations)
         names.push_back(o->common().name);
-        asked.push_back({o.get(), only_operation.empty() || names.back() == only_operation});
-    }
-    bool leaves = false, read = false;
-    for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
-        a->leaves = leaves && a->operation->three_axis();
-        a->read = read;
-        leaves = leaves || (a->operation->reads_stock() && a->needed());
-        read = read || (a->operation->reads_left().any() && a->needed());
-    }
-    std::erase_if(asked, [](const Asked& a) { return !a.needed(); });
+    const std::vector<AskedOperation> asked = asked_operations(
+        project, [&](std::size_t i) { return only_operation.empty() || names[i] == only_operation; });
     if (names.empty())
         throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
                     "add an operation");

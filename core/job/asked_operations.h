@@ -1,0 +1,24 @@
+#pragma once
+#include "core/job/project.h"
+
+#include <functional>
+#include <vector>
+
+namespace facetmill {
+
+/// An operation that has to be planned, and who asks for it.
+struct AskedOperation {
+    const Operation* operation;
+    bool result;         ///< it is wanted itself, else only for those after it
+    bool leaves = false; ///< an operation after it asks what stands of the stock
+    bool read = false;   ///< an operation after it asks what it came to
+    bool needed() const { return result || leaves || read; }
+};
+
+/// The wanted operations of a project and those before them whose stock or path they ask for, in the
+/// project's order. `wanted` is called once for every index of Project::operations; none wanted: an empty
+/// list. The pointers are the project's.
+std::vector<AskedOperation> asked_operations(const Project& project,
+                                             const std::function<bool(std::size_t)>& wanted);
+
+} // namespace facetmill
