@@ -6,7 +6,7 @@
 #include "core/gouge/vector_lift.h"
 #include "core/mesh/refine.h"
 #include "core/strategy/border_touch.h"
-#include "core/strategy/lift_line.h"
+#include "core/strategy/pass_clearing.h"
 #include "core/strategy/point_grid.h"
 
 #include <optional>
@@ -41,8 +41,9 @@ constexpr double ridge_tilt = 1.4; ///< radians, to either side
 constexpr int lead_points = 6;
 constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
 
-/// What stays between two passes is looked at on the part at these shares of the way from one to the other.
-constexpr std::array<double, 3> between_shares{0.25, 0.5, 0.75};
+/// What stays between two passes is looked for on the part by so many halvings of the way from one to the
+/// other.
+constexpr int between_halvings = 5;
 /// Sine of the angle: by less the part does not turn between two passes.
 constexpr double same_plane = 0.02;
 
@@ -71,7 +72,10 @@ class ValleyCutter {
 public:
     ValleyCutter(const StripCutting& with, const ValleyCurve& curve, const RestBand& band)
         : with_(with), curve_(curve), band_(band), along_(tangents(curve)), radius_(with.cover->radius()),
-          count_(curve.points.size()) {
+          count_(curve.points.size()), in_band_(0.5 * radius_) {
+        for (const auto& t : band.band)
+            for (const Vec3& p : t)
+                in_band_.add_first(p);
         small_.mesh = with.mesh.get();
         small_.grid = with.grid;
         small_.side = with.side;
@@ -83,7 +87,8 @@ public:
         if (count_ < 2) return {};
         make_lifts(progress.part(0, 0.2));
         std::vector<char> all(count_, 1);
-        const std::vector<Spot> pencil = spots(0, all, progress);
+        Row pencil{std::vector<double>(count_, 0), {}};
+        pencil.spots = spots(pencil.offsets, all, progress);
         add_passes(pencil, all, 0, 0);
         for (const int side : {1, -1})
             beside(side, pencil, progress.part(side > 0 ? 0.2 : 0.6, side > 0 ? 0.6 : 1));
@@ -147,7 +152,8 @@ private:
                 return height <= high + size && height >= -aside - size
                        && (rel - height * up).norm() <= aside + size;
             });
-            if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing)
+            if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing
+                && is_beside_band(middle, size))
                 facets.push_back(f);
         });
         progress.check();
@@ -158,6 +164,13 @@ private:
             std::make_shared<ContactIndex>(std::make_shared<Mesh>(part_of(mesh, facets).mesh),
                                            progress.part(0, 0)),
             with_.cover->profile(), std::span<const BodySection>(), with_.allowance);
+    }
+
+    /// A leaning vector would bring the cutter down on the far wall of a wide valley else.
+    bool is_beside_band(const Vec3& middle, double size) const {
+        const double within = radius_ + with_.overlap + size;
+        return in_band_.near_until(
+            middle, within, [&](std::size_t i) { return (in_band_.points()[i] - middle).norm() <= within; });
     }
 
     /// A place of the curve, at one of its points or between two.
@@ -272,31 +285,78 @@ private:
         return true;
     }
 
-    std::vector<Spot> spots(double offset, const std::vector<char>& which, const Progress& progress) const {
+    /// A pass: where the cutter stands beside each point of the curve.
+    struct Row {
+        std::vector<double> offsets; ///< left positive
+        std::vector<Spot> spots;
+    };
+
+    std::vector<Spot> spots(const std::vector<double>& offsets, const std::vector<char>& which,
+                            const Progress& progress) const {
         std::vector<Spot> result(count_);
         parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
-            if (which[i]) result[i] = spot(i, offset);
+            if (which[i]) result[i] = spot(i, offsets[i]);
         });
         return result;
     }
 
+    /// Where the cutter has no place so far out, it goes as far as it can, from what it cut before: which
+    /// have been moved so.
+    std::vector<char> come_nearer(const Row& last, Row& next, const std::vector<char>& which,
+                                  const Progress& progress) const {
+        std::vector<char> moved(count_, 0);
+        parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
+            if (!which[i] || next.spots[i].free) return;
+            double near = last.offsets[i], far = next.offsets[i];
+            for (int n = 0; n < end_halvings; ++n) {
+                const double mid = 0.5 * (near + far);
+                const Spot s = spot(i, mid);
+                (s.free ? near : far) = mid;
+                if (!s.free) continue;
+                next.spots[i] = s;
+                next.offsets[i] = mid;
+                moved[i] = 1;
+            }
+        });
+        return moved;
+    }
+
+    /// How far from a centre: across the fitted vector, and up the flank. On a steep one the first says
+    /// little.
+    struct Extent {
+        double across = 0, flank = 0;
+        bool holds(const Extent& other) const { return across >= other.across && flank >= other.flank; }
+        void grow(const Extent& other) {
+            across = std::max(across, other.across);
+            flank = std::max(flank, other.flank);
+        }
+    };
+
     /// Where the band ends, a little smoothed.
-    std::vector<double> needed(int side) const {
-        std::vector<double> result(count_);
+    std::vector<Extent> needed(int side) const {
+        std::vector<Extent> result(count_);
         const auto n = std::ptrdiff_t(count_);
+        const std::size_t of = side > 0 ? 0 : 1;
         for (std::ptrdiff_t i = 0; i < n; ++i)
             for (std::ptrdiff_t k = i - 2; k <= i + 2; ++k) {
                 if (!curve_.closed && (k < 0 || k >= n)) continue;
                 const auto j = std::size_t(((k % n) + n) % n);
-                result[std::size_t(i)] = std::max(result[std::size_t(i)], band_.reach[j][side > 0 ? 0 : 1]);
+                result[std::size_t(i)].grow({band_.reach[j][of], band_.flank[j][of]});
             }
+        for (Extent& e : result)
+            if (e.flank > 0) e.flank += with_.overlap;
         return result;
     }
+    Extent extent(std::size_t i, const Vec3& p, int side) const {
+        const Vec3 rel = p - at(i).center;
+        return {side * rel.dot(left_of(along_[i], at(i).up)), (rel - rel.dot(along_[i]) * along_[i]).norm()};
+    }
 
-    void beside(int side, const std::vector<Spot>& pencil, const Progress& progress) {
-        const std::vector<double> need = needed(side);
-        std::vector<double> got(count_, 0);
-        std::vector<Spot> last = pencil;
+    void beside(int side, const Row& pencil, const Progress& progress) {
+        const std::vector<Extent> need = needed(side);
+        std::vector<Extent> got(count_);
+        std::vector<char> done(count_, 0);
+        Row last = pencil;
         // On a flank that leans by 45 degrees.
         double step = std::sqrt(4 * std::max(with_.cover->profile().cutter().r, 0.1 * radius_) * with_.cusp);
         double offset = 0;
@@ -304,17 +364,18 @@ private:
             std::vector<char> todo(count_, 0);
             std::size_t left = 0;
             for (std::size_t i = 0; i < count_; ++i)
-                if (last[i].free && got[i] < need[i]) {
+                if (last.spots[i].free && !done[i] && !got[i].holds(need[i])) {
                     todo[i] = 1;
                     ++left;
                 }
             if (left == 0) break;
             progress.set(std::min(1.0, number / 50.0));
-            std::vector<Spot> next;
+            Row next;
             double cusp = 0;
             step = std::max(step, smallest_step * radius_);
             for (int tries = 0; tries < most_tries; ++tries) {
-                next = spots(side * (offset + step), todo, progress);
+                next.offsets.assign(count_, side * (offset + step));
+                next.spots = spots(next.offsets, todo, progress);
                 // Of most places; further passes are put in at the others.
                 std::vector<double> all = left_between(last, next, progress);
                 std::erase(all, 0);
@@ -324,18 +385,14 @@ private:
                 step = std::max(step * std::max(0.3, 0.93 * std::sqrt(with_.cusp / cusp)),
                                 smallest_step * radius_);
             }
-            fill(side * offset, last, side * (offset + step), next, most_fills, progress);
+            const std::vector<char> at_end = come_nearer(last, next, todo, progress);
+            fill(last, next, most_fills, progress);
             offset += step;
             for (std::size_t i = 0; i < count_; ++i) {
                 if (!todo[i]) continue;
-                if (!next[i].free) {
-                    got[i] = infinity;
-                    continue;
-                }
-                const Vec3 left_side = left_of(along_[i], at(i).up);
-                got[i] = std::max(got[i], side * (next[i].touch - at(i).center).dot(left_side));
                 // Over the shoulder: nothing more of this flank is touched farther out.
-                if (offset > need[i] + radius_) got[i] = infinity;
+                done[i] = !next.spots[i].free || at_end[i] || offset > need[i].across + radius_;
+                if (next.spots[i].free) got[i].grow(extent(i, next.spots[i].touch, side));
             }
             cut_.cusp_max = std::max(cut_.cusp_max, cusp);
             cut_.stepover_min = std::min(cut_.stepover_min, step);
@@ -343,10 +400,10 @@ private:
             std::vector<char> longer = extended(todo);
             for (std::size_t i = 0; i < count_; ++i)
                 longer[i] = longer[i] && !todo[i];
-            const std::vector<Spot> more = spots(side * offset, longer, progress);
-            std::vector<Spot> pass = next;
+            const std::vector<Spot> more = spots(next.offsets, longer, progress);
+            Row pass = next;
             for (std::size_t i = 0; i < count_; ++i)
-                if (longer[i]) pass[i] = more[i];
+                if (longer[i]) pass.spots[i] = more[i];
             add_passes(pass, todo, ++number_, side * offset);
             last = std::move(next);
             if (cusp > 0 && cusp < with_.cusp) step *= std::min(1.8, 0.95 * std::sqrt(with_.cusp / cusp));
@@ -354,11 +411,10 @@ private:
     }
 
     /// What stays between two passes; 0 where not both have a place.
-    std::vector<double> left_between(const std::vector<Spot>& a, const std::vector<Spot>& b,
-                                     const Progress& progress) const {
+    std::vector<double> left_between(const Row& a, const Row& b, const Progress& progress) const {
         std::vector<double> all(count_, 0);
         parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
-            if (a[i].free && b[i].free) all[i] = left_between(a[i], b[i], i);
+            if (a.spots[i].free && b.spots[i].free) all[i] = left_between(a.spots[i], b.spots[i], i);
         });
         return all;
     }
@@ -373,28 +429,37 @@ private:
             || (b.normal - a.normal).dot(way) >= 0)
             return most;
         LiftHint hint;
-        for (const double share : between_shares) {
+        // Most stays where both leave the same: from the first the way there is to the other side of it.
+        double lo = 0, hi = 1;
+        for (int n = 0; n < between_halvings; ++n) {
+            const double share = 0.5 * (lo + hi), beyond = hi;
+            hi = share; // where there is no place to ask at
             const Vec3 out = (1 - share) * a.normal + share * b.normal;
             if (out.norm() < same_plane) continue;
-            const Vec3 n = out.normalized();
+            const Vec3 normal = out.normalized();
             const double back = std::min(way.norm(), radius_);
-            const auto hit = with_.grid->first_hit(a.touch + share * way + back * n, -n, 2 * back + radius_);
+            const auto hit =
+                with_.grid->first_hit(a.touch + share * way + back * normal, -normal, 2 * back + radius_);
             if (!hit) continue;
             const Vec3 facet = with_.side->towards_tool(with_.mesh->facet_normal(hit->facet));
-            if (!(facet.dot(n) > 0) || facet.z() < -tolerance::vertical_normal_z) continue;
-            const Vec3 p = a.touch + share * way + (back - hit->distance) * n + with_.allowance * facet;
-            const double rest = std::min(with_.cover->distance(p - a.tip), with_.cover->distance(p - b.tip));
+            if (!(facet.dot(normal) > 0) || facet.z() < -tolerance::vertical_normal_z) continue;
+            const Vec3 p = a.touch + share * way + (back - hit->distance) * normal + with_.allowance * facet;
+            const double by_a = with_.cover->distance(p - a.tip), by_b = with_.cover->distance(p - b.tip);
+            if (by_a < by_b) {
+                lo = share;
+                hi = beyond;
+            }
+            const double rest = std::min(by_a, by_b);
             if (rest <= std::max(most, with_.cusp)) continue;
             double limit = nearest_touch(small_, p, facet, hint).gap;
-            if (n.z() >= 0) limit = std::min(limit, nearest_touch(small_, p, n, hint).gap);
+            if (normal.z() >= 0) limit = std::min(limit, nearest_touch(small_, p, normal, hint).gap);
             most = std::max(most, rest - limit);
         }
         return most;
     }
 
     /// Short passes between two where too much stays.
-    void fill(double from, const std::vector<Spot>& a, double to, const std::vector<Spot>& b, int depth,
-              const Progress& progress) {
+    void fill(const Row& a, const Row& b, int depth, const Progress& progress) {
         if (depth == 0) return;
         std::vector<char> which(count_, 0);
         bool any = false;
@@ -407,11 +472,14 @@ private:
             }
         progress.check();
         if (!any) return;
-        const double mid = 0.5 * (from + to);
-        const std::vector<Spot> middle = spots(mid, which, progress);
-        fill(from, a, mid, middle, depth - 1, progress);
-        add_passes(middle, which, ++number_, mid);
-        fill(mid, middle, to, b, depth - 1, progress);
+        Row middle{a.offsets, {}};
+        for (std::size_t i = 0; i < count_; ++i)
+            middle.offsets[i] = 0.5 * (a.offsets[i] + b.offsets[i]);
+        middle.spots = spots(middle.offsets, which, progress);
+        fill(a, middle, depth - 1, progress);
+        const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
+        add_passes(middle, which, ++number_, middle.offsets[first]);
+        fill(middle, b, depth - 1, progress);
     }
 
     /// With the overlap before and after.
@@ -436,8 +504,8 @@ private:
         return result;
     }
 
-    void add_passes(const std::vector<Spot>& spots, const std::vector<char>& wanted, int number,
-                    double offset) {
+    void add_passes(const Row& row, const std::vector<char>& wanted, int number, double offset) {
+        const std::vector<Spot>& spots = row.spots;
         // A closed pass begins where one is missing, if any is.
         std::size_t first = 0;
         bool whole = true;
@@ -481,7 +549,7 @@ private:
             for (const bool ahead : {true, false}) {
                 const std::size_t end = ahead ? r.back() : r.front(), k = next(end, ahead);
                 if (k == count_ || !wanted[k] || spots[k].free) continue;
-                if (const auto last = last_before(end, k, offset))
+                if (const auto last = last_before(end, k, row.offsets[end]))
                     way.insert(ahead ? way.end() : way.begin(), *last);
             }
             if (backwards) {
@@ -552,75 +620,11 @@ private:
     std::vector<Vec3> along_;
     double radius_;
     std::size_t count_;
+    PointGrid in_band_;
     std::vector<std::shared_ptr<const VectorLift>> lift_of_;
     StripCut cut_;
     int number_ = 0; ///< of passes, for turning every other one
 };
-
-/// Puts in what straight moves need to stay clear of the part, out of the valley where that helps, else up.
-class Clearing {
-public:
-    Clearing(const StripCutting& with)
-        : with_(with), spacing_(safe_spacing(with.cover->profile(), 0.5 * with.chord)) {}
-
-    void apply(Pass& pass, const Progress& progress) const {
-        Pass result = pass;
-        result.cl.clear();
-        result.cc.clear();
-        LiftHint hint;
-        for (std::size_t i = 0; i < pass.cl.size(); ++i) {
-            progress.check();
-            if (i > 0) between(pass.cl[i - 1].tip, pass.cl[i].tip, pass.cc[i], result, hint, 0);
-            result.cl.push_back(pass.cl[i]);
-            result.cc.push_back(pass.cc[i]);
-        }
-        pass = std::move(result);
-    }
-
-private:
-    double below(const Vec3& tip, LiftHint& hint) const {
-        return with_.lift->tip_z(tip.x(), tip.y(), hint) - tip.z();
-    }
-    void between(const Vec3& a, const Vec3& b, const CutterContact& cc, Pass& out, LiftHint& hint,
-                 int depth) const {
-        const double length = (b - a).norm();
-        const auto parts = std::max<std::size_t>(2, std::size_t(std::ceil(length / spacing_)));
-        double worst = 0.5 * with_.chord;
-        std::size_t where = 0;
-        for (std::size_t k = 1; k < parts; ++k) {
-            const double x = double(k) / double(parts);
-            if (const double d = below(a + x * (b - a), hint); d > worst) {
-                worst = d;
-                where = k;
-            }
-        }
-        if (where == 0 || depth > 30 || length < 0.1 * with_.chord) return;
-        Vec3 mid = a + (double(where) / double(parts)) * (b - a);
-        // Away from what it would cut: a little sideways is enough on steep flanks.
-        Vec3 out_of = cc.normal;
-        out_of.z() = std::max(out_of.z(), 0.0);
-        bool free = false;
-        for (double x = 0.25 * with_.chord; x <= 4 * with_.chord && !free; x *= 2) {
-            const Vec3 aside = mid + x * out_of;
-            if (below(aside, hint) > 0) continue;
-            mid = aside;
-            free = true;
-        }
-        if (!free) mid.z() += worst;
-        between(a, mid, cc, out, hint, depth + 1);
-        out.cl.push_back({mid, Vec3::UnitZ()});
-        out.cc.push_back(cc);
-        between(mid, b, cc, out, hint, depth + 1);
-    }
-
-    const StripCutting& with_;
-    double spacing_;
-};
-
-void clear(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress) {
-    const Clearing clearing(with);
-    parallel_for(passes.size(), 1, progress, [&](std::size_t i) { clearing.apply(passes[i], progress); });
-}
 
 } // namespace
 
@@ -693,12 +697,10 @@ void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
 StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const RestBand& band,
                     const Progress& progress) {
     ValleyCurve longer = curve;
-    RestBand wider;
-    wider.reach = band.reach;
-    wider.flank = band.flank;
+    RestBand wider = band;
     run_out(with, longer, wider);
     StripCut cut = ValleyCutter(with, longer, wider).run(progress.part(0, 0.8));
-    clear(with, cut.passes, progress.part(0.8, 1));
+    clear_passes(with, cut.passes, progress.part(0.8, 1));
     return cut;
 }
 
@@ -762,7 +764,7 @@ StripCut cut_hollow(const StripCutting& with, const RestBand& band, const Progre
         finish();
     }
     cut.stepover_min = cut.stepover_max = lines > 0 ? (v1 - v0) / lines : 0;
-    clear(with, cut.passes, progress.part(0.9, 1));
+    clear_passes(with, cut.passes, progress.part(0.9, 1));
     return cut;
 }
 

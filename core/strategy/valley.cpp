@@ -43,6 +43,8 @@ constexpr double fit_share = 0.25;
 constexpr double flat_corner = 0.02;
 /// What is farther from the touched points than so many radii is no corner under the cutter.
 constexpr double corner_reach = 3;
+/// What is left ahead of the last centre is looked for up to this angle from the fitted vector.
+constexpr double most_turn = 1.2;
 /// Ends nearer to each other than this many steps meet.
 constexpr double node_steps = 2;
 
@@ -364,30 +366,25 @@ private:
             PencilPoint turned = seed;
             std::swap(turned.touch[0], turned.touch[1]);
             std::swap(turned.normal[0], turned.normal[1]);
-            Traced parts[2];
-            bool started = false;
-            // A ring about it crosses the curve twice.
-            for (double rho = step_; rho > end_share * step_ && !started; rho *= 0.5) {
-                const Found* ahead = nullptr;
-                const Found* behind = nullptr;
-                double least[2] = {most_move, most_move};
+            // A ring about it crosses the curve twice; on one side maybe a smaller one only, where another
+            // curve is near.
+            std::array<std::optional<double>, 2> heading;
+            for (double rho = step_; rho > end_share * step_ && !(heading[0] && heading[1]); rho *= 0.5) {
                 const auto ring = jumps(seed.tip.head<2>(), rho, -pi, pi, ring_samples);
-                for (const Found& f : ring) {
-                    if (const double m = moved(f.point, seed); m < least[0]) {
-                        least[0] = m;
-                        ahead = &f;
-                    }
-                    if (const double m = moved(f.point, turned); m < least[1]) {
-                        least[1] = m;
-                        behind = &f;
-                    }
+                for (const std::size_t way : {0, 1}) {
+                    if (heading[way]) continue;
+                    double least = most_move;
+                    for (const Found& f : ring)
+                        if (const double m = moved(f.point, way == 0 ? seed : turned); m < least) {
+                            least = m;
+                            heading[way] = f.angle;
+                        }
                 }
-                if (!ahead && !behind) continue;
-                started = true;
-                if (ahead) parts[0] = trace(seed, ahead->angle, progress);
-                if (behind && !parts[0].closed) parts[1] = trace(turned, behind->angle, progress);
             }
-            if (!started) continue;
+            if (!heading[0] && !heading[1]) continue;
+            Traced parts[2];
+            if (heading[0]) parts[0] = trace(seed, *heading[0], progress);
+            if (heading[1] && !parts[0].closed) parts[1] = trace(turned, *heading[1], progress);
             ValleyCurve curve;
             if (parts[0].closed) {
                 curve.closed = true;
@@ -685,6 +682,51 @@ private:
             out_.nodes.push_back(node.center);
             for (const std::size_t g : group)
                 lead(ends[g].curve, ends[g].side, node, number);
+        }
+        PointGrid tips(radius_);
+        for (const Valleys::Tip& t : out_.tips)
+            tips.add(t.tip);
+        for (const EndOf& e : ends)
+            if (out_.curves[e.curve].node[e.side] < 0) turn_ahead(out_.curves[e.curve], e.side, tips);
+    }
+
+    /// Where a third flank stops the cutter that came along two, the fitted vector may lean back: what is
+    /// left ahead of the last centre is the valley's too, until the cutter at another place leaves less, or
+    /// none is left.
+    void turn_ahead(ValleyCurve& curve, std::size_t side, const PointGrid& tips) const {
+        auto& p = curve.points;
+        const PencilPoint end = side == 0 ? p.front() : p.back();
+        Vec3 ahead = Vec3::Zero();
+        for (std::size_t i = 1; i < p.size() && ahead.norm() < fit_share * radius_; ++i)
+            ahead = end.tip - p[side == 0 ? i : p.size() - 1 - i].tip;
+        ahead -= ahead.dot(end.up) * end.up;
+        if (ahead.norm() < tolerance::contact_distance) return;
+        ahead.normalize();
+        const double turn = 0.5 * step_ / (end.center - end.from).norm();
+        const auto is_nearest = [&](const PencilPoint& q) {
+            const double within = 2 * radius_ + q.gap;
+            return !tips.near_until(q.center, within, [&](std::size_t i) {
+                const Vec3& tip = tips.points()[i];
+                return (tip - end.tip).norm() > least_step * step_
+                       && in_.cover->distance(q.center - tip) < q.gap - 0.1 * in_.tolerance;
+            });
+        };
+        std::vector<PencilPoint> more;
+        PencilPoint q = end;
+        for (double angle = turn; angle < most_turn; angle += turn) {
+            const Vec3 way = std::sin(angle) * ahead - std::cos(angle) * end.up;
+            const auto hit = in_.grid->first_hit(end.from, way, reach_);
+            if (!hit) break;
+            q.center = end.from + hit->distance * way;
+            q.gap = in_.cover->distance(q.center - q.tip);
+            if (!(q.gap > in_.tolerance) || !is_nearest(q)) break;
+            more.push_back(q);
+        }
+        if (side == 0) {
+            std::reverse(more.begin(), more.end());
+            p.insert(p.begin(), more.begin(), more.end());
+        } else {
+            p.insert(p.end(), more.begin(), more.end());
         }
     }
 

@@ -1,5 +1,6 @@
 #include "tests/property/valley_parts.h"
 
+#include "core/base/tolerances.h"
 #include "core/gouge/axial_lift.h"
 #include "core/mesh/sample.h"
 #include "core/mesh/sample_mould.h"
@@ -26,31 +27,61 @@ ValleyPart gap_part() {
     ValleyPart part{"gap", *make_sample("gap", default_sample_tolerance, Progress()), {}, 25.4, 6};
     // A tenth of the width of the gap's floor: the ball touches the walls high above it.
     part.beside = part.beside_noisy = 1.5;
-    // Where the ball, as low as it comes across the gap, rests on the walls instead of the floor.
+    // The place that the ball can take nearest to a place of the part, by search. Across the gap is not
+    // across x: it winds, so its walls are not met at the same x.
     const Tool ball = ball_tool(part.previous);
+    const double r = 0.5 * part.previous;
     const auto index = std::make_shared<ContactIndex>(
         make_sample("gap", 0.1 * default_sample_tolerance, Progress()), Progress());
     const AxialLift lift(index, CutterProfile(ball.cutter()));
+    const AxialLift needle(index,
+                           CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    struct Nearest {
+        Vec3 tip = Vec3::Zero();
+        double distance = infinity;
+    };
+    const auto nearest = [&](const Vec3& p) {
+        Nearest best;
+        Vec2 middle = p.head<2>();
+        double half = r;
+        for (int level = 0; level < 8; ++level, half *= 0.25) {
+            const int cells = level == 0 ? 12 : 4;
+            const Vec2 from = middle;
+            for (int i = -cells; i <= cells; ++i)
+                for (int k = -cells; k <= cells; ++k) {
+                    const Vec2 at = from + (half / cells) * Vec2(i, k);
+                    const Vec3 tip(at.x(), at.y(), lift.tip_z(at.x(), at.y()));
+                    const double d = (p - tip - Vec3(0, 0, r)).norm() - r;
+                    if (!(d < best.distance)) continue;
+                    best = {tip, d};
+                    middle = at;
+                }
+        }
+        return best;
+    };
+    // Known as far as it stands on the floor then; the gap from where it leaves more than the tolerance.
+    const auto on_floor = [&](const Vec3& p) {
+        const Vec3 tip = nearest(p).tip;
+        return tip.z() - needle.tip_z(tip.x(), tip.y()) < 0.05;
+    };
     const auto floor = sample::gap_floor();
     const auto blends = sample::gap_valleys();
-    std::size_t first = floor.size(); // that it does not come down to
-    for (std::size_t i = floor.size(); i-- > 0;) {
-        const double half = 0.5 * std::abs(blends[1][i].y() - blends[0][i].y());
-        AxialContact lowest;
-        lowest.tip_z = infinity;
-        for (int k = -40; k <= 40; ++k) {
-            const AxialContact c = lift.contact(floor[i].x(), floor[i].y() + half * k / 40);
-            if (c.tip_z < lowest.tip_z) lowest = c;
+    const auto halved = [&](const std::vector<Vec3>& line, auto&& is_before) {
+        // Beyond the borders the ball comes down beside the part.
+        std::size_t lo = line.size() / 4, hi = 3 * line.size() / 4;
+        while (hi - lo > 1) {
+            const std::size_t mid = (lo + hi) / 2;
+            (is_before(line[mid]) ? lo : hi) = mid;
         }
-        if (lowest.tip_z - floor[i].z() < 0.05) break;
-        first = i;
-    }
+        return hi;
+    };
     const auto cut = [&](const std::vector<Vec3>& line, std::size_t from, std::size_t to) {
         return std::vector<Vec3>(line.begin() + std::ptrdiff_t(from), line.begin() + std::ptrdiff_t(to));
     };
     for (const auto& line : blends)
-        part.valleys.push_back(cut(line, 0, first));
-    part.valleys.push_back(cut(floor, first, floor.size()));
+        part.valleys.push_back(cut(line, 0, halved(line, on_floor)));
+    const auto enters = [&](const Vec3& p) { return nearest(p).distance < 0.05; };
+    part.valleys.push_back(cut(floor, halved(floor, enters), floor.size()));
     return part;
 }
 

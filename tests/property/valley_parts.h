@@ -20,7 +20,8 @@ struct ValleyPart {
 
 ValleyPart mould_part();
 /// The samples, with what a ball of 25.4 mm cannot enter: in the pillar two blends; in the gap two blends as
-/// far as the ball comes down to the floor, from there on the gap itself.
+/// far as the ball that comes nearest to them stands on the floor, and the floor's middle from where the ball
+/// does not come down to it.
 ValleyPart pillar_part();
 ValleyPart gap_part();
 /// Three planes that meet in a corner, as seen from above: three valleys that go out from it.
