@@ -5,6 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/vector_lift.h"
 #include "core/mesh/refine.h"
+#include "core/strategy/band_facets.h"
 #include "core/strategy/border_touch.h"
 #include "core/strategy/pass_clearing.h"
 #include "core/strategy/point_grid.h"
@@ -17,8 +18,10 @@ namespace {
 
 /// Facets that lift the cutter are looked for along this many radii of the curve at once.
 constexpr double chunk_radii = 4;
-/// ... and so many radii beyond the band.
+/// ... and so many radii beyond the band's reach there and at so many more points of the curve.
 constexpr double lift_radii = 2.5;
+constexpr std::size_t near_points = 8;
+constexpr std::size_t check_every = 8192;
 /// ... and face along the fitted vector by more than this cosine.
 constexpr double facing = 0.01;
 /// A tip that the part holds up by more than this many radii above where it should be has no place there.
@@ -72,10 +75,7 @@ class ValleyCutter {
 public:
     ValleyCutter(const StripCutting& with, const ValleyCurve& curve, const RestBand& band)
         : with_(with), curve_(curve), band_(band), along_(tangents(curve)), radius_(with.cover->radius()),
-          count_(curve.points.size()), in_band_(0.5 * radius_) {
-        for (const auto& t : band.band)
-            for (const Vec3& p : t)
-                in_band_.add_first(p);
+          count_(curve.points.size()) {
         small_.mesh = with.mesh.get();
         small_.grid = with.grid;
         small_.side = with.side;
@@ -99,15 +99,12 @@ private:
     const PencilPoint& at(std::size_t i) const { return curve_.points[i]; }
     double spacing(std::size_t i, std::size_t k) const { return (at(k).center - at(i).center).norm(); }
 
-    /// Every stretch of the curve gets the facets around it.
+    /// Every stretch of the curve gets the facets around it. Those beside the band alone: a leaning vector
+    /// would bring the cutter down on the far wall of a wide valley else.
     void make_lifts(const Progress& progress) {
         lift_of_.resize(count_);
-        double widest = 0, highest = 0;
-        for (const auto& r : band_.reach)
-            widest = std::max({widest, r[0], r[1]});
-        for (const auto& f : band_.flank)
-            highest = std::max({highest, f[0], f[1]});
-        const double beyond = with_.overlap + lift_radii * radius_;
+        const std::vector<BandFacet> beside =
+            facets_beside(*with_.mesh, *with_.grid, band_, radius_ + with_.overlap, progress.part(0, 0));
         // First and last point of each stretch.
         std::vector<std::array<std::size_t, 2>> chunks;
         for (std::size_t first = 0; first < count_;) {
@@ -119,58 +116,51 @@ private:
         }
         parallel_for(chunks.size(), 1, progress, [&](std::size_t k) {
             const auto [first, last] = chunks[k];
-            const auto lift = lift_about(first, last, widest + beyond, highest + beyond, progress);
+            const auto lift = lift_about(first, last, beside, progress);
             for (std::size_t i = first; i <= last; ++i)
                 lift_of_[i] = lift;
         });
     }
 
-    /// The facets beside a stretch that face along its vector, up to `aside` across and `high` along it; null
-    /// where there are none.
-    std::shared_ptr<const VectorLift> lift_about(std::size_t first, std::size_t last, double aside,
-                                                 double high, const Progress& progress) const {
+    /// The facets beside a stretch that face along its vector; null where there are none.
+    std::shared_ptr<const VectorLift> lift_about(std::size_t first, std::size_t last,
+                                                 const std::vector<BandFacet>& beside,
+                                                 const Progress& progress) const {
         Vec3 up = Vec3::Zero();
-        Box3 box;
         std::vector<Vec3> centers;
         for (std::size_t i = first; i <= last; ++i) {
             up += at(i).up;
-            box.add(at(i).center);
             if (i == first || i == last || (i - first) % 4 == 0) centers.push_back(at(i).center);
         }
         up.normalize();
+        // A pass goes over the band as far as points of the curve near by ask for.
+        double aside = 0, high = 0;
+        for (std::size_t i = first > near_points ? first - near_points : 0;
+             i < std::min(last + near_points + 1, count_); ++i) {
+            aside = std::max({aside, band_.reach[i][0], band_.reach[i][1]});
+            high = std::max({high, band_.flank[i][0], band_.flank[i][1]});
+        }
+        aside += with_.overlap + lift_radii * radius_;
+        high += with_.overlap + lift_radii * radius_;
         const Mesh& mesh = *with_.mesh;
         std::vector<Index> facets;
-        const double seen = aside + high * up.head<2>().norm() + 0.5 * box.size().head<2>().norm();
-        with_.grid->near(box.center().head<2>(), seen, [&](Index f) {
-            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
-            const Vec3 middle = (a + b + c) / 3;
-            const double size = std::sqrt(std::max(
-                {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
+        for (std::size_t i = 0; i < beside.size(); ++i) {
+            if (i % check_every == 0) progress.check();
+            const auto& [f, middle, size] = beside[i];
             const bool is_near = std::any_of(centers.begin(), centers.end(), [&](const Vec3& p) {
                 const Vec3 rel = middle - p;
                 const double height = rel.dot(up);
                 return height <= high + size && height >= -aside - size
-                       && (rel - height * up).norm() <= aside + size;
+                       && (rel - height * up).squaredNorm() <= (aside + size) * (aside + size);
             });
-            if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing
-                && is_beside_band(middle, size))
+            if (is_near && with_.side->towards_tool(mesh.facet_normal(f)).dot(up) > facing)
                 facets.push_back(f);
-        });
-        progress.check();
-        std::sort(facets.begin(), facets.end());
-        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        }
         if (facets.empty()) return nullptr;
         return std::make_shared<VectorLift>(
             std::make_shared<ContactIndex>(std::make_shared<Mesh>(part_of(mesh, facets).mesh),
                                            progress.part(0, 0)),
             with_.cover->profile(), std::span<const BodySection>(), with_.allowance);
-    }
-
-    /// A leaning vector would bring the cutter down on the far wall of a wide valley else.
-    bool is_beside_band(const Vec3& middle, double size) const {
-        const double within = radius_ + with_.overlap + size;
-        return in_band_.near_until(
-            middle, within, [&](std::size_t i) { return (in_band_.points()[i] - middle).norm() <= within; });
     }
 
     /// A place of the curve, at one of its points or between two.
@@ -620,7 +610,6 @@ private:
     std::vector<Vec3> along_;
     double radius_;
     std::size_t count_;
-    PointGrid in_band_;
     std::vector<std::shared_ptr<const VectorLift>> lift_of_;
     StripCut cut_;
     int number_ = 0; ///< of passes, for turning every other one
