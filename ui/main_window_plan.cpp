@@ -237,6 +237,10 @@ std::vector<PathSource> MainWindow::path_sources() const {
     std::vector<PathSource> sources;
     for (std::size_t i = 0; i < shown_results_.size(); ++i)
         sources.push_back(path_source(shown_results_[i], rough_->layer_of(shown_ids_[i])));
+    // Beside a layer alone nothing of the others.
+    if (std::any_of(sources.begin(), sources.end(), [](const PathSource& s) { return s.layer >= 0; }))
+        for (PathSource& s : sources)
+            s.hidden = s.layer < 0;
     return sources;
 }
 

@@ -84,7 +84,8 @@ Polylines thinned(const Polylines& lines) {
 
 PathSource path_source(const std::shared_ptr<const OperationResult>& operation, int layer) {
     if (!operation) return {};
-    PathSource source{{operation, &operation->path}, {operation, &operation->program.motions}, layer, {}};
+    PathSource source{
+        {operation, &operation->path}, {operation, &operation->program.motions}, layer, {}, false};
     if (layer < 0) return source;
     // What does not cut belongs to the next motion that does.
     const auto& passes = operation->path.passes;
@@ -157,7 +158,7 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 }
                 finish(display->contacts, true);
             }
-        if (s.contacts && s.layer < 0) {
+        if (s.contacts && !s.hidden && s.layer < 0) {
             for (const CutterContact& c : s.contacts->cleanup) {
                 tick();
                 if (c.point.allFinite()) append(display->left_points, c.point - centre);

@@ -21,10 +21,11 @@ struct PathSource {
     /// Of roughing: only this layer is drawn and picked, with what leads to its cuts; -1: all of the path.
     int layer = -1;
     std::shared_ptr<const std::vector<int>> motion_layers; ///< of every motion, where `layer` is one
+    bool hidden = false; ///< nothing of it is drawn or picked; another's layer is seen alone
 
-    bool shows(const Pass& pass) const { return layer < 0 || pass.layer == layer; }
+    bool shows(const Pass& pass) const { return !hidden && (layer < 0 || pass.layer == layer); }
     bool shows_motion(std::size_t motion) const {
-        return layer < 0 || !motion_layers || (*motion_layers)[motion] == layer;
+        return !hidden && (layer < 0 || !motion_layers || (*motion_layers)[motion] == layer);
     }
 };
 

@@ -101,6 +101,30 @@ private slots:
         slider()->setValue(0);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(all, view_picture(w())) < 200);
+        // Beside a layer alone nothing of the other operation is seen or picked.
+        slider()->setValue(1);
+        QVERIFY(wait_until_settled(w()));
+        const QImage alone = view_picture(w());
+        const auto picked = [&] {
+            int sources = 0;
+            Scene& scene = w().viewport().scene();
+            for (const Motion& m : w().document().result(1)->program.motions.motions) {
+                const Vec2 at = scene.display_of(m.to.tip);
+                if (const auto pick = scene.pick_path(at.x(), at.y(), 1)) sources |= 1 << pick->source;
+            }
+            return sources;
+        };
+        QVERIFY(!(picked() & 2));
+        slider()->setValue(0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(picked() & 2);
+        w().document().remove_operation(1);
+        QVERIFY(wait_until_settled(w()));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
+        slider()->setValue(1);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(changed_pixels(alone, view_picture(w())) < 20);
         // Elsewhere the whole path is there again.
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));
