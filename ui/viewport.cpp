@@ -39,8 +39,9 @@ constexpr double slow_frame_ms = 40.0;
 constexpr int coarsest = 3;
 constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
 constexpr int rest_ms = 250;
-/// Between two rehearsals of a first picture, so that the window answers.
-constexpr int rehearsal_ms = 20;
+/// Without a new picture before shaders of later ones are rehearsed: none while something moves. In an empty
+/// window there is nothing that could.
+constexpr int rehearsal_ms = 120, empty_rehearsal_ms = 20;
 
 Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
@@ -95,7 +96,6 @@ Viewport::Viewport(QWidget* parent) : GlCanvas(parent), window_(std::make_unique
     pace_timer_.setInterval(0);
     connect(&pace_timer_, &QTimer::timeout, this, [this] { update(); });
     rehearsal_timer_.setSingleShot(true);
-    rehearsal_timer_.setInterval(rehearsal_ms);
     connect(&rehearsal_timer_, &QTimer::timeout, this, &Viewport::rehearse);
 }
 
@@ -112,7 +112,10 @@ void Viewport::initialize_gl() {
     w->SetOwnContext(0);
     w->SetIsCurrent(true);
     w->SetReadyForRendering(true);
-    w->SetFrameBlitModeToNoBlit(); // the canvas reads back what is drawn
+    // The canvas reads back what is drawn, where it is drawn: without a graphics card, copying it elsewhere
+    // first would wait for it.
+    w->SetFrameBlitModeToNoBlit();
+    w->SetSwapBuffers(0);
     w->SetMultiSamples(0);
     w->OpenGLInit();
     scene_.attach(w);
@@ -136,7 +139,7 @@ void Viewport::paint_gl() {
     const QSize size = frame_size();
     const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
     if (resized) stop_steps();
-    if (!dirty_ && !resized) return;
+    if (awaiting() || (!dirty_ && !resized)) return;
     dirty_ = false;
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(ratio);
@@ -149,34 +152,59 @@ void Viewport::paint_gl() {
         rested();
         return;
     }
-    QElapsedTimer timer;
-    timer.start();
     const bool first = full_frame_ms_ < 0;
+    drawing_ = !coarse_ ? Drawing::full_picture : first ? Drawing::first_picture : Drawing::coarse_picture;
     draw(!coarse_ ? 0 : first ? 2 : coarseness_);
-    ++frames_;
-    last_frame_ms_ = double(timer.nsecsElapsed()) * 1e-6;
-    if (coarse_) {
-        if (first)
-            coarseness_ = 1;
-        else if (last_frame_ms_ > dear_frame_ms)
-            coarseness_ = std::min(coarseness_ + 1, coarsest);
-        else if (last_frame_ms_ < cheap_frame_ms)
-            coarseness_ = std::max(coarseness_ - 1, 1);
-        rest_timer_.start();
-    } else {
-        // The first picture of all compiles shaders and says nothing about the later ones.
-        if (frames_ > 1)
-            full_frame_ms_ = last_frame_ms_;
-        else
-            rehearsal_timer_.start();
-        emit drawn();
-    }
 }
 
-void Viewport::draw(int coarseness, bool seen) {
+void Viewport::frame_done() {
+    const Drawing drawn = std::exchange(drawing_, Drawing::nothing);
+    const double ms = double(drawing_since_.nsecsElapsed()) * 1e-6;
+    switch (drawn) {
+    case Drawing::nothing: // something changed meanwhile
+    case Drawing::rehearsal:
+        break;
+    case Drawing::step:
+        step_ms_ += ms;
+        if (*step_ < steps_) {
+            step_timer_.start();
+            return;
+        }
+        stop_steps();
+        full_frame_ms_ = last_frame_ms_ = step_ms_;
+        coarse_ = false;
+        ++frames_;
+        break;
+    case Drawing::first_picture:
+    case Drawing::coarse_picture:
+        ++frames_;
+        last_frame_ms_ = ms;
+        if (drawn == Drawing::first_picture)
+            coarseness_ = 1;
+        else if (ms > dear_frame_ms)
+            coarseness_ = std::min(coarseness_ + 1, coarsest);
+        else if (ms < cheap_frame_ms)
+            coarseness_ = std::max(coarseness_ - 1, 1);
+        rest_timer_.start();
+        break;
+    case Drawing::full_picture:
+        ++frames_;
+        last_frame_ms_ = ms;
+        // The first picture of all compiles shaders and says nothing about the later ones.
+        if (frames_ > 1 && !fresh_) full_frame_ms_ = ms;
+        break;
+    }
+    if (rehearsed_ < Scene::rehearsals)
+        rehearsal_timer_.start(scene_.has(Layer::scale) ? rehearsal_ms : empty_rehearsal_ms);
+    update();
+    if (drawn == Drawing::step || drawn == Drawing::full_picture) emit this->drawn();
+}
+
+void Viewport::draw(int coarseness) {
     auto* w = window_->vtk.Get();
     const int width_px = w->GetSize()[0], height_px = w->GetSize()[1], part = std::max(1, coarseness);
     const double ratio = devicePixelRatioF();
+    drawing_since_.start();
     scene_.set_moving(coarseness > 0);
     scene_.set_antialiasing(coarseness == 0);
     auto* state = w->GetState();
@@ -184,37 +212,41 @@ void Viewport::draw(int coarseness, bool seen) {
     state->Push();
     if (part == 1) {
         w->Render();
-        if (seen) show_frame();
+        await_frame();
     } else {
         // Fewer pixels, shown larger. Afterwards the window has its size again: picking counts in its pixels.
         w->SetSize(std::max(1, width_px / part), std::max(1, height_px / part));
         scene_.set_pixel_ratio(ratio / part);
         w->Render();
-        if (seen) show_frame();
+        await_frame();
         w->SetSize(width_px, height_px);
         scene_.set_pixel_ratio(ratio);
     }
     state->Pop();
 }
 
-void Viewport::show_frame() {
+void Viewport::await_frame() {
+    const bool seen = drawing_ == Drawing::step ? *step_ == steps_ : drawing_ != Drawing::rehearsal;
+    if (!seen) return await_drawn();
     auto* w = window_->vtk.Get();
-    w->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-    w->GetDisplayFramebuffer()->ActivateReadBuffer(0);
-    take_picture({w->GetSize()[0], w->GetSize()[1]});
+    w->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    w->GetRenderFramebuffer()->ActivateReadBuffer(0);
+    await_picture({w->GetSize()[0], w->GetSize()[1]});
 }
 
 void Viewport::rehearse() {
-    const bool empty = !scene_.has(Layer::part) && !scene_.has(Layer::stock);
-    if (!empty || dirty_ || rehearsed_ >= Scene::rehearsals || !window_->vtk->GetReadyForRendering()) return;
+    // A shader takes some 50 ms: only while nothing else goes on. The next picture starts the timer again.
+    if (dirty_ || awaiting() || coarse_ || step_ || drag_ != Drag::none || rehearsed_ >= Scene::rehearsals
+        || !window_->vtk->GetReadyForRendering())
+        return;
     if (!make_current()) return;
     scene_.rehearse(rehearsed_++);
-    draw(2, false);
+    drawing_ = Drawing::rehearsal;
+    draw(1);
     scene_.end_rehearsal();
     scene_.set_moving(false);
     scene_.set_antialiasing(true);
     done_current();
-    rehearsal_timer_.start();
 }
 
 void Viewport::rested() {
@@ -222,7 +254,7 @@ void Viewport::rested() {
         rest_timer_.start(); // held still, but not let go
         return;
     }
-    if (!coarse_ || dirty_ || !window_->vtk->GetReadyForRendering()) return;
+    if (!coarse_ || dirty_ || awaiting() || !window_->vtk->GetReadyForRendering()) return;
     scene_.set_moving(false);
     scene_.set_antialiasing(true);
     steps_ = scene_.begin_steps();
@@ -232,43 +264,32 @@ void Viewport::rested() {
 }
 
 void Viewport::draw_step() {
-    if (!step_) return;
-    if (!make_current()) return;
-    QElapsedTimer timer;
-    timer.start();
+    if (!step_ || awaiting() || !make_current()) return;
+    drawing_since_.start();
     auto* w = window_->vtk.Get();
     auto* state = w->GetState();
     state->Reset();
     state->Push();
     scene_.set_step(*step_);
     w->Render();
-    const bool last = ++*step_ == steps_;
-    if (last) show_frame();
+    ++*step_;
+    drawing_ = Drawing::step;
+    await_frame();
     state->Pop();
-    step_ms_ += double(timer.nsecsElapsed()) * 1e-6;
     done_current();
-    if (!last) {
-        step_timer_.start();
-        return;
-    }
-    stop_steps();
-    full_frame_ms_ = last_frame_ms_ = step_ms_;
-    coarse_ = false;
-    ++frames_;
-    update();
-    emit drawn();
 }
 
 void Viewport::stop_steps() {
     if (!step_) return;
     step_.reset();
     step_timer_.stop();
+    if (drawing_ == Drawing::step) drawing_ = Drawing::nothing;
     scene_.end_steps();
 }
 
 bool Viewport::finished() const {
     const QWindow* shown = isVisible() ? window()->windowHandle() : nullptr;
-    return !coarse_ && !step_ && !(dirty_ && shown && shown->isExposed());
+    return !coarse_ && !step_ && !awaiting() && !(dirty_ && shown && shown->isExposed());
 }
 
 void Viewport::content_changed() {
@@ -281,6 +302,7 @@ void Viewport::content_changed() {
 void Viewport::refresh() {
     stop_steps();
     dirty_ = true;
+    if (awaiting()) return; // the next one follows it
     // Pictures that take a while come by way of a timer, so that other timers and events get their turn in
     // between.
     if (!slow())
@@ -332,6 +354,8 @@ void Viewport::place_overlays() {
         if (other != cube_ && !other->isHidden() && other->geometry().intersects(cube_->geometry()))
             free = false;
     cube_->setVisible(free);
+    const QRectF covered = free ? QRectF(cube_->geometry()) : QRectF();
+    scene_.set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
 }
 
 void Viewport::turn(const QPointF& by) {

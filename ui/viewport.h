@@ -85,6 +85,7 @@ signals:
 protected:
     void initialize_gl() override;
     void paint_gl() override;
+    void frame_done() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -102,11 +103,11 @@ private:
     void hover();
     std::optional<Vec3> handle_at(const QPointF& at) const;
     bool slow() const;
-    void draw(int coarseness, bool seen = true);
+    void draw(int coarseness);
     void rehearse();
     void rested();
     void draw_step();
-    void show_frame();
+    void await_frame();
     void stop_steps();
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
@@ -122,6 +123,10 @@ private:
     QPointF press_, last_;
     Vec3 pivot_ = Vec3::Zero();
     Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();
+    /// What OpenGL is drawing while the event loop goes on.
+    enum class Drawing { nothing, first_picture, coarse_picture, full_picture, step, rehearsal };
+    Drawing drawing_ = Drawing::nothing;
+    QElapsedTimer drawing_since_;
     QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
     bool coarse_ = false;             ///< what is shown is a coarse picture
     bool fresh_ = false;              ///< the content was not drawn yet

@@ -164,9 +164,10 @@ public:
     std::size_t begin_steps();
     void set_step(std::size_t step);
     void end_steps();
-    /// What the first picture of a part and its stock takes long for, the shaders, can be had before there is
-    /// any: after `rehearse(k)`, k below `rehearsals`, a frame draws something small in one of their ways. It
-    /// is not to be shown. Only while there is neither part nor stock; `end_rehearsal` before they come.
+    /// What a first picture of something takes long for, the shaders, can be had before it is there: after
+    /// `rehearse(k)`, k below `rehearsals`, a frame draws nothing but something small in one of their ways,
+    /// whatever layers are shown. It is not to be seen; not between the steps of a picture; `end_rehearsal`
+    /// follows.
     static constexpr std::size_t rehearsals = 7;
     void rehearse(std::size_t k);
     void end_rehearsal();
@@ -206,6 +207,9 @@ public:
     void set_strips(StripDisplayPtr strips);
     /// The one, by its place in the list, that stands out.
     void set_strip_chosen(std::optional<std::size_t> strip);
+    /// A part of the window that something else stands on, from its upper left to its lower right corner in
+    /// layout pixels: labels keep off it. Both the same: none.
+    void set_covered(const Vec2& from, const Vec2& to);
     /// Dots on their boundaries that can be picked. Off at first.
     void set_strip_handles(bool on);
     /// The dot nearest to a pixel within `radius` pixels, on the side of the part that is seen.

@@ -29,6 +29,8 @@ struct SceneActor {
     SceneActor();
     void set_data(vtkPolyData* data, const Vec3& centre);
     void clear();
+    /// Property, colours of points and place before or behind the surface are those of another.
+    void look_like(SceneActor& other);
     /// Triangles, line segments and dots; only of an actor that has data.
     std::size_t elements() const;
 };
@@ -54,9 +56,13 @@ struct Scene::Impl {
     std::vector<std::vector<SceneActor*>> heavy_groups();
     void set_clipping_range(); ///< from what is visible
     void show_step();          ///< hides what the present step leaves out of what is shown
-    /// All that is light, and the smoothing; then what is flat on top of it.
+    void show_rehearsal();     ///< nothing but the rehearsal's actors
+    /// All that is light; then the smoothing, for which what it smooths must be drawn; then what is flat on
+    /// top of it.
     bool light_step() const { return !step || *step == step_groups.size(); }
-    bool last_step() const { return !step || *step > step_groups.size(); }
+    bool smoothing_step() const { return !step || *step == step_groups.size() + 1; }
+    bool last_step() const { return !step || *step == last_step_of_all(); }
+    std::size_t last_step_of_all() const { return step_groups.size() + 2; }
     OverlayContent overlay_content() const;
     std::vector<LegendEntry> legend() const;
     bool shows_content() const;
@@ -98,9 +104,11 @@ struct Scene::Impl {
     std::optional<std::size_t> step;
     std::vector<std::vector<SceneActor*>> step_groups; ///< of the picture being drawn in steps
     std::size_t first_step =
-        0;                    ///< begins the picture; the ones before only bring points to the graphics card
-    bool all_overlay = false; ///< for its shaders, not to be shown
-    bool part_is_new = false; ///< since the last picture in steps
+        0; ///< begins the picture; the ones before only bring points to the graphics card
+    bool rehearsing = false, all_overlay = false; ///< for the shaders, not to be shown
+    std::vector<std::unique_ptr<SceneActor>> rehearsal;
+    std::vector<float> rehearsal_points; ///< behind the actors' data
+    bool part_is_new = false;            ///< since the last picture in steps
     PartStyle part_style = PartStyle::smooth;
     std::string title, subtitle, empty_text = "Nothing to show";
     std::vector<bool> layer_on;
@@ -117,6 +125,7 @@ struct Scene::Impl {
     StripDisplayPtr strips;
     std::optional<std::size_t> chosen_strip;
     bool handles_on = false;
+    LayoutRect covered; ///< by a widget over the window
     PathDisplayPtr path;
     TintedPathPtr tint;
     std::optional<ToolShape> tool;

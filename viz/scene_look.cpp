@@ -323,6 +323,7 @@ void Scene::Impl::apply_visibility() {
         show(tool_rings[k], on(Layer::tool) && pose.has_value());
     }
     if (step) show_step();
+    if (rehearsing) show_rehearsal();
 }
 
 bool Scene::Impl::shows_back() const {
@@ -356,7 +357,7 @@ void Scene::Impl::update_frame() {
                            : infinity;
     contact_dots.actor->GetProperty()->SetPointSize(float(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio)));
     contact_lines.actor->GetProperty()->SetLineWidth(float(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio)));
-    renderer->SetUseFXAA(antialiasing && light_step());
+    renderer->SetUseFXAA(antialiasing && smoothing_step());
     renderer->SetErase(!step || *step <= first_step);
     axes_renderer->SetDraw(false);
     if (!step) set_clipping_range(); // the steps of one picture have one range

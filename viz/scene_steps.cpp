@@ -1,5 +1,5 @@
-// A picture in steps: large things piece by piece, then everything else, then what is flat on top. And the
-// rehearsal of a first picture.
+// A picture in steps: large things piece by piece, then everything else, then smoothing and what is flat on
+// top. And the rehearsal of a first picture.
 #include "viz/poly_data.h"
 #include "viz/scene_impl.h"
 
@@ -11,6 +11,19 @@
 #include <utility>
 
 namespace facetmill {
+
+void SceneActor::look_like(SceneActor& other) {
+    actor->SetProperty(other.actor->GetProperty());
+    actor->SetBackfaceProperty(other.actor->GetBackfaceProperty());
+    mapper->SetScalarVisibility(other.mapper->GetScalarVisibility());
+    double factor = 0, units = 0;
+    other.mapper->GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+    other.mapper->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+    other.mapper->GetRelativeCoincidentTopologyPointOffsetParameter(units);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(units);
+}
 
 std::size_t SceneActor::elements() const {
     vtkPolyData* data = mapper->GetInput();
@@ -28,13 +41,9 @@ void Scene::Impl::set_pieces(SceneActor& first, std::vector<std::unique_ptr<Scen
         return;
     }
     first.set_data(pieces.front(), centre);
-    double factor = 0, units = 0;
-    first.mapper->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         auto piece = std::make_unique<SceneActor>();
-        piece->actor->SetProperty(first.actor->GetProperty());
-        piece->actor->SetBackfaceProperty(first.actor->GetBackfaceProperty());
-        piece->mapper->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+        piece->look_like(first);
         piece->set_data(pieces[i], centre);
         renderer->AddActor(piece->actor);
         more.push_back(std::move(piece));
@@ -85,7 +94,8 @@ void Scene::Impl::show_step() {
     while (vtkActor* actor = actors->GetNextActor(it)) {
         const bool heavy = std::any_of(step_groups.begin(), step_groups.end(),
                                        [&](const auto& group) { return in(group, actor); });
-        if (last_step() || (light_step() ? heavy : !in(step_groups[*step], actor))) actor->VisibilityOff();
+        if (*step > step_groups.size() || (light_step() ? heavy : !in(step_groups[*step], actor)))
+            actor->VisibilityOff();
     }
 }
 
@@ -100,11 +110,11 @@ std::size_t Scene::begin_steps() {
                        && impl_->step_groups.size() > 1;
     if (apart) impl_->step_groups.insert(impl_->step_groups.begin(), {&impl_->part_lines});
     impl_->first_step = apart ? 1 : 0;
-    return impl_->step_groups.size() + 2;
+    return impl_->last_step_of_all() + 1;
 }
 
 void Scene::set_step(std::size_t step) {
-    impl_->step = std::min(step, impl_->step_groups.size() + 1);
+    impl_->step = std::min(step, impl_->last_step_of_all());
     impl_->apply_visibility();
 }
 
@@ -115,55 +125,67 @@ void Scene::end_steps() {
 }
 
 void Scene::rehearse(std::size_t k) {
-    static const std::vector<float> points{0, 0, 0, 10, 0, 0, 0, 0, 10},
-        normals{0, -1, 0, 0, -1, 0, 0, -1, 0};
+    static const std::vector<float> normals{0, -1, 0, 0, -1, 0, 0, -1, 0};
     static const std::vector<std::int32_t> triangle{0, 1, 2}, segments{0, 1, 1, 2};
+    static const std::vector<std::uint8_t> colors(12, 255);
     end_rehearsal();
-    if (impl_->part || !impl_->stock.empty()) return;
-    const auto show = [](SceneActor& a, vtkPolyData* data) {
-        a.set_data(data, Vec3::Zero());
-        a.actor->VisibilityOn();
+    Impl& s = *impl_;
+    s.rehearsing = true;
+    s.all_overlay = k == 3;
+    // In the middle of the view, wherever that is: what is out of sight VTK does not draw.
+    const CameraPlace place = camera_place();
+    const Vec3 right = 0.2 * place.height * place.up.cross(place.toward_eye),
+               up = 0.2 * place.height * place.up;
+    s.rehearsal_points.clear();
+    for (const Vec3& corner : {Vec3(-right), right, up})
+        for (Eigen::Index i = 0; i < 3; ++i)
+            s.rehearsal_points.push_back(float(corner[i]));
+    const auto show = [&](SceneActor& like, vtkPolyData* data) {
+        s.rehearsal.push_back(std::make_unique<SceneActor>());
+        SceneActor& a = *s.rehearsal.back();
+        a.look_like(like);
+        a.set_data(data, place.target);
+        s.renderer->AddActor(a.actor);
     };
+    const auto& points = s.rehearsal_points;
     if (k == 0) {
-        show(impl_->part_surface, triangle_data(points, normals, triangle));
+        show(s.part_surface, triangle_data(points, normals, triangle));
     } else if (k == 1) {
-        show(impl_->part_lines, segment_data(points, segments));
-    } else if (k == 3) {
-        impl_->all_overlay = true;
+        show(s.part_lines, segment_data(points, segments));
+    } else if (k == 2) {
+        show(s.stock_faces, triangle_data(points, {}, triangle));
+        show(s.stock_lines, segment_data(points, segments));
     } else if (k == 4) {
-        static const std::vector<std::uint8_t> colors(12, 255);
         const auto data = triangle_data(points, normals, triangle);
         set_point_colors({data}, colors);
-        show(impl_->deviation_surface, data);
-    } else if (k == 6) {
-        show(impl_->finding_dots.front(), dot_data(points));
+        show(s.deviation_surface, data);
     } else if (k == 5) {
         // The look of the cut stock, which is that of the tool too.
-        impl_->cut_patches.push_back(std::make_unique<SceneActor>());
-        SceneActor& patch = *impl_->cut_patches.back();
-        patch.actor->SetProperty(impl_->cut_look);
-        impl_->renderer->AddActor(patch.actor);
+        SceneActor patch;
+        patch.actor->SetProperty(s.cut_look);
         show(patch, triangle_data(points, normals, triangle));
-        impl_->has_cut = true;
-    } else {
-        show(impl_->stock_faces, triangle_data(points, {}, triangle));
-        show(impl_->stock_lines, segment_data(points, segments));
+    } else if (k == 6) {
+        show(s.finding_dots.front(), dot_data(points));
     }
+    s.apply_visibility();
 }
 
 void Scene::end_rehearsal() {
-    impl_->all_overlay = false;
-    if (impl_->part || !impl_->stock.empty()) return;
-    for (SceneActor* a : {&impl_->part_surface, &impl_->part_lines, &impl_->stock_faces, &impl_->stock_lines,
-                          &impl_->deviation_surface, &impl_->finding_dots.front()})
-        a->clear();
-    if (impl_->cut_stock.empty()) {
-        for (auto& patch : impl_->cut_patches)
-            impl_->renderer->RemoveActor(patch->actor);
-        impl_->cut_patches.clear();
-        impl_->has_cut = false;
-    }
+    impl_->rehearsing = impl_->all_overlay = false;
+    for (auto& a : impl_->rehearsal)
+        impl_->renderer->RemoveActor(a->actor);
+    impl_->rehearsal.clear();
     impl_->apply_visibility();
+}
+
+void Scene::Impl::show_rehearsal() {
+    vtkActorCollection* actors = renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it))
+        actor->VisibilityOff();
+    for (auto& a : rehearsal)
+        a->actor->VisibilityOn();
 }
 
 } // namespace facetmill

@@ -64,6 +64,10 @@ void Scene::set_strip_chosen(std::optional<std::size_t> strip) {
     impl_->apply_line_widths();
 }
 
+void Scene::set_covered(const Vec2& from, const Vec2& to) {
+    impl_->covered = {from.x(), from.y(), to.x(), to.y()};
+}
+
 void Scene::set_strip_handles(bool on) {
     impl_->handles_on = on;
     impl_->apply_visibility();
@@ -137,7 +141,7 @@ std::vector<OverlayNote> Scene::Impl::strip_notes(const OverlayLayout& layout) c
     });
     const Vec2 picture = window_size().cast<double>() / ratio;
     std::vector<LayoutRect> taken;
-    for (const LayoutRect& r : {layout.title, layout.legend, layout.scale, layout.axes})
+    for (const LayoutRect& r : {layout.title, layout.legend, layout.scale, layout.axes, covered})
         if (!r.empty()) taken.push_back(r);
     const auto free = [&](const LayoutRect& r) {
         return r.x0 >= label_room && r.x1 <= picture.x() - label_room && r.y0 >= 0 && r.y1 <= picture.y()

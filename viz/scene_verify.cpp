@@ -92,8 +92,6 @@ void Scene::set_deviation(DeviationDisplayPtr deviation) {
         impl_->deviation_data = triangle_pieces(d->points, d->normals, d->triangles, elements_in_piece);
         impl_->deviation_scale = d->scale;
         impl_->set_pieces(impl_->deviation_surface, impl_->more_deviation, impl_->deviation_data, d->centre);
-        for (auto& piece : impl_->more_deviation)
-            piece->mapper->ScalarVisibilityOn();
         const PartPreview& preview = d->preview;
         impl_->deviation_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
                                           d->centre);

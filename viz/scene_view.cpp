@@ -188,7 +188,7 @@ void Scene::Impl::set_clipping_range() {
     }
     for (const auto& [patches, actors_of] :
          {std::pair(&cut_stock, &cut_patches), std::pair(&cut_detail, &detail_patches)})
-        for (std::size_t i = 0; i < patches->size(); ++i) { // a rehearsal has actors without patches
+        for (std::size_t i = 0; i < patches->size(); ++i) {
             const auto& a = (*actors_of)[i];
             if (!a || !a->actor->GetVisibility()) continue;
             box.add((*patches)[i]->box);

@@ -4,6 +4,7 @@
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
 #include "viz/offscreen.h"
+#include "viz/strip_display.h"
 
 #include <QDir>
 #include <QTest>
@@ -301,6 +302,48 @@ private slots:
         }
         scene.set_antialiasing(false);
         QCOMPARE(different_pixels(whole, window_.render()), std::size_t(0));
+    }
+
+    void labels_keep_off_what_is_covered() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
+        const auto display = std::make_shared<StripDisplay>();
+        StripDisplay::One& strip = display->strips.emplace_back();
+        strip.name = "Valley 1";
+        strip.detail = "120 mm2, for tool 3";
+        strip.label_at = Vec3(hill_length / 2, hill_width / 2, 0);
+        strip.area = 120;
+        scene.set_strips(display);
+        scene.set_antialiasing(false);
+        const Picture with = drawn(scene);
+        scene.set_covered({0, 0}, {double(with.width), double(with.height)});
+        const Picture without = window_.render();
+        QVERIFY(different_pixels(with, without) > 200);
+        // Covered on its right end, it moves to the left; nothing of it is left under the cover.
+        const Vec2 at = scene.display_of(strip.label_at);
+        scene.set_covered(at + Vec2(20, -40), at + Vec2(200, 40));
+        const Picture beside = window_.render();
+        QVERIFY(different_pixels(beside, without) > 200);
+        for (int y = int(at.y()) - 39; y < int(at.y()) + 39; ++y)
+            for (int x = int(at.x()) + 21; x < std::min(beside.width, int(at.x()) + 199); ++x)
+                QCOMPARE(beside.pixel(x, y), without.pixel(x, y));
+        scene.set_covered(Vec2::Zero(), Vec2::Zero());
+        QCOMPARE(different_pixels(with, window_.render()), std::size_t(0));
+    }
+
+    void shaders_are_rehearsed_whatever_is_shown() {
+        Scene scene;
+        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        for (const Layer layer : all_layers())
+            scene.set_visible(layer, false);
+        scene.set_antialiasing(false);
+        const Picture before = drawn(scene);
+        for (std::size_t k = 0; k < Scene::rehearsals; ++k) {
+            scene.rehearse(k);
+            QVERIFY2(different_pixels(before, window_.render()) > 20, qPrintable(QString::number(k)));
+            scene.end_rehearsal();
+            QCOMPARE(different_pixels(before, window_.render()), std::size_t(0));
+        }
     }
 
     void the_background_is_opaque_and_graded() {

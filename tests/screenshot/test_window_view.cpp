@@ -251,6 +251,34 @@ private slots:
         QCOMPARE(changed_pixels(full, view_picture(w()), 0), 0);
     }
 
+    void the_window_goes_on_while_opengl_draws() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        QVERIFY(wait_until_settled(w()));
+        const QImage before = view.picture(), widget = view.grab().toImage();
+        const int frames = view.frames();
+        view.scene().set_palette(Palette::dark);
+        view.refresh();
+        view.repaint();
+        // Asked for, and not waited for: the old picture stands.
+        QCOMPARE(view.frames(), frames);
+        QVERIFY(!view.finished());
+        QCOMPARE(changed_pixels(widget, view.grab().toImage(), 0), 0);
+        QTRY_VERIFY(view.frames() > frames && view.finished());
+        QVERIFY(changed_pixels(before, view.picture(), 0) > 1000);
+        // Changes while it draws are in the next one, and who asks for the picture gets the newest.
+        view.scene().set_palette(Palette::light);
+        view.refresh();
+        view.repaint();
+        view.scene().set_palette(Palette::dark);
+        view.refresh();
+        const QImage dark = view_picture(w());
+        QVERIFY(changed_pixels(before, dark, 0) > 1000);
+        view.scene().set_palette(Palette::light);
+        view.refresh();
+        QCOMPARE(changed_pixels(before, view_picture(w()), 0), 0);
+    }
+
     void window_state_is_kept() {
         w().resize(1010, 707);
         w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
