@@ -15,6 +15,14 @@ constexpr double still_share = 0.5;
 /// Contacts are looked for between two that are farther apart than this share of the step on a level plane;
 /// beside an edge, where what is left rises steeply, finely.
 constexpr double jump_gap = 0.4, edge_gap = 0.05;
+/// Of the allowed cusp, more than a line leaves a quarter of the way to the next on one flank.
+constexpr double jump_share = 0.3;
+/// Beside the place where the contact jumps from flank to flank the part is to be cut as far into the hollow
+/// as the cutter that touches both leaves this share of the allowed cusp, as find_uncut has it.
+constexpr double hollow_share = 0.25;
+constexpr int hollow_halvings = 14;
+/// A flank whose normal rises by less has no surface that is known from above.
+constexpr double steepest_hollow = 0.05;
 /// Halvings between two such tips.
 constexpr int deepest_between = 5;
 /// Accepted without a further try: share of the allowed cusp.
@@ -32,9 +40,8 @@ bool inside(const std::vector<Interval>& intervals, double u, double slack) {
 
 StepOver::StepOver(const StepOverInput& input) : in_(input), field_{input.lift, input.floor} {
     const double radius = in_.cover->radius(), r = std::max(in_.cover->profile().cutter().r, in_.cusp);
-    if (in_.cover->has_flat_bottom())
-        needle_ = std::make_unique<AxialLift>(
-            in_.contact, CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    surface_ = std::make_unique<AxialLift>(
+        in_.contact, CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
     // On a level plane, cusps between passes of a ball of radius r.
     const double level = 2 * std::sqrt(std::max(2 * r * in_.cusp - in_.cusp * in_.cusp, 0.0));
     largest_ = 0.95 * 2 * radius; // Lu's c for roughing: never the whole diameter
@@ -72,8 +79,8 @@ StepOver::Sample StepOver::sample(double u, double v) const {
     const Vec3 tip(xy.x(), xy.y(), c.tip_z);
     s.valid = true;
     s.point = c.point;
-    if (needle_) {
-        const double z = needle_->tip_z(xy.x(), xy.y());
+    if (in_.cover->has_flat_bottom()) {
+        const double z = surface_->tip_z(xy.x(), xy.y());
         if (c.tip_z - in_.allowance - z <= 0.125 * in_.cusp) {
             s.normal = Vec3(0, 0, 1);
             s.point = Vec3(xy.x(), xy.y(), z + in_.allowance);
@@ -210,7 +217,8 @@ double StepOver::between(const DriveLine* a, const DriveLine* b, double u, doubl
         const double a0 = entry(a, u, s0.point, s0.normal), a1 = entry(a, u, s1.point, s1.normal);
         const double b0 = entry(b, u, s0.point, s0.normal), b1 = entry(b, u, s1.point, s1.normal);
         const double d0 = b0 - a0, d1 = a1 - b1;
-        return d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
+        const double between = d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
+        return sharp_ ? between : std::max(between, hollow(a, b, s0, s1, u, 0.5 * (v0 + v1)));
     }
     const double v = 0.5 * (v0 + v1);
     const Sample s = sample(u, v);
@@ -219,6 +227,53 @@ double StepOver::between(const DriveLine* a, const DriveLine* b, double u, doubl
     if (worst > in_.cusp) return worst;
     return std::max({worst, between(a, b, u, v0, s0, v, s, gap, depth - 1),
                      between(a, b, u, v, s, v1, s1, gap, depth - 1)});
+}
+
+double StepOver::hollow(const DriveLine* a, const DriveLine* b, const Sample& s0, const Sample& s1, double u,
+                        double v) const {
+    const Vec3 way = s1.point - s0.point;
+    if (!((s1.normal - s0.normal).dot(way) < 0)) return 0; // a ridge
+    const Vec2 xy = in_.frame.xy(u, v);
+    const Vec3 seat(xy.x(), xy.y(), std::max(s0.tip_z, s1.tip_z));
+    // A hollow that runs across the columns lies elsewhere half-way to the next.
+    const Vec3 bottom = s0.normal.cross(s1.normal);
+    const double du = std::abs(bottom.head<2>().dot(in_.frame.along)),
+                 dv = std::abs(bottom.head<2>().dot(in_.frame.across));
+    const double beside = du > 0 ? grid_ * dv / du : infinity;
+    double worst = 0;
+    for (const std::size_t k : {0, 1}) {
+        const Sample* s = k == 0 ? &s0 : &s1;
+        Vec3 inward = s == &s0 ? way : Vec3(-way);
+        inward -= inward.dot(s->normal) * s->normal;
+        const double length = inward.norm();
+        if (!(length > 0)) continue;
+        inward /= length;
+        const auto entry_at = [&](double w) {
+            return in_.cover->ray_entry(s->point + w * inward, s->normal, seat, 2 * in_.cover->radius());
+        };
+        double lo = 0, hi = length;
+        for (int i = 0; i < hollow_halvings; ++i) {
+            const double mid = 0.5 * (lo + hi);
+            (entry_at(mid) <= hollow_share * in_.cusp ? lo : hi) = mid;
+        }
+        // On the part, which may be round.
+        Vec3 p = s->point + lo * inward;
+        if (s->normal.z() > steepest_hollow) {
+            const double z = surface_->tip_z(p.x(), p.y()) + in_.allowance / s->normal.z();
+            if (z > p.z()) p.z() = z;
+        }
+        const double by_a = entry(a, u, p, s->normal), by_b = entry(b, u, p, s->normal);
+        worst = std::max(worst, std::min(by_a, by_b));
+        if (!a || !b || !(by_a < infinity && by_b < infinity)) continue;
+        // What a line leaves grows with its distance from the place, from what the cutter there leaves.
+        const double least = hollow_share * in_.cusp;
+        const double rise_a = (by_a - least) / (v - a->v), rise_b = (by_b - least) / (b->v - v);
+        if (!(rise_a > 0 && rise_b > 0)) continue;
+        const double at = std::clamp((rise_a * a->v + rise_b * b->v) / (rise_a + rise_b),
+                                     std::max(a->v, v - beside), std::min(b->v, v + beside));
+        worst = std::max(worst, least + std::min(rise_a * (at - a->v), rise_b * (b->v - at)));
+    }
+    return worst;
 }
 
 double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
@@ -281,6 +336,7 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                     y[i] = std::sqrt(tb);
                 }
                 if (worst == infinity) return worst;
+                const double from_a = x[0], from_b = y[rows - 1];
                 // The contact jumps in a hollow hardly wider than the cutter, and stands still while the
                 // cutter rolls over a convex edge; then the surface lies between the outermost rows and the
                 // lines.
@@ -297,9 +353,13 @@ double StepOver::worst_cusp(const DriveLine* a, const DriveLine* b, double edge,
                 };
                 for (int i = 0; i + 1 < rows; ++i)
                     look_between(v[i], s[i], v[i + 1], s[i + 1]);
-                if (still && a && inside(domain_a, u, tolerance::contact_distance))
+                // So it does where the contact jumps between them, and the line leaves more than on a flank.
+                const auto beside_line = [&](double root) {
+                    return still || root * root > jump_share * in_.cusp;
+                };
+                if (a && beside_line(from_a) && inside(domain_a, u, tolerance::contact_distance))
                     look_between(v0, sample(u, v0), v[0], s[0]);
-                if (still && b && inside(domain_b, u, tolerance::contact_distance))
+                if (b && beside_line(from_b) && inside(domain_b, u, tolerance::contact_distance))
                     look_between(v[rows - 1], s[rows - 1], v1, sample(u, v1));
                 // The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left
                 // grows with the square of the distance, so roots run linearly; beside a sharp rim it grows

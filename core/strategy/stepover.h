@@ -8,7 +8,9 @@
 // the normal, the distance to the nearer of the two *swept* cutters is the cusp left at that point
 // (CutterCover::ray_entry). The largest over the gap is its cusp, for any cutter and any surface, both
 // neighbours included. The step is then as large as the tolerance allows, within a hundredth. Points that no
-// tip between the planes could cut (narrow valleys) are no fault of the step and do not count.
+// tip between the planes could cut (narrow valleys) are no fault of the step and do not count; but where the
+// contact jumps from one flank of a hollow to the other, both flanks are looked at a little way into it, as
+// far as the cutter that touches both would leave a quarter of what is allowed.
 //
 // A wall, upright or nearly so, is met by a jump of the lift between neighbouring tips; a point halfway down
 // the jump stands for it. So a wall along the passes gets one pass within the tolerance of it, and a round
@@ -90,12 +92,16 @@ private:
     /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
     double between(const DriveLine* a, const DriveLine* b, double u, double v0, const Sample& s0, double v1,
                    const Sample& s1, double gap, int depth) const;
+    /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
+    /// both: no tip touches there, but it would leave less.
+    double hollow(const DriveLine* a, const DriveLine* b, const Sample& s0, const Sample& s1, double u,
+                  double v) const;
     double wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from, double z_to) const;
 
     StepOverInput in_;
     LiftField field_;
-    std::unique_ptr<AxialLift> needle_; ///< finds the surface under a flat bottom's centre
-    bool sharp_ = false;                ///< the corner of the profile is sharp, or nearly so
+    std::unique_ptr<AxialLift> surface_; ///< of a needle: the part seen from above
+    bool sharp_ = false;                 ///< the corner of the profile is sharp, or nearly so
     double grid_ = 1, level_ = 1, smallest_ = 0, largest_ = 0, guess_ = 0;
 };
 

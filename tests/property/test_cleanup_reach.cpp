@@ -183,9 +183,8 @@ private slots:
         QVERIFY2(turned < radians(41), qPrintable(QString::number(degrees(turned))));
 
         const PlanContext first = context_of(mesh, before);
-        // Finely: its passes leave more than their tolerance beside a crease, above the band.
         Finish3Settings f;
-        f.tolerance = 0.25 * tau;
+        f.tolerance = tau;
         const Finish3 finish(f);
         const std::vector<VerifyProgram> programs{program_of(finish, finish.plan(first, Progress()), first),
                                                   program_of(op, path, context)};

@@ -108,6 +108,77 @@ private slots:
             QVERIFY(p.cl.front().tip.x() < p.cl.back().tip.x());
     }
 
+    void both_flanks_of_a_crease_are_cut_data() {
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<double>("direction");
+        QTest::addColumn<double>("moved");
+        for (const double slope : {80, 50, 25}) {
+            // The first pass lies elsewhere to the crease.
+            for (const double moved : {0.0, 0.3, 0.6, 0.9, 1.2})
+                QTest::addRow("%g degrees, moved by %g", slope, moved) << radians(slope) << 0.0 << moved;
+            for (const double direction : {20, 35, 60, 90})
+                QTest::addRow("%g degrees, passes at %g", slope, direction)
+                    << radians(slope) << radians(direction) << 0.0;
+        }
+    }
+
+    /// A floor and a wall that meet in a crease along x. Where the ball that touches both would leave up to a
+    /// quarter of the tolerance, the passes leave no more than that and the tolerance, though no tip touches
+    /// there.
+    void both_flanks_of_a_crease_are_cut() {
+        QFETCH(double, slope);
+        QFETCH(double, direction);
+        QFETCH(double, moved);
+        const double tau = 0.1, r = 6, rise = std::tan(slope);
+        const Mesh crease = height_field([&](double, double y) { return std::max(0.0, rise * y); },
+                                         Vec2(-14, -14 - moved), Vec2(14, 14 + moved), 4, 2);
+        Finish3Settings settings;
+        settings.tolerance = tau;
+        settings.direction = {direction, ""};
+        const StrategyResult path = planned(crease, settings, ball_tool(2 * r));
+        const Vec3 wall(0, std::cos(slope), std::sin(slope)); // up it
+        // Distance of the contacts of the ball that touches both from the crease.
+        const double seat = r * std::tan(0.5 * slope);
+        const double inside = std::sqrt((r + 0.25 * tau) * (r + 0.25 * tau) - r * r);
+        const auto left = [&](const Vec3& p) {
+            double least = infinity;
+            for (const Pass& pass : path.passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+                    const Vec3 from = pass.cl[i - 1].tip + Vec3(0, 0, r),
+                               way = pass.cl[i].tip - pass.cl[i - 1].tip;
+                    const double t = way.squaredNorm() > 0
+                                         ? std::clamp((p - from).dot(way) / way.squaredNorm(), 0.0, 1.0)
+                                         : 0;
+                    least = std::min(least, (p - from - t * way).norm() - r);
+                }
+            return least;
+        };
+        double worst = 0;
+        Vec3 at = Vec3::Zero();
+        for (int i = -40; i <= 40; ++i)
+            for (int k = 0; k <= 40; ++k) {
+                const double away = seat - inside + 0.1 * k, x = 0.1 * i;
+                for (const Vec3& flank : {Vec3(0, -1, 0), wall}) {
+                    const Vec3 p = Vec3(x, 0, 0) + away * flank;
+                    // Of the ball that touches both, farther in.
+                    const double least = std::hypot(r, std::max(seat - away, 0.0)) - r;
+                    if (const double e = left(p) - least; e > worst) {
+                        worst = e;
+                        at = p;
+                    }
+                }
+            }
+        const QString figures = QString("%1 at (%2, %3, %4); %5 planes, expected %6")
+                                    .arg(worst)
+                                    .arg(at.x())
+                                    .arg(at.y())
+                                    .arg(at.z())
+                                    .arg(path.drive_planes)
+                                    .arg(path.cusp_max);
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(worst > 0.3 * tau && worst <= 1.02 * tau, qPrintable(figures));
+    }
+
     void any_direction_covers_the_part() {
         Finish3Settings s;
         for (const double angle : {0.3, -1.0, 2.5}) {
