@@ -20,6 +20,7 @@ double ms_since(Clock::time_point start) {
 
 // Cutting stops about so often for a look at what is wanted now, and for a picture.
 constexpr double slice_ms = 40;
+constexpr std::size_t triangles_in_group = 10'000;
 
 } // namespace
 
@@ -96,6 +97,7 @@ void StockPlayer::run() {
 
 void StockPlayer::work() {
     std::unique_ptr<StockPlayback> playback;
+    PatchGroups groups(triangles_in_group);
     std::uint64_t load = 0;
     double reached = -1; // what was published
     auto published = Clock::now();
@@ -135,15 +137,16 @@ void StockPlayer::work() {
         }
         const bool arrived = *target < at || next == *target;
         if (!arrived && ms_since(published) < slice_ms) continue;
-        publish(*playback, progress, load);
+        publish(*playback, groups, progress, load);
         reached = arrived ? *target : -1;
         published = Clock::now();
     }
 }
 
-void StockPlayer::publish(StockPlayback& playback, const Progress& progress, std::uint64_t load) {
+void StockPlayer::publish(StockPlayback& playback, PatchGroups& groups, const Progress& progress,
+                          std::uint64_t load) {
     auto frame = std::make_shared<StockFrame>();
-    frame->patches = playback.patches(progress);
+    frame->patches = groups.of(playback.patches(progress));
     frame->position = playback.position();
     const std::lock_guard lock(mutex_);
     finished_ = std::move(frame);

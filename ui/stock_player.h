@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/verify/playback.h"
+#include "core/verify/stock_surface.h"
 
 #include <QObject>
 #include <QString>
@@ -21,6 +22,7 @@ namespace facetmill::ui {
 
 struct StockFrame {
     double position = 0;
+    /// Groups of the playback's patches.
     std::vector<std::shared_ptr<const StockPatch>> patches;
 };
 
@@ -52,7 +54,7 @@ signals:
 private:
     void run();
     void work();
-    void publish(StockPlayback& playback, const Progress& progress, std::uint64_t load);
+    void publish(StockPlayback& playback, PatchGroups& groups, const Progress& progress, std::uint64_t load);
     void fetch();
 
     // of this object's thread

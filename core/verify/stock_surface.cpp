@@ -388,6 +388,57 @@ std::shared_ptr<const StockPatch> sparse_patch(std::shared_ptr<const StockPatch>
     return whole;
 }
 
+const std::vector<std::shared_ptr<const StockPatch>>&
+PatchGroups::of(const std::vector<std::shared_ptr<const StockPatch>>& patches) {
+    const auto size = [&](std::size_t k) { return patches[k] ? patches[k]->triangles.size() : 0; };
+    bool fits = patches.size() == patches_.size();
+    for (std::size_t g = 0, k = 0; fits && g < ends_.size(); ++g) {
+        std::size_t sum = 0, from = k;
+        for (; k < ends_[g]; ++k)
+            sum += size(k);
+        fits = sum <= 2 * triangles_ || k - from == 1;
+    }
+    if (!fits) {
+        ends_.clear();
+        std::size_t sum = 0;
+        for (std::size_t k = 0; k < patches.size(); ++k) {
+            if (sum > 0 && sum + size(k) > triangles_) {
+                ends_.push_back(k);
+                sum = 0;
+            }
+            sum += size(k);
+        }
+        if (!patches.empty()) ends_.push_back(patches.size());
+        groups_.assign(ends_.size(), nullptr);
+        patches_.assign(patches.size(), nullptr);
+    }
+    for (std::size_t g = 0, k = 0; g < ends_.size(); k = ends_[g++]) {
+        const auto from = patches.begin() + std::ptrdiff_t(k),
+                   to = patches.begin() + std::ptrdiff_t(ends_[g]);
+        if (std::equal(from, to, patches_.begin() + std::ptrdiff_t(k))) continue;
+        std::shared_ptr<const StockPatch> only;
+        std::shared_ptr<StockPatch> sum;
+        for (auto patch = from; patch != to; ++patch) {
+            if (!*patch) continue;
+            if (!only) {
+                only = *patch;
+                continue;
+            }
+            if (!sum) sum = std::make_shared<StockPatch>(*only);
+            const auto first = std::uint32_t(sum->points.size());
+            const StockPatch& p = **patch;
+            sum->points.insert(sum->points.end(), p.points.begin(), p.points.end());
+            sum->normals.insert(sum->normals.end(), p.normals.begin(), p.normals.end());
+            for (const auto& [a, b, c] : p.triangles)
+                sum->triangles.push_back({first + a, first + b, first + c});
+            sum->box.add(p.box);
+        }
+        groups_[g] = sum ? sum : only;
+    }
+    patches_ = patches;
+    return groups_;
+}
+
 void stock_triangles(const StockModel& stock,
                      const std::function<void(const Vec3& a, const Vec3& b, const Vec3& c)>& take,
                      const Progress& progress) {

@@ -36,6 +36,22 @@ private:
 /// fits its neighbours, and all but one within go. Any other patch, null too, as it is.
 std::shared_ptr<const StockPatch> sparse_patch(std::shared_ptr<const StockPatch> patch);
 
+/// Neighbours among patches put together to larger ones: what draws them has much the same ado with each,
+/// however small it is.
+class PatchGroups {
+public:
+    /// Up to about `triangles` in a group, until the stock has changed by as many.
+    explicit PatchGroups(std::size_t triangles) : triangles_(triangles) {}
+    /// A group of the same patches as at the last call is the same object; one without surface is null.
+    const std::vector<std::shared_ptr<const StockPatch>>&
+    of(const std::vector<std::shared_ptr<const StockPatch>>& patches);
+
+private:
+    std::size_t triangles_;
+    std::vector<std::size_t> ends_; ///< of the groups, in `patches_`
+    std::vector<std::shared_ptr<const StockPatch>> patches_, groups_;
+};
+
 /// The whole surface, block by block: take(a, b, c) for each triangle, counter-clockwise seen from outside,
 /// in a fixed order on the calling thread. Corners that blocks have in common are the same numbers in both.
 /// Flat sheets come in few triangles; no more than some hundred blocks are in memory at a time. Cancellation

@@ -441,6 +441,60 @@ private slots:
         QVERIFY(!sparse_patch(nullptr));
     }
 
+    void groups_are_their_patches() {
+        using Patches = std::vector<std::shared_ptr<const StockPatch>>;
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(60, 50, 20));
+        StockPlayback playback(solid, {program_of(AptCutter::ball(5, 20), wild_path(5, 60))}, 0.4,
+                               Progress());
+        constexpr std::size_t most = 2500;
+        PatchGroups groups(most);
+        // Area, as a sum that every corner is in.
+        const auto sum = [](const Patches& patches, std::size_t& triangles) {
+            double area = 0;
+            triangles = 0;
+            for (const auto& p : patches) {
+                if (!p) continue;
+                triangles += p->triangles.size();
+                const auto at = [&](std::uint32_t i) {
+                    return Vec3(p->points[i][0], p->points[i][1], p->points[i][2]);
+                };
+                for (const auto& [a, b, c] : p->triangles) {
+                    area += (at(b) - at(a)).cross(at(c) - at(a)).norm();
+                    for (const std::uint32_t i : {a, b, c}) {
+                        if (p->normals.size() != p->points.size()
+                            || ((p->box.lo - at(i)).array() > 1e-5).any()
+                            || ((at(i) - p->box.hi).array() > 1e-5).any())
+                            return -1.0;
+                        area += 1e-3 * std::abs(p->normals[i][2]);
+                    }
+                }
+            }
+            return area;
+        };
+        Patches grouped;
+        std::size_t kept = 0, others = 0;
+        for (const double position : {0.0, 1.0, 2.0, 2.5, 30.0, 31.0, 60.0, 4.0}) {
+            playback.go_to(position, Progress());
+            const Patches patches = playback.patches(Progress());
+            const Patches now = groups.of(patches);
+            QVERIFY(groups.of(patches) == now); // the same objects
+            std::size_t triangles = 0, in_groups = 0;
+            const double area = sum(patches, triangles);
+            QVERIFY(triangles > 0 && std::abs(sum(now, in_groups) / area - 1) < 1e-9);
+            QCOMPARE(in_groups, triangles);
+            QVERIFY2(now.size() <= 2 + 2 * triangles / most, qPrintable(QString::number(now.size())));
+            const auto count =
+                std::count_if(patches.begin(), patches.end(), [](const auto& p) { return bool(p); });
+            QVERIFY(now.size() < std::size_t(count));
+            if (now.size() == grouped.size())
+                for (std::size_t g = 0; g < now.size(); ++g)
+                    ++(now[g] == grouped[g] ? kept : others);
+            grouped = now;
+        }
+        QVERIFY2(kept > 4 && others > 4, qPrintable(QString("%1 kept, %2 others").arg(kept).arg(others)));
+        QVERIFY(PatchGroups(10).of({}).empty());
+    }
+
     void playback_goes_both_ways() {
         std::vector<VerifyProgram> programs{program_of(AptCutter::bull(9, 2, 20), wild_path(4, 150)),
                                             program_of(AptCutter::ball(5, 20), wild_path(5, 60))};
