@@ -264,6 +264,10 @@ bool ParameterForm::commit() {
     return true;
 }
 
+void ParameterForm::set_help_shown(bool on) {
+    help_->setVisible(on);
+}
+
 void ParameterForm::set_picking(const std::string& key) {
     for (const Row& row : rows_)
         if (row.pick) row.pick->setChecked(row.info->key == key);

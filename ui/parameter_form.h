@@ -40,6 +40,8 @@ public:
 
     /// Into the first field, its text selected.
     void focus_first();
+    /// Without it the help is in the tool tips alone, and no room is kept for it below the fields.
+    void set_help_shown(bool on);
     /// Also hand over values while the user still types, as soon as they are good. Off at first.
     void set_live(bool live) { live_ = live; }
 

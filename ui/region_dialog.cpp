@@ -67,8 +67,10 @@ RegionDialog::RegionDialog(QWidget* parent) : QDialog(parent, Qt::Tool) {
 
     form_ = new ParameterForm(this);
     form_->set_live(true);
+    form_->set_help_shown(false); // there is little room
+    form_->installEventFilter(this);
     connect(form_, &ParameterForm::edited, this, &RegionDialog::edited);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = scroll_ = new QScrollArea(this);
     scroll->setWidget(form_);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -560,6 +562,17 @@ void RegionDialog::colour() {
 void RegionDialog::changeEvent(QEvent* event) {
     QDialog::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && problem_) colour();
+}
+
+bool RegionDialog::eventFilter(QObject* watched, QEvent* event) {
+    // The form takes no more than it needs; the lists and charts below have the rest.
+    if (watched == form_ && (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)) {
+        const QLayout& layout = *form_->layout();
+        const int high = layout.hasHeightForWidth() ? layout.totalHeightForWidth(form_->width())
+                                                    : layout.totalSizeHint().height();
+        scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), high));
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 void RegionDialog::hideEvent(QHideEvent* event) {

@@ -15,6 +15,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QTableWidget;
 class QTabWidget;
@@ -81,6 +82,7 @@ signals:
 
 protected:
     void hideEvent(QHideEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -96,6 +98,7 @@ private:
     QString estimate_text(const StrategyEstimate& e) const;
 
     ParameterForm* form_ = nullptr;
+    QScrollArea* scroll_ = nullptr; ///< around the form
     QTabWidget* tabs_ = nullptr;
     QStackedWidget* stack_ = nullptr; ///< the table, or why it is empty
     QTableWidget* table_ = nullptr;

@@ -20,6 +20,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTest>
@@ -197,6 +198,12 @@ private slots:
         QVERIFY(dialog().table()->item(0, RegionDialog::reason_column)->text().contains("lead"));
         QCOMPARE(dialog().table()->item(0, RegionDialog::tool_column)->text(), QStringLiteral("T7"));
         shot_both(QStringLiteral("regions"));
+        // The form takes no more room than its fields.
+        const auto* scroll = dialog().findChild<QScrollArea*>();
+        const auto* fold = dialog().form()->findChild<QWidget*>(QStringLiteral("advanced"));
+        const int end = fold->mapTo(dialog().form(), QPoint(0, fold->height())).y();
+        QVERIFY2(std::abs(scroll->viewport()->height() - std::max(end, scroll->minimumHeight())) < 6,
+                 qPrintable(QString("%1 for %2").arg(scroll->viewport()->height()).arg(end)));
         const double before = area();
 
         // Tried while it is typed; a step of the history when it is done.
