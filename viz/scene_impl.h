@@ -56,6 +56,7 @@ struct Scene::Impl {
     std::vector<std::vector<SceneActor*>> heavy_groups();
     void set_clipping_range(); ///< from what is visible
     void show_step();          ///< hides what the present step leaves out of what is shown
+    void forget_steps();       ///< before actors go that they name
     void show_rehearsal();     ///< nothing but the rehearsal's actors
     /// All that is light; then the smoothing, for which what it smooths must be drawn; then what is flat on
     /// top of it.

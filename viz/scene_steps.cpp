@@ -33,6 +33,7 @@ std::size_t SceneActor::elements() const {
 
 void Scene::Impl::set_pieces(SceneActor& first, std::vector<std::unique_ptr<SceneActor>>& more,
                              const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& centre) {
+    forget_steps();
     for (auto& piece : more)
         renderer->RemoveActor(piece->actor);
     more.clear();
@@ -118,9 +119,13 @@ void Scene::set_step(std::size_t step) {
     impl_->apply_visibility();
 }
 
+void Scene::Impl::forget_steps() {
+    step.reset();
+    step_groups.clear();
+}
+
 void Scene::end_steps() {
-    impl_->step.reset();
-    impl_->step_groups.clear();
+    impl_->forget_steps();
     impl_->apply_visibility();
 }
 

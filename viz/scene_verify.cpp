@@ -46,6 +46,7 @@ bool Scene::Impl::shows_deviation() const {
 
 bool Scene::Impl::swap_patches(const StockPatches& patches, const StockPatches& old,
                                std::vector<std::unique_ptr<SceneActor>>& actors) {
+    forget_steps();
     for (std::size_t i = patches.size(); i < actors.size(); ++i)
         if (actors[i]) renderer->RemoveActor(actors[i]->actor);
     actors.resize(patches.size());
