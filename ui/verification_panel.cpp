@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -103,6 +104,9 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     column->addStretch(0);
     setWidget(page);
 
+    rest_timer_.setSingleShot(true);
+    rest_timer_.setInterval(0);
+    connect(&rest_timer_, &QTimer::timeout, this, &VerificationPanel::go_on);
     connect(&model_, &VerificationModel::changed, this, &VerificationPanel::refresh);
     connect(&document_, &Document::changed, this, &VerificationPanel::refresh); // units
     connect(&document_, &Document::states_changed, this, &VerificationPanel::refresh);
@@ -144,9 +148,24 @@ void VerificationPanel::refresh() {
         histogram_->show_deviation(nullptr, scale_, document_.unit());
         return;
     }
-    figures_->setText(figures_html());
+    // To lay out tables and a list takes a while each: the window answers in between.
+    figures_shown_ = false;
+    rest_timer_.start();
+}
+
+void VerificationPanel::go_on() {
+    if (!model_.any()) return;
+    if (!std::exchange(figures_shown_, true)) {
+        show_figures();
+        rest_timer_.start();
+        return;
+    }
     set_scale(scale_);
     fill_findings();
+}
+
+void VerificationPanel::show_figures() {
+    figures_->setText(figures_html());
     QString remarks;
     for (const std::string& r : model_.verification().remarks)
         remarks += QStringLiteral("<p style=\"margin:2px 0\">%1</p>")

@@ -6,6 +6,7 @@
 #include "ui/verification_model.h"
 
 #include <QScrollArea>
+#include <QTimer>
 
 class QLabel;
 class QPushButton;
@@ -43,7 +44,9 @@ protected:
 
 private:
     void refresh();
+    void go_on();
     void show_verdict();
+    void show_figures();
     QString figures_html() const;
     void fill_findings();
     void choose();
@@ -51,6 +54,8 @@ private:
     Document& document_;
     VerificationModel& model_;
     DeviationScale scale_;
+    QTimer rest_timer_;
+    bool figures_shown_ = false; ///< since the last refresh
     QLabel *icon_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *figures_ = nullptr,
            *findings_title_ = nullptr, *remarks_ = nullptr;
     QPushButton* verify_ = nullptr;
