@@ -232,7 +232,9 @@ private:
                 return of.lift->lift({from + x * left, Vec3::UnitZ(), of.point.up});
             };
             LowPlace low = golden_minimum(height, -aside, aside, accuracy, -infinity);
-            if (const double middle = height(0); !(low.value < middle)) low = {0, middle};
+            // Lowest at an end there is no low place: as on a rim that the cutter rolls over.
+            const bool at_end = std::abs(low.at) > aside - 4 * accuracy;
+            if (const double middle = height(0); at_end || !(low.value < middle)) low = {0, middle};
             return low;
         };
         if (!of.corner) return lowest_on(tip).at * left;

@@ -293,6 +293,8 @@ private slots:
         qInfo("%s", qPrintable(figures));
         QVERIFY2(in_band > 300, qPrintable(figures));
         QVERIFY2(17 * double(over) <= 0.003 * double(in_band), qPrintable(figures));
+        // And nowhere much.
+        QVERIFY2(most <= 6 * tau, qPrintable(figures));
     }
 
     void a_tool_that_fits_everywhere_leaves_nothing() {
