@@ -38,6 +38,8 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -315,6 +317,7 @@ void MainWindow::arrange_report() {
     // In a narrow window report and verification stand behind the parameters, so that the view keeps room; in
     // a wide one they go back.
     constexpr int narrow = 1000;
+    bool moved = false;
     if (width() < narrow) {
         if (properties_dock_->isFloating() || dockWidgetArea(properties_dock_) != Qt::LeftDockWidgetArea)
             return;
@@ -325,8 +328,10 @@ void MainWindow::arrange_report() {
             tabifyDockWidget(properties_dock_, dock);
             properties_dock_->raise();
             made_way_.push_back(dock);
+            moved = true;
         }
     } else if (!made_way_.empty()) {
+        moved = true;
         for (QDockWidget* dock : std::exchange(made_way_, {}))
             if (!dock->isFloating()) addDockWidget(Qt::RightDockWidgetArea, dock);
         if (dockWidgetArea(report_dock_) == dockWidgetArea(verification_dock_)) {
@@ -341,6 +346,14 @@ void MainWindow::arrange_report() {
         }
         resizeDocks({report_dock_}, {250}, Qt::Horizontal);
     }
+    if (!moved) return;
+    // Qt leaves the bar of tabs that are gone standing, as a line; also after it has laid out the docks.
+    const auto hide_empty_bars = [this] {
+        for (QTabBar* bar : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+            if (bar->count() == 0) bar->hide();
+    };
+    hide_empty_bars();
+    QTimer::singleShot(0, this, hide_empty_bars);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

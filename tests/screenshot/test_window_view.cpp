@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -277,6 +278,17 @@ private slots:
         view.scene().set_palette(Palette::light);
         view.refresh();
         QCOMPARE(changed_pixels(before, view_picture(w()), 0), 0);
+    }
+
+    void no_empty_bar_of_tabs_is_left() {
+        QVERIFY(open_part());
+        for (const int width : {800, 1280, 800, 1280, 800}) {
+            w().resize(width, width * 5 / 8);
+            QTest::qWait(100);
+            for (const QTabBar* bar : w().findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+                QVERIFY2(bar->count() > 0 || !bar->isVisible() || !bar->geometry().intersects(w().rect()),
+                         qPrintable(QString::number(width)));
+        }
     }
 
     void window_state_is_kept() {
