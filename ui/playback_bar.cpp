@@ -85,7 +85,7 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
     operation_ = new QComboBox(this);
     operation_->setObjectName(QStringLiteral("play_operation"));
     operation_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    operation_->setMinimumContentsLength(9);
+    operation_->setMinimumContentsLength(5);
     operation_->setMaximumWidth(170);
     operation_->setFocusPolicy(Qt::TabFocus);
     connect(operation_, &QComboBox::activated, this, [this](int i) {
@@ -207,7 +207,11 @@ void PlaybackBar::show_position() {
     goto_->setValue(int(at.motion + 1));
     of_->setText(tr("of %1").arg(count_text(track.motions_of(at.program))));
     const QString total = clock_text(track.seconds());
-    time_->setMinimumWidth(fontMetrics().horizontalAdvance(QString(2 * total.size() + 3, QChar('0'))));
+    // As wide as it can become, and no wider: in a small window there is no room to spare.
+    QString longest = QStringLiteral("%1 / %1").arg(total);
+    for (QChar& c : longest)
+        if (c.isDigit()) c = QChar('0');
+    time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(longest) + 2);
     time_->setText(QStringLiteral("%1 / %2").arg(clock_text(track.time_at(playback_.target())), total));
     // What is cut lags behind: said where one looks for how far it is.
     time_->setEnabled(!playback_.behind() || playback_.playing());

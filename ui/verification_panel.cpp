@@ -263,7 +263,7 @@ QString VerificationPanel::figures_html() const {
         if (b.figures.samples == 0) continue;
         const auto cell = [&](const QString& value, const QString& colour = {}) {
             return QStringLiteral(
-                       "<td align=\"right\" style=\"white-space:nowrap; padding:1px 0 1px 5px%2\">%1</td>")
+                       "<td align=\"right\" style=\"white-space:nowrap; padding:1px 0 1px 2px%2\">%1</td>")
                 .arg(value.toHtmlEscaped(),
                      colour.isEmpty() ? QString() : QStringLiteral("; color:") + colour);
         };
@@ -278,7 +278,7 @@ QString VerificationPanel::figures_html() const {
     if (!bands.isEmpty()) {
         const auto head = [&](const QString& name) {
             return QStringLiteral("<td align=\"right\" style=\"white-space:nowrap; color:%1; padding:1px 0 "
-                                  "1px 5px\">%2</td>")
+                                  "1px 2px\">%2</td>")
                 .arg(quiet, name.toHtmlEscaped());
         };
         html += QStringLiteral("<table width=\"100%\" cellspacing=\"0\" style=\"margin-top:8px\"><tr>"

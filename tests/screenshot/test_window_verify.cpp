@@ -16,6 +16,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -326,6 +327,17 @@ private slots:
         QCOMPARE(track.place(1.01).motion, std::size_t(1));
         QCOMPARE(track.place(1e9).motion, track.motion_count() - 1);
         QVERIFY(bar().time_text().contains(QChar('/')));
+        // Hours are read whole in a small window, too.
+        w().document().change(QStringLiteral("feed"),
+                              [](Project& p) { p.operations[0]->common().feed /= 100; });
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        w().resize(800, 600);
+        QTest::qWait(50);
+        const auto* time = bar().findChild<QLabel*>(QStringLiteral("play_time"));
+        QVERIFY2(time->text().count(QChar(':')) >= 3, qPrintable(time->text()));
+        QVERIFY(time->width() >= time->fontMetrics().horizontalAdvance(time->text()));
+        QVERIFY(time->geometry().right() < bar().speed_box()->geometry().left());
     }
 
     void two_operations_and_a_click_on_the_path() {
