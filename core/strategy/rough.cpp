@@ -6,6 +6,7 @@
 #include "core/strategy/budget.h"
 #include "core/strategy/cutter_cover.h"
 #include "core/strategy/rough_entry.h"
+#include "core/strategy/rough_floor.h"
 #include "core/strategy/rough_layers.h"
 #include "core/strategy/rough_order.h"
 #include "core/strategy/rough_remaining.h"
@@ -34,6 +35,11 @@ constexpr int most_divisions = 64;
 constexpr double most_lines = 1e5;
 /// Links between lines stay down if they are no longer than this many diameters.
 constexpr double longest_link = 3, longest_join = 10;
+/// A pass along a floor goes on so far to begin where nothing stands.
+constexpr double longest_floor_entry = 3;
+/// Of what is stated: as much less may stay beside floors, for the cutter itself may be kept as far from
+/// there.
+constexpr double kept_away_share = 0.05;
 /// Stretches of air shorter than this many diameters are run through.
 constexpr double short_air = 1.5;
 
@@ -49,6 +55,7 @@ private:
     double expected() const { return layers_.excess + 2 * margin_ + least_; }
     void plan_layers(const Progress& progress);
     void plan_layer(std::size_t layer, const Progress& progress);
+    bool shank_comes_by(const Vec2& a, const Vec2& b, double z) const;
     void cut_floors(const Progress& progress);
     void number_layers();
     void cut_floor(std::vector<Vec3> tips);
@@ -81,6 +88,7 @@ private:
     int divisions_ = 1;
     double step_ = 0, low_ = 0;
     double highest_ = 0; ///< of the stock when the layer began
+    double cleared_ = 0; ///< walls are cut down to there for the shank
     Layers layers_;
     StrategyResult result_;
     Vec2 at_ = Vec2::Zero();
@@ -269,7 +277,10 @@ void Planner::plan_layers(const Progress& progress) {
                     "more than " + format_number(most_lines) + " lines a layer are asked for",
                     "choose a larger step-over or tolerance");
     grid_.emplace(*reach_, frame_, lo.array() - out, hi.array() + out, progress.part(0, 0.15));
-    valleys_ = find_valleys(*reach_, *grid_, low_, field_->highest(), progress.part(0.15, 0.2));
+    const FloorJudge judge(profile_, layers_.heights, box.hi.z(), (1 - kept_away_share) * expected(), least_);
+    valleys_ = find_valleys(
+        *reach_, *grid_, low_, field_->highest(), layers_.depth_max,
+        [&](const FloorPlace& place) { return judge.too_high(place); }, progress.part(0.15, 0.2));
     // Centred, with half a step to the borders, and one more line outside on either side, for what a sloping
     // side of the part leaves there.
     const double step = n > 1 || hi.y() - lo.y() > step_ ? (hi.y() - lo.y()) / n : step_;
@@ -344,7 +355,15 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
             finish(std::move(way), z, int(layer), ways, contours);
     };
     cut_lines(Lines::usual);
-    for (RoughWay& way : ways.along_contours(contours, z, at_, progress))
+    // An earlier operation may have left a skin on a wall that is too thin to be worth a cut, and to be seen
+    // in the stock: where the shank comes by, as wide as the cutter, it is cut once every length of flutes.
+    std::function<bool(const Vec2&, const Vec2&)> by_shank;
+    if (layer == 0) cleared_ = highest_;
+    if (next && *next + bodies_->sliding_base() < cleared_) {
+        by_shank = [&](const Vec2& a, const Vec2& b) { return shank_comes_by(a, b, z); };
+        cleared_ = z;
+    }
+    for (RoughWay& way : ways.along_contours(contours, z, at_, progress, by_shank))
         finish(std::move(way), z, int(layer), ways, contours);
     cut_lines(Lines::floors);
     cut_lines(Lines::all);
@@ -355,6 +374,19 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     }
     finish_later(z, int(layer));
     progress.set(1);
+}
+
+/// True where something may stand by the cutter on a way along a border at z, and a deeper layer may bring
+/// the shank there: the lift falls off beside the way, or nearly so.
+bool Planner::shank_comes_by(const Vec2& a, const Vec2& b, double z) const {
+    if (field_->clear_height(cutter_, a, b) <= z + least_) return false;
+    RoughReach::Hints hints;
+    const Vec2 way = b - a, middle = 0.5 * (a + b);
+    // The free side is on the left.
+    const Vec2 left = way.norm() > 0 ? Vec2(Vec2(-way.y(), way.x()).normalized()) : Vec2::Zero();
+    const double lift = std::min(reach_->tip_z(middle, hints),
+                                 reach_->tip_z(middle + std::numbers::sqrt2 * field_->cell() * left, hints));
+    return std::max(lift, low_) + bodies_->sliding_base() < field_->highest_near(a, b, profile_.max_radius());
 }
 
 /// Layers are those that are cut; passes are numbered by them.
@@ -371,67 +403,33 @@ void Planner::number_layers() {
         pass.layer = number[std::size_t(pass.layer)];
 }
 
-/// Between two layers a floor of a valley is reached by neither: on its steep sides, along their normals,
-/// more would stay than the layers are apart. There the tool runs along the floor itself.
+/// Between two layers a floor is reached by neither. Where too much would stay beside it the tool runs along
+/// the floor itself.
 void Planner::cut_floors(const Progress& progress) {
-    const std::vector<double>& heights = layers_.heights;
     for (std::size_t v = 0; v < valleys_.size(); ++v) {
         progress.set(double(v) / double(valleys_.size()));
         const ReachValley& valley = valleys_[v];
         const std::size_t n = valley.tips.size();
-        const auto wanted = [&](std::size_t i) {
-            const double z = valley.tips[i].z();
-            if (z < low_) return false;
-            // Layers fall.
-            const auto below = std::upper_bound(heights.begin(), heights.end(), z, std::greater<>());
-            const double above = below == heights.begin() ? field_->box().hi.z() : *(below - 1);
-            return (above - z) * std::hypot(1.0, valley.side[i]) > expected();
-        };
+        std::vector<Vec3> tips = valley.tips;
+        for (Vec3& tip : tips)
+            tip.z() = std::max(tip.z(), low_);
         std::vector<char> busy(n, 0); // the way from a tip to the next
-        for (std::size_t i = 0; i + 1 < n; ++i) {
-            const Vec3 &a = valley.tips[i], &b = valley.tips[i + 1];
-            busy[i] = (wanted(i) || wanted(i + 1)) && field_->has_work(cutter_, a, b, least_);
-        }
-        for (std::size_t i = 0; i + 1 < n;) {
-            if (!busy[i]) {
-                ++i;
-                continue;
-            }
-            // Short gaps are passed, and what is too short for a ramp is begun earlier and ended later.
-            std::size_t from = i, to = i;
-            double length = 0, gap = 0;
-            for (std::size_t k = i; k + 1 < n && gap <= profile_.max_radius(); ++k) {
-                const double piece = (valley.tips[k + 1] - valley.tips[k]).norm();
-                gap = busy[k] ? 0 : gap + piece;
-                if (!busy[k]) continue;
-                to = k;
-            }
-            for (std::size_t k = from; k <= to; ++k)
-                length += (valley.tips[k + 1] - valley.tips[k]).norm();
-            i = to + 1;
-            for (bool more = true; more && length < diameter_;) {
-                more = false;
-                if (to + 2 < n) {
-                    length += (valley.tips[to + 2] - valley.tips[to + 1]).norm();
-                    ++to;
-                    more = true;
-                }
-                if (from > 0) {
-                    length += (valley.tips[from] - valley.tips[from - 1]).norm();
-                    --from;
-                    more = true;
-                }
-            }
-            cut_floor(
-                {valley.tips.begin() + std::ptrdiff_t(from), valley.tips.begin() + std::ptrdiff_t(to) + 2});
-        }
+        for (std::size_t i = 0; i + 1 < n; ++i)
+            busy[i] = (valley.deep[i] || valley.deep[i + 1])
+                      && std::max(valley.tips[i].z(), valley.tips[i + 1].z()) >= low_
+                      && field_->has_work(cutter_, tips[i], tips[i + 1], least_);
+        if (std::find(busy.begin(), busy.end(), 1) == busy.end()) continue;
+        std::vector<double> stand(n);
+        for (std::size_t i = 0; i < n; ++i)
+            stand[i] = field_->stand_height(cutter_, tips[i].head<2>(), tips[i].head<2>());
+        for (std::vector<Vec3>& way :
+             floor_stretches(tips, busy, stand, diameter_, longest_floor_entry * diameter_, diameter_))
+            cut_floor(std::move(way));
     }
 }
 
 void Planner::cut_floor(std::vector<Vec3> tips) {
     progress_.check();
-    for (Vec3& tip : tips)
-        tip.z() = std::max(tip.z(), low_);
     for (std::size_t i = 1; i < tips.size(); ++i) {
         const Vec2 a = tips[i - 1].head<2>(), b = tips[i].head<2>();
         const double low = std::min(tips[i - 1].z(), tips[i].z());
@@ -446,7 +444,8 @@ void Planner::cut_floor(std::vector<Vec3> tips) {
     std::vector<Vec3> turned(tips.rbegin(), tips.rend()), down, other;
     const bool ahead = entry.descend(tips, down), back = entry.descend(turned, other);
     if (!ahead && !back) return;
-    if (!ahead || (back && other.empty() && !down.empty())) {
+    // In where it stands free, and uphill.
+    if (!ahead || (back && other.empty() && (!down.empty() || tips.back().z() < tips.front().z()))) {
         tips.swap(turned);
         down.swap(other);
     }

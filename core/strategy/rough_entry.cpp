@@ -43,6 +43,7 @@ UprightBodies::UprightBodies(const Tool& tool, double cutter_radius) {
         if (diameter > 0 && length > 0) {
             bodies_.push_back({0.5 * diameter, base, 0.5 * diameter <= cutter_radius * (1 + 1e-9)});
             lowest_ = std::min(lowest_, base);
+            if (bodies_.back().inside) sliding_ = std::min(sliding_, base);
         }
         base += std::max(length, 0.0);
     };

@@ -17,6 +17,8 @@ public:
 
     /// Highest place over the tip's level that is allowed to stand where nothing is asked further.
     double lowest_base() const { return lowest_; }
+    /// Height over the tip of the lowest of those that slide along what the cutter left; infinite if none.
+    double sliding_base() const { return sliding_; }
     /// What the tip must be above on a level way from a to b so that none of them touches what may stand.
     /// Those no wider than the cutter need nothing of their own where the cutter itself is clear.
     double clear_height(const StockField& field, const Vec2& a, const Vec2& b) const;
@@ -30,7 +32,7 @@ private:
         bool inside; ///< the cutter's own radius or less: it stands where the cutter came down
     };
     std::vector<Body> bodies_;
-    double lowest_ = infinity;
+    double lowest_ = infinity, sliding_ = infinity;
 };
 
 class RoughEntry {

@@ -183,8 +183,9 @@ std::vector<RoughWay> LayerWays::joined_lines(std::vector<LinePiece> pieces,
     return ways;
 }
 
-std::vector<RoughWay> LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
-                                                const Progress& progress) const {
+std::vector<RoughWay>
+LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+                          const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
     std::vector<RoughWay> all;
     const double step = 0.5 * cutter_.radius();
     for (const Contour& contour : contours) {
@@ -202,7 +203,8 @@ std::vector<RoughWay> LayerWays::along_contours(std::span<const Contour> contour
         bool any = false, every = true;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3 a(points[i].x(), points[i].y(), z), b(points[i + 1].x(), points[i + 1].y(), z);
-            busy[i] = field_.has_work(cutter_, a, b, least_);
+            busy[i] = field_.has_work(cutter_, a, b, least_)
+                      || (wanted_too && wanted_too(points[i], points[i + 1]));
             any = any || busy[i];
         }
         if (!any) continue;

@@ -6,6 +6,7 @@
 #include "core/strategy/stock_field.h"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,9 +54,10 @@ public:
     std::vector<RoughWay> joined_lines(std::vector<LinePiece> pieces, std::span<const Contour> contours,
                                        double z, double longest, bool oneway, Vec2& at,
                                        const Progress& progress) const;
-    /// Where on the contours there is something to cut at z.
-    std::vector<RoughWay> along_contours(std::span<const Contour> contours, double z, Vec2& at,
-                                         const Progress& progress) const;
+    /// Where on the contours there is something to cut at z, or the way between two places is `wanted`.
+    std::vector<RoughWay>
+    along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+                   const std::function<bool(const Vec2&, const Vec2&)>& wanted = {}) const;
 
     /// Points between two free places for a level way at z that is free all along, straight or along a
     /// contour, and no longer than `longest`; false where there is none.

@@ -249,6 +249,59 @@ private slots:
         QVERIFY2(path.cusp_max < 3, qPrintable(QString::number(path.cusp_max)));
     }
 
+    void floors_between_layers_are_cut_data() {
+        QTest::addColumn<int>("floor");
+        QTest::addColumn<double>("turn");
+        const char* const names[] = {"foot of a wall", "foot over a falling floor", "dish"};
+        for (int floor = 0; floor < 3; ++floor)
+            for (const double turn : {0.0, 0.4})
+                QTest::addRow("%s, turned by %g", names[floor], turn) << floor << turn;
+    }
+
+    /// Where a floor lies between two layers neither reaches it, and beside it, along the normal of what
+    /// rises there, more stands than the layers are apart.
+    void floors_between_layers_are_cut() {
+        QFETCH(int, floor);
+        QFETCH(double, turn);
+        constexpr double diameter = 6, allowance = 0.3, depth = 1.3;
+        const Tool tool = flat_tool(diameter);
+        const std::vector<Vec2> foot{{-16, 10}, {-11, 0}, {16, floor == 0 ? 0 : -4.0}};
+        // The tool spans its bottom, .06 deep, and stands a little above a layer there; the groove beside it
+        // makes the lowest layer.
+        const auto dish = [&](double x, double y) {
+            return x > 12 ? 0.365 - 3 * depth + 0.06 * (x - 12.5) : (x * x + y * y) / 150;
+        };
+        const Mesh part = floor < 2 ? turned(drawn(foot, 0.13), turn)
+                                    : turned(height_field(dish, Vec2(-20, -20), Vec2(28, 20), 96, 80), turn);
+        RoughSettings s;
+        s.allowance = allowance;
+        s.tolerance = 5;
+        s.depth = {depth, {}};
+        const Rough op(s);
+        PlanContext context = raised(part, tool);
+        if (floor == 2) context.stock_box.hi.z() = context.part_box.lo.z() + 8 * depth;
+        const StrategyResult path = op.plan(context, Progress());
+        const ToolMotions motions = link_operation(op, path, context, Progress());
+        VerifySettings v;
+        v.resolution = 1;
+        v.sample_spacing = 0.3;
+        v.allowance = allowance;
+        v.gouge_limit = 1e-3;
+        StockSolid stock;
+        stock.box = context.stock_box;
+        const VerifyProgram program{"R", VerifyTool(tool), std::make_shared<ToolMotions>(motions), {}};
+        const Verification judged = verify(part, stock, {&program, 1}, v, Progress());
+        QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
+                                                 .arg(judged.figures.gouge_max)
+                                                 .arg(judged.collisions.size())));
+        const auto [left, places] = left_within_reach(judged, context, allowance, 0.05 * path.cusp_max);
+        QVERIFY2(places > 2000, qPrintable(QString::number(places)));
+        QVERIFY2(
+            left <= path.cusp_max,
+            qPrintable(QString("%1 stated, %2 found in %3 places").arg(path.cusp_max).arg(left).arg(places)));
+        QVERIFY2(path.cusp_max < 1.05 * depth, qPrintable(QString::number(path.cusp_max)));
+    }
+
     /// Flutes shorter than the part is high are no fault where the shank runs along walls as the cutter does;
     /// a holder that keeps the tool away from a wall is.
     void a_short_tool_is_told_of_where_it_matters() {
@@ -268,6 +321,51 @@ private slots:
                 });
             QCOMPARE(told, holder);
         }
+    }
+
+    /// A larger ball leaves a skin on the upright ends of a sheet, thinner than is worth a cut: the shank of
+    /// the next tool, as thick as its flutes, comes by there.
+    void the_shank_meets_no_skin_that_was_left() {
+        const auto ramp = [](double x, double) { return 15 + 0.75 * x; };
+        const Mesh part = height_field(ramp, Vec2(-20, -9), Vec2(20, 9), 80, 36);
+        Tool ball = ball_tool(30), flat = flat_tool(6);
+        ball.flute_length = 45;
+        flat.flute_length = flat.shank_length = 14;
+        flat.shank_diameter = flat.diameter;
+        RoughSettings s;
+        s.allowance = 0.4;
+        s.tolerance = 6;
+        s.depth = {1, {}};
+        const Rough op(s);
+        const auto room = [](PlanContext c) {
+            c.stock_box.lo -= Vec3(10, 10, 0);
+            c.stock_box.hi += Vec3(10, 10, 2);
+            return c;
+        };
+        const PlanContext first = room(context_of(part, ball));
+        PlanContext second = room(context_of(part, flat));
+        const auto before =
+            std::make_shared<ToolMotions>(link_operation(op, op.plan(first, Progress()), first, Progress()));
+        auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = ball.cutter();
+        for (std::size_t i = 1; i < before->motions.size(); ++i)
+            if (before->motions[i].kind != MotionKind::rapid)
+                earlier->motions.push_back({before->motions[i - 1].to.tip, before->motions[i].to.tip});
+        second.earlier = {earlier};
+        const auto after = std::make_shared<ToolMotions>(
+            link_operation(op, op.plan(second, Progress()), second, Progress()));
+        VerifySettings v;
+        v.resolution = v.sample_spacing = 0.4;
+        v.allowance = s.allowance;
+        v.gouge_limit = 1e-3;
+        StockSolid stock;
+        stock.box = first.stock_box;
+        const VerifyProgram programs[] = {{"B", VerifyTool(ball), before, {}},
+                                          {"F", VerifyTool(flat), after, {}}};
+        const Verification judged = verify(part, stock, programs, v, Progress());
+        QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
+                                                 .arg(judged.figures.gouge_max)
+                                                 .arg(judged.collisions.size())));
     }
 
     /// Two pockets far apart: one is cut to its floor before the other is begun, and no pass comes before one
