@@ -35,9 +35,9 @@ constexpr double most_extension_share = 2;
 class Planner5 {
 public:
     Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress,
-             bool is_piece = false)
+             bool is_piece = false, double leave = 0)
         : settings_(settings), progress_(progress), is_piece_(is_piece),
-          field_(context, settings, progress.part(0, 0.05)), stepover_(field_),
+          field_(context, settings, progress.part(0, 0.05)), stepover_(field_, leave),
           record_(std::make_shared<FiveAxisRecord>()), met_(settings.manual_postures.size(), false) {
         record_->context = field_.context();
         record_->settings = settings;
@@ -103,6 +103,7 @@ private:
         result_.stepover_min = infinity;
         while (true) {
             const Progress here = at(last ? last->v : lines.lo());
+            if (last && is_piece_) break;
             if (last && timed([&] { return stepover_.reaches_border(*last); })) break;
             if (result_.drive_planes >= int(most_drive_planes))
                 refuse_planes("tolerance", "the tolerance asks for");
@@ -124,8 +125,64 @@ private:
             }
             last = std::move(step.pass);
         }
-        if (last) finish_pass(*last, border_lo, {}, at(last->v));
+        if (last && is_piece_)
+            plan_with_partial(std::move(*last), usual);
+        else if (last)
+            finish_pass(*last, border_lo, {}, at(last->v));
         if (result_.stepover_max == 0) result_.stepover_min = 0;
+    }
+
+    /// A piece of a part has holes and tongues: passes all along it would be as close together as the
+    /// narrowest of its strips asks for.
+    void plan_with_partial(EstimatedPass last, double usual) {
+        const auto& lines = field_.lines();
+        const bool turns = settings_.pattern == Finish5Settings::Pattern::zigzag;
+        std::vector<double> border_lo;
+        while (true) {
+            const Progress here = at(last.v);
+            if (result_.drive_planes >= int(most_drive_planes))
+                refuse_planes("tolerance", "the tolerance asks for");
+            const bool at_end = lines.beyond(lines.hi(), lines.lo()) - last.plane <= 1;
+            TiltedStepOver::Gap gap;
+            if (!at_end && !timed([&] { return stepover_.reaches_border(last); }))
+                gap = timed([&] { return stepover_.next_with_partial(last, turns, usual, here); });
+            if (!gap.satisfied) ++unsatisfied_;
+            if (gap.next) {
+                usual = gap.next->v - last.v;
+                result_.stepover_min = std::min(result_.stepover_min, usual);
+                result_.stepover_max = std::max(result_.stepover_max, usual);
+            }
+            // Of all passes in this gap, in the order of their planes: where the strip of each ends, bin by
+            // bin. Where a partial one is not wanted it has none.
+            std::vector<const TiltedStepOver::PartialPass*> partial;
+            for (const TiltedStepOver::PartialPass& p : gap.partial)
+                partial.push_back(&p);
+            std::stable_sort(partial.begin(), partial.end(),
+                             [](const auto* a, const auto* b) { return a->pass.plane < b->pass.plane; });
+            const std::size_t bins = stepover_.bin(infinity) + 1;
+            std::vector<double> after(bins, lines.hi()), before(bins, lines.hi());
+            std::vector<std::array<std::vector<double>, 2>> own;
+            for (const auto* p : partial)
+                own.push_back({std::vector<double>(bins, p->pass.v), std::vector<double>(bins, p->pass.v)});
+            for (std::size_t i = 0; i < bins; ++i) {
+                const EstimatedPass* from = &last;
+                double* strip_end = &after[i];
+                for (std::size_t k = 0; k < partial.size(); ++k) {
+                    if (i < partial[k]->bins.first || i > partial[k]->bins.last) continue;
+                    *strip_end = own[k][0][i] = stepover_.border(*from, partial[k]->pass, i);
+                    from = &partial[k]->pass;
+                    strip_end = &own[k][1][i];
+                }
+                *strip_end = before[i] = gap.next ? stepover_.border(*from, *gap.next, i) : lines.hi();
+            }
+            const bool is_last = !gap.next && partial.empty();
+            finish_pass(last, border_lo, is_last ? std::vector<double>() : after, here);
+            for (std::size_t k = 0; k < partial.size(); ++k)
+                finish_pass(partial[k]->pass, own[k][0], own[k][1], here);
+            if (!gap.next) break;
+            border_lo = std::move(before);
+            last = std::move(*gap.next);
+        }
     }
 
     void plan_constant(double step) {
@@ -216,6 +273,8 @@ private:
         PlacedLine placed;
         placed.line = line;
         placed.travel = pass.travel;
+        placed.cut_short = pass.cut_short[l];
+        if (pass.travel < 0) std::swap(placed.cut_short[0], placed.cut_short[1]);
         const auto add = [&](double s) {
             ContactPlace p = field_.place(line, s, pass.v, pass.travel);
             const auto [lo, hi] = strip(p.u);
@@ -224,6 +283,7 @@ private:
             placed.places.push_back(p);
         };
         const auto beyond = [&](bool first) {
+            if (pass.cut_short[l][first ? 0 : 1]) return 0.0;
             const auto [lo, hi] = strip(first ? line.points.front().u : line.points.back().u);
             return extension(pass, line, first, std::min(lo, pass.v), std::max(hi, pass.v));
         };
@@ -232,8 +292,14 @@ private:
         const auto pieces = [&](double length) { return std::size_t(std::ceil(length / longest)); };
         for (std::size_t k = pieces(front); k > 0; --k)
             add(-front * double(k) / double(pieces(front)));
-        for (const auto& c : pass.contacts[l])
+        for (const auto& c : pass.contacts[l]) {
             add(c.place.s);
+            if (!c.left) continue;
+            // As much as it can do in passing.
+            ContactPlace& p = placed.places.back();
+            p.v_lo = std::max(p.v_lo, pass.v - c.width_lo);
+            p.v_hi = std::min(p.v_hi, pass.v + c.width_hi);
+        }
         for (std::size_t k = 1; k <= pieces(back); ++k)
             add(line.length() + back * double(k) / double(pieces(back)));
         if (pass.travel < 0) std::reverse(placed.places.begin(), placed.places.end());
@@ -354,9 +420,9 @@ private:
 
     void add_run_outs(PlacedLine& line) const {
         const ChosenPosture &first = line.choices.front(), &last = line.choices.back();
-        if (first.free)
+        if (first.free && !line.cut_short[0])
             line.before = run_out(field_, line.line, line.places.front(), first.posture, line.travel, false);
-        if (last.free)
+        if (last.free && !line.cut_short[1])
             line.after = run_out(field_, line.line, line.places.back(), last.posture, line.travel, true);
     }
 
@@ -480,8 +546,8 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
 }
 
 StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
-                            const Progress& progress) {
-    return Planner5(settings, context, progress, true).run();
+                            const Progress& progress, double leave) {
+    return Planner5(settings, context, progress, true, leave).run();
 }
 
 StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {

@@ -43,11 +43,12 @@ struct Finish5Settings : OperationCommon {
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
-/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. What is
-/// left is told by `cleanup` alone, without warnings; where nothing can be cut there are no passes. Else as
-/// Finish5::plan.
+/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. Where
+/// strips are narrow, partial passes stand between those that go all along. Places whose strips are narrower
+/// than `leave` (mm) are cut in passing only. What is left is told by `cleanup` at most, without warnings;
+/// where nothing can be cut there are no passes. Else as Finish5::plan.
 StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
-                            const Progress& progress);
+                            const Progress& progress, double leave = 0);
 
 class Finish5 : public OperationWith<Finish5Settings, finish5_parameters>, public TakesManualPostures {
 public:

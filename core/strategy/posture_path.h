@@ -17,6 +17,7 @@ struct PlacedLine {
     int travel = 1;
     std::vector<ContactPlace> places;
     std::vector<ChosenPosture> choices;
+    std::array<bool, 2> cut_short{}; ///< the surface goes on before the first place, after the last
     /// Where the pass begins before its first place and goes on to after its last (run_out.h), with the
     /// postures of those.
     std::optional<ContactPlace> before, after;

@@ -21,10 +21,46 @@ constexpr double safety = 0.95;
 /// Of a step: to this it is the largest.
 constexpr double step_accuracy = 0.01;
 constexpr std::size_t contacts_per_block = 16;
+/// Steps with partial passes between are tried in this ratio; what a partial pass costs besides its length,
+/// in radii of the cutter.
+constexpr double step_ratio = 1.15, partial_cost = 2;
+constexpr int tries_beyond = 4;
+/// Partial passes have partial passes between them, so deep at most.
+constexpr int deepest_partial = 3;
+
+/// The part of a line between two u; without points where it has none there.
+SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::array<bool, 2>& cut_short) {
+    SurfaceLine part;
+    const auto& p = line.points;
+    cut_short = {p.front().u<u0, p.back().u> u1};
+    if (!cut_short[0] && !cut_short[1]) return line;
+    const auto crossing = [&](std::size_t i, double u) {
+        const double step = p[i].u - p[i - 1].u;
+        return line.at(line.arc[i - 1]
+                       + (step > 0 ? std::clamp((u - p[i - 1].u) / step, 0.0, 1.0) : 0)
+                             * (line.arc[i] - line.arc[i - 1]));
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p[i].u > u1) {
+            if (i > 0 && p[i - 1].u <= u1) {
+                if (part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
+                part.points.push_back(crossing(i, u1));
+            }
+            break;
+        }
+        if (p[i].u < u0) continue;
+        if (i > 0 && part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
+        part.points.push_back(p[i]);
+    }
+    part.arc.assign(part.points.empty() ? 0 : 1, 0);
+    for (std::size_t i = 1; i < part.points.size(); ++i)
+        part.arc.push_back(part.arc.back() + (part.points[i].point - part.points[i - 1].point).norm());
+    return part;
+}
 
 } // namespace
 
-TiltedStepOver::TiltedStepOver(const FiveAxisField& field) : field_(field) {
+TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field_(field), leave_(leave) {
     const double r = field.radius();
     u_lo_ = infinity;
     double u_hi = -infinity;
@@ -129,12 +165,22 @@ double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side, do
     }
 }
 
-EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& progress) const {
+EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Bins& within,
+                                       const Progress& progress) const {
     EstimatedPass pass;
     pass.plane = plane;
     pass.v = field_.lines().v(plane);
     pass.travel = travel;
-    pass.lines = field_.lines().lines(pass.v);
+    const bool everywhere = within.first == 0 && within.last == bins_ - 1;
+    const double u0 = u_lo_ + double(within.first) * bin_ - within.beyond,
+                 u1 = u_lo_ + double(within.last + 1) * bin_ + within.beyond;
+    for (SurfaceLine& line : field_.lines().lines(pass.v)) {
+        std::array<bool, 2> cut_short{false, false};
+        if (!everywhere) line = part_of_line(line, u0, u1, cut_short);
+        if (line.points.size() < 2 || !(line.length() > 0)) continue;
+        pass.lines.push_back(std::move(line));
+        pass.cut_short.push_back(cut_short);
+    }
     for (const SurfaceLine& line : pass.lines) {
         auto& contacts = pass.contacts.emplace_back();
         for (const double s : field_.samples(line))
@@ -156,6 +202,8 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& p
                                 };
                                 c.width_lo = whole(width(c, -1, c.end_lo));
                                 c.width_hi = whole(width(c, +1, c.end_hi));
+                                const double slope = std::abs(field_.drive().v(c.place.frame.left));
+                                c.left = c.width_lo + c.width_hi < leave_ * slope;
                             }
                         });
     }
@@ -165,11 +213,14 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& p
     pass.end_hi.assign(bins_, 0);
     pass.comes.assign(bins_, false);
     const double least = least_width_share * field_.radius();
-    for (const auto& contacts : pass.contacts)
-        for (const auto& c : contacts) {
+    for (std::size_t l = 0; l < pass.contacts.size(); ++l)
+        for (const auto& c : pass.contacts[l]) {
             // Beyond its ends a pass goes on as far as its strip does.
-            const double back = &c == &contacts.front() ? beyond_share : spread_share;
-            const double ahead = &c == &contacts.back() ? beyond_share : spread_share;
+            const auto& contacts = pass.contacts[l];
+            const bool first = &c == &contacts.front() && !pass.cut_short[l][0],
+                       at_end = &c == &contacts.back() && !pass.cut_short[l][1];
+            const double back = first ? beyond_share : spread_share;
+            const double ahead = at_end ? beyond_share : spread_share;
             const std::size_t last = bin(c.place.u + ahead * field_.radius());
             for (std::size_t b = bin(c.place.u - back * field_.radius()); b <= last; ++b) {
                 if (!pass.comes[b]) pass.width_lo[b] = pass.width_hi[b] = infinity;
@@ -177,9 +228,10 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Progress& p
                 // What no posture serves is no fault of the step: it is left to clean-up, as far as a pass
                 // can answer for.
                 const double most = most_width_share * field_.radius();
-                pass.end_lo[b] = std::max(pass.end_lo[b], c.usable ? c.end_lo : most);
-                pass.end_hi[b] = std::max(pass.end_hi[b], c.usable ? c.end_hi : most);
-                if (!c.usable) continue;
+                const bool counts = c.usable && !c.left;
+                pass.end_lo[b] = std::max(pass.end_lo[b], counts ? c.end_lo : most);
+                pass.end_hi[b] = std::max(pass.end_hi[b], counts ? c.end_hi : most);
+                if (!counts) continue;
                 pass.width_lo[b] = std::min(pass.width_lo[b], std::max(c.width_lo, least));
                 pass.width_hi[b] = std::min(pass.width_hi[b], std::max(c.width_hi, least));
             }
@@ -195,39 +247,42 @@ bool TiltedStepOver::surface_between(double v0, double v1, std::size_t bin) cons
     return false;
 }
 
-bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b) const {
+bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b, std::size_t i) const {
     const double v0 = a ? a->v : field_.lines().lo(), v1 = b ? b->v : field_.lines().hi();
-    for (std::size_t i = 0; i < bins_; ++i) {
-        const double wa = a ? a->width_hi[i] : 0, wb = b ? b->width_lo[i] : 0;
-        // Where the surface ends it may begin again before the other pass, or beyond the last one.
-        const double from = v0 + (std::isfinite(wa) ? wa : a->end_hi[i]),
-                     to = v1 - (std::isfinite(wb) ? wb : b->end_lo[i]);
-        if (from >= to) continue;
-        if (std::isfinite(wa) && std::isfinite(wb) && ((a && a->comes[i]) || (b && b->comes[i])))
-            return false;
-        if (surface_between(from, to, i)) return false;
-    }
+    const double wa = a ? a->width_hi[i] : 0, wb = b ? b->width_lo[i] : 0;
+    // Where the surface ends it may begin again before the other pass, or beyond the last one.
+    const double from = v0 + (std::isfinite(wa) ? wa : a->end_hi[i]),
+                 to = v1 - (std::isfinite(wb) ? wb : b->end_lo[i]);
+    if (from >= to) return true;
+    if (std::isfinite(wa) && std::isfinite(wb) && ((a && a->comes[i]) || (b && b->comes[i]))) return false;
+    return !surface_between(from, to, i);
+}
+
+bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b, const Bins& within) const {
+    for (std::size_t i = within.first; i <= within.last; ++i)
+        if (!fits(a, b, i)) return false;
     return true;
 }
 
 TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel, double usual,
+                                          const EstimatedPass* limit, const Bins& within,
                                           const Progress& progress) const {
     const auto& lines = field_.lines();
     const long from = last ? last->plane : 0;
-    const long end = lines.beyond(lines.hi(), lines.lo());
+    const long end = limit ? limit->plane : lines.beyond(lines.hi(), lines.lo());
     const auto steps = [&](double gap) { return std::max(1L, std::lround(gap / lines.spacing())); };
     const long least = steps(last ? smallest_ : 0.5 * smallest_);
     const long most = std::max(least, std::min(steps(last ? largest_ : 0.5 * largest_), end - 1 - from));
     const auto tried = [&](long step) {
         progress.check();
-        return estimate(from + step, travel, progress.part(0, 0));
+        return estimate(from + step, travel, within, progress.part(0, 0));
     };
     long good = 0, bad = most + 1;
     EstimatedPass best;
     long step = std::clamp(steps(usual), least, most);
     while (true) {
         EstimatedPass p = tried(step);
-        if (fits(last, &p)) {
+        if (fits(last, &p, within)) {
             good = step;
             best = std::move(p);
             if (bad - good <= 1) break;
@@ -245,24 +300,146 @@ TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel,
 }
 
 bool TiltedStepOver::reaches_border(const EstimatedPass& last) const {
-    return fits(&last, nullptr);
+    return fits(&last, nullptr, all());
+}
+
+std::vector<TiltedStepOver::Bins>
+TiltedStepOver::narrow_ranges(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const {
+    const double r = field_.radius(), gap = (b ? b->v : field_.lines().hi()) - a.v;
+    // A pose clears what lies beside and behind it.
+    const double aside = std::min(0.5 * gap, most_width_share * r);
+    const double beyond = spread() + r - std::sqrt(r * r - aside * aside);
+    std::vector<Bins> ranges;
+    for (std::size_t i = within.first; i <= within.last; ++i) {
+        if (fits(&a, b, i)) continue;
+        // Two that would run into each other, or whose ends cost as much as the way between them, are one.
+        if (!ranges.empty() && double(i - ranges.back().last) * bin_ <= 2 * beyond + partial_cost * r)
+            ranges.back().last = i;
+        else
+            ranges.push_back({i, i, beyond});
+    }
+    return ranges;
+}
+
+double TiltedStepOver::partial_travel(const EstimatedPass& a, const EstimatedPass* b,
+                                      const Bins& within) const {
+    const double gap = (b ? b->v : field_.lines().hi()) - a.v;
+    double travel = 0;
+    for (const Bins& range : narrow_ranges(a, b, within)) {
+        double most = 1;
+        for (std::size_t i = range.first; i <= range.last; ++i) {
+            double width = 0;
+            if (a.comes[i] && std::isfinite(a.width_hi[i])) width += a.width_hi[i];
+            if (b && b->comes[i] && std::isfinite(b->width_lo[i])) width += b->width_lo[i];
+            const double passes = std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+            travel += passes * bin_;
+            most = std::max(most, passes);
+        }
+        travel += most * (2 * range.beyond + partial_cost * field_.radius());
+    }
+    return travel;
+}
+
+std::optional<EstimatedPass> TiltedStepOver::cheapest(const EstimatedPass& last, const EstimatedPass* limit,
+                                                      const Bins& within, bool turns, double usual,
+                                                      const Progress& progress) const {
+    const auto& lines = field_.lines();
+    const long end = limit ? limit->plane : lines.beyond(lines.hi(), lines.lo());
+    const int travel = turns ? -last.travel : last.travel;
+    const double rest = lines.v(end) - last.v;
+    std::optional<EstimatedPass> best;
+    double least = infinity;
+    const auto tried = [&](double step) {
+        const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
+        EstimatedPass p = estimate(std::min(plane, end - 1), travel, within, progress.part(0, 0));
+        double travelled = partial_travel(last, &p, within);
+        for (const SurfaceLine& line : p.lines)
+            travelled +=
+                std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
+        if (!(travelled < least * (p.v - last.v))) return false;
+        least = travelled / (p.v - last.v);
+        best = std::move(p);
+        return true;
+    };
+    const double most = std::max(std::min(largest_, rest), smallest_);
+    const double start = std::clamp(usual, smallest_, most);
+    tried(start);
+    // What is travelled per width falls and rises several times on the way.
+    int worse = 0;
+    for (double step = start * step_ratio; step < most * step_ratio && worse < tries_beyond;
+         step *= step_ratio)
+        worse = tried(std::min(step, most)) ? 0 : worse + 1;
+    worse = 0;
+    for (double step = start / step_ratio; step > smallest_ && worse < tries_beyond; step /= step_ratio)
+        worse = tried(step) ? 0 : worse + 1;
+    // At the end partial passes alone may be less.
+    if (rest <= largest_ && partial_travel(last, limit, within) < least * (best->v - last.v)) best.reset();
+    return best;
+}
+
+void TiltedStepOver::fill(const EstimatedPass& a, const EstimatedPass* b, bool turns, const Bins& within,
+                          int depth, Gap& gap, const Progress& progress) const {
+    const auto& lines = field_.lines();
+    for (const Bins& range : narrow_ranges(a, b, within)) {
+        const EstimatedPass* last = &a;
+        const long end = b ? b->plane : lines.beyond(lines.hi(), lines.lo());
+        double usual = 0.5 * (lines.v(end) - a.v);
+        while (!fits(last, b, range)) {
+            if (end - last->plane <= 1) {
+                gap.satisfied = false;
+                break;
+            }
+            std::optional<EstimatedPass> next;
+            if (depth < deepest_partial) {
+                next = cheapest(*last, b, range, turns, usual, progress);
+                // Narrow in a part of the range only.
+                if (!next) {
+                    fill(*last, b, turns, range, depth + 1, gap, progress);
+                    break;
+                }
+            } else {
+                Step step = this->next(last, turns ? -last->travel : last->travel, usual, b, range, progress);
+                if (!step.satisfied && b && b->v - last->v <= smallest_) {
+                    gap.satisfied = false;
+                    break;
+                }
+                next = std::move(step.pass);
+            }
+            usual = next->v - last->v;
+            const EstimatedPass* before = last;
+            gap.partial.push_back({std::move(*next), range});
+            last = &gap.partial.back().pass;
+            if (depth < deepest_partial) fill(*before, last, turns, range, depth + 1, gap, progress);
+        }
+    }
+}
+
+TiltedStepOver::Gap TiltedStepOver::next_with_partial(const EstimatedPass& last, bool turns, double usual,
+                                                      const Progress& progress) const {
+    Gap gap;
+    gap.next = cheapest(last, nullptr, all(), turns, usual, progress);
+    fill(last, gap.next ? &*gap.next : nullptr, turns, all(), 0, gap, progress);
+    return gap;
+}
+
+double TiltedStepOver::border(const EstimatedPass& a, const EstimatedPass& b, std::size_t i) const {
+    const double gap = b.v - a.v;
+    const double wa = a.width_hi[i], wb = b.width_lo[i];
+    double at = 0.5 * gap;
+    if (std::isfinite(wa) && std::isfinite(wb))
+        at = wa + wb > 0 ? gap * wa / (wa + wb) : at;
+    else if (std::isfinite(wa))
+        at = std::min(at, wa);
+    else if (std::isfinite(wb))
+        at = std::max(at, gap - wb);
+    const double spacing = field_.lines().spacing();
+    return a.v + std::floor(at / spacing + tolerance::level_angle) * spacing;
 }
 
 std::vector<double> TiltedStepOver::borders(const EstimatedPass& a, const EstimatedPass& b) const {
-    const double gap = b.v - a.v;
     std::vector<double> borders(bins_);
-    for (std::size_t i = 0; i < bins_; ++i) {
-        const double wa = a.width_hi[i], wb = b.width_lo[i];
-        double at = 0.5 * gap;
-        if (std::isfinite(wa) && std::isfinite(wb))
-            at = gap * wa / (wa + wb);
-        else if (std::isfinite(wa))
-            at = std::min(at, wa);
-        else if (std::isfinite(wb))
-            at = std::max(at, gap - wb);
-        const double spacing = field_.lines().spacing();
-        borders[i] = a.v + std::floor(at / spacing + tolerance::level_angle) * spacing;
-    }
+    for (std::size_t i = 0; i < bins_; ++i)
+        borders[i] = border(a, b, i);
     return borders;
 }
 

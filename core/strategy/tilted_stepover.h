@@ -7,9 +7,15 @@
 // least inclined one, at yaw 0, that need hardly be lifted: CM2 as the part itself allows it. The next plane
 // is the farthest at which everywhere along the travel the widths of the two passes, one to each side, add up
 // to the gap; where they meet is the border of their strips.
+//
+// A piece of a part is cut otherwise: full passes as far apart as makes least travel, and where the widths do
+// not add up to the gap partial passes between them, over the bins of u where they are wanted.
 #pragma once
 
 #include "core/strategy/five_axis_field.h"
+
+#include <deque>
+#include <optional>
 
 namespace facetmill {
 
@@ -19,6 +25,7 @@ struct EstimatedPass {
         ContactPlace place;
         double lambda = 0, delta = 0;
         bool usable = false;               ///< some posture at yaw 0 stays within the tolerance
+        bool left = false;                 ///< its strip is too narrow to be worth it (`leave`)
         double width_lo = 0, width_hi = 0; ///< towards smaller and larger v; +inf: the surface ends before
         double end_lo = 0, end_hi = 0;     ///< where it ends, if it does
     };
@@ -26,6 +33,7 @@ struct EstimatedPass {
     double v = 0;
     int travel = 1;
     std::vector<SurfaceLine> lines;
+    std::vector<std::array<bool, 2>> cut_short; ///< per line: its first, last end is not the surface's
     std::vector<std::vector<Contact>> contacts; ///< per line, in the order of growing s
     /// Per bin of u: the smallest widths; +inf where nothing is asked, 0 where the pass does not come.
     std::vector<double> width_lo, width_hi;
@@ -35,9 +43,19 @@ struct EstimatedPass {
 
 class TiltedStepOver {
 public:
-    explicit TiltedStepOver(const FiveAxisField& field);
+    /// Strips narrower than `leave`, mm on the surface, do not ask for passes closer together: what stays
+    /// between is left to others.
+    explicit TiltedStepOver(const FiveAxisField& field, double leave = 0);
 
-    EstimatedPass estimate(long plane, int travel, const Progress& progress) const;
+    /// Neighbouring bins of u; `beyond`: how far a partial pass goes on beyond them, mm.
+    struct Bins {
+        std::size_t first = 0, last = 0;
+        double beyond = 0;
+    };
+
+    EstimatedPass estimate(long plane, int travel, const Progress& progress) const {
+        return estimate(plane, travel, all(), progress);
+    }
 
     struct Step {
         EstimatedPass pass;
@@ -45,12 +63,30 @@ public:
     };
     /// The farthest plane after `last` (nullptr: after the border of the part) that leaves nothing above the
     /// tolerance between; `usual` is where the search starts, mm.
-    Step next(const EstimatedPass* last, int travel, double usual, const Progress& progress) const;
+    Step next(const EstimatedPass* last, int travel, double usual, const Progress& progress) const {
+        return next(last, travel, usual, nullptr, all(), progress);
+    }
+    /// The next plane after `last` where passes need not go all along the part, and the partial passes
+    /// between the two, in order: so far away that as little as possible is travelled per width. Where a
+    /// strip is narrow, partial passes make it up instead of all passes being close together there.
+    struct PartialPass {
+        EstimatedPass pass;
+        Bins bins; ///< where it is wanted
+    };
+    struct Gap {
+        std::optional<EstimatedPass> next; ///< none: what is left up to the part's border
+        std::deque<PartialPass> partial;
+        bool satisfied = true;
+    };
+    /// `turns`: every pass travels against the one before.
+    Gap next_with_partial(const EstimatedPass& last, bool turns, double usual,
+                          const Progress& progress) const;
     /// True when nothing above the tolerance stays between `last` and the part's border.
     bool reaches_border(const EstimatedPass& last) const;
 
     /// Border of the strips of two neighbouring passes, per bin of u.
     std::vector<double> borders(const EstimatedPass& a, const EstimatedPass& b) const;
+    double border(const EstimatedPass& a, const EstimatedPass& b, std::size_t bin) const;
     std::size_t bin(double u) const;
 
     /// A contact point's widths count for all bins within this of its u, mm.
@@ -59,15 +95,33 @@ public:
     double largest_step() const { return largest_; }
 
 private:
+    Bins all() const { return {0, bins_ - 1, 0}; }
+    /// Of the surface within some bins.
+    EstimatedPass estimate(long plane, int travel, const Bins& within, const Progress& progress) const;
+    /// Before `limit` (nullptr: the part's border).
+    Step next(const EstimatedPass* last, int travel, double usual, const EstimatedPass* limit,
+              const Bins& within, const Progress& progress) const;
+    /// Where two passes leave too much between them, as ranges for partial passes.
+    std::vector<Bins> narrow_ranges(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const;
+    /// That two passes ask for between them; mm.
+    double partial_travel(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const;
+    /// The pass after `last` that makes least travel per width, itself and the partial ones; none: these
+    /// alone up to `limit` are less.
+    std::optional<EstimatedPass> cheapest(const EstimatedPass& last, const EstimatedPass* limit,
+                                          const Bins& within, bool turns, double usual,
+                                          const Progress& progress) const;
+    void fill(const EstimatedPass& a, const EstimatedPass* b, bool turns, const Bins& within, int depth,
+              Gap& gap, const Progress& progress) const;
     void estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const;
     /// `end`: how far off the surface ends, where the width is +inf.
     double width(const EstimatedPass::Contact& contact, int side, double& end) const;
     /// `a` or `b` may be nullptr: the part's border.
-    bool fits(const EstimatedPass* a, const EstimatedPass* b) const;
+    bool fits(const EstimatedPass* a, const EstimatedPass* b, const Bins& within) const;
+    bool fits(const EstimatedPass* a, const EstimatedPass* b, std::size_t bin) const;
     bool surface_between(double v0, double v1, std::size_t bin) const;
 
     const FiveAxisField& field_;
-    double u_lo_, bin_, smallest_, largest_;
+    double leave_, u_lo_, bin_, smallest_, largest_;
     std::size_t bins_;
     long look_; ///< planes between two looks at a width
 };

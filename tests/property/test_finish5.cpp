@@ -233,6 +233,40 @@ private slots:
         QVERIFY2(v.border.excess_p999 <= 1.1 * tolerance, qPrintable(QString::number(v.border.excess_p999)));
     }
 
+    /// A hump on a plain: its strips are narrow, those of the plain beside it wide. As a piece it is cut by
+    /// partial passes, to the same tolerance and with less travel.
+    void partial_passes_stand_where_strips_are_narrow() {
+        const Mesh part = height_field(
+            [](double x, double y) { return 1.5 * std::exp(-(std::pow(x + 50, 2) + y * y) / 20); },
+            Vec2(-70, -14), Vec2(70, 14), 280, 56);
+        const PlanContext context = five_axis_context(part, cutter("flat"));
+        const double tolerance = 0.05;
+        const Finish5 op(settings(tolerance, Choice::cm2));
+        const auto travelled = [](const StrategyResult& path) {
+            double sum = 0;
+            for (const Pass& p : path.passes)
+                for (std::size_t i = 1; i < p.cl.size(); ++i)
+                    sum += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+            return sum;
+        };
+        const StrategyResult whole = op.plan(context, Progress());
+        const StrategyResult partial = finish_piece(op.settings(), context, Progress());
+        QVERIFY2(travelled(partial) < 0.8 * travelled(whole),
+                 qPrintable(QString("%1 of %2").arg(travelled(partial)).arg(travelled(whole))));
+        const Verification v =
+            judged(part, context, linked(partial, context, op), tolerance, partial.chord_tolerance);
+        QVERIFY(!v.gouged() && v.collisions.empty());
+        QCOMPARE(v.figures.uncut_fraction, 0.0);
+        QVERIFY2(v.figures.excess_p999 <= 1.1 * tolerance,
+                 qPrintable(QString::number(v.figures.excess_p999)));
+        // Every strip is narrower than that: nothing but the first pass is asked for, and much stays.
+        const StrategyResult left = finish_piece(op.settings(), context, Progress(), 100);
+        QVERIFY(travelled(left) < 0.8 * travelled(partial));
+        QVERIFY(judged(part, context, linked(left, context, op), tolerance, left.chord_tolerance)
+                    .figures.excess_p99
+                > tolerance);
+    }
+
     /// Two sheets, a gap wider than the tool between them: along the travel, and across it.
     void every_piece_of_the_part_is_cut() {
         const Mesh whole =
