@@ -5,6 +5,8 @@
 #include "core/strategy/coverage.h"
 #include "core/strategy/finish3.h"
 #include "core/strategy/five_axis_parameters.h"
+#include "core/strategy/pass_order.h"
+#include "core/strategy/tool_advice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,13 @@ constexpr double most_contacts = 400'000, most_samples = 2'000'000;
 constexpr double least_main_share = 0.02;
 /// Of the surface: what stays is said from this on.
 constexpr double told_share = 1e-5;
+/// Of the main tool's diameter: a rework tool that is not known yet.
+constexpr double usual_rework_share = 0.25;
+/// Of the rework ball's strip on a level place: strips of the main path that are narrower than this are not
+/// worth passes of their own, each of which is turned at its ends and goes on beyond them.
+constexpr double leave_share = 2;
+/// Of the part: where more than this would be left for that, nothing is.
+constexpr double most_left_share = 0.1;
 /// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
 constexpr double along_share = 0.1;
 
@@ -96,8 +105,14 @@ public:
         radius_ = CutterProfile(context_.tool.cutter()).max_radius();
         find({}, progress_.part(0.1, 0.15, "Finding rework regions"));
         check_main();
-        StrategyResult result = main_path();
-        look_at_main(result);
+        StrategyResult result = main_path(leave(), progress_.part(0.15, 0.7));
+        double left = look_at_main(result);
+        if (left > most_left_share * plan_->part_area) {
+            // Narrow everywhere: such strips are better than those of the rework tool.
+            plan_->left_by_main.clear();
+            result = main_path(0, progress_.part(0.7, 0.7));
+            look_at_main(result);
+        }
         if (!plan_->left_by_main.empty())
             find(plan_->left_by_main, progress_.part(0.72, 0.75, "Finding rework regions"));
         cut_regions(result);
@@ -154,21 +169,35 @@ private:
         return c;
     }
 
-    StrategyResult main_path() {
+    /// Strips narrower than `leave` are left to the rework tool.
+    StrategyResult main_path(double leave, const Progress& progress) {
         Finish5Settings main = settings_;
         main.lead_limits = {0, settings_.lead_limit};
         main.direction = {plan_->source->assumed.direction, ""};
         StrategyResult result =
-            finish_piece(main, on(outside_), progress_.part(0.15, 0.7, settings_.name + ": main path"));
+            finish_piece(main, on(outside_), progress.part(0, 1, settings_.name + ": main path"), leave);
         if (result.passes.empty())
             throw Error(ErrorCode::empty_result, settings_.name,
                         "no contact point has a free posture with a lead of at most "
                             + angle_text(settings_.lead_limit),
                         smaller_tool(*plan_->source, settings_, 2 * radius_, context_.unit)
                             + ", or raise lead_limit");
+        order_by_travel(result.passes, false, clear_z(), progress.part(1, 1));
         return result;
     }
 
+    /// Narrower strips, mm, cost the main path more than the rework tool.
+    double leave() const {
+        const auto& edits = settings_.region_edits;
+        // What is left next to a region that is switched off would stay.
+        if (settings_.rework_tool == 0
+            || std::any_of(edits.begin(), edits.end(), [](const RegionEdit& e) { return !e.enabled; }))
+            return 0;
+        return leave_share * widest_strip(0.5 * plan_->tool.diameter, cusp_budget(settings_, context_));
+    }
+    double clear_z() const {
+        return std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.clearance;
+    }
     double sample_spacing() const {
         return std::max(sample_share * radius_, std::sqrt(2 * plan_->part_area / most_samples));
     }
@@ -176,7 +205,8 @@ private:
         return settings_.allowance + context_.tessellation_tolerance[1] + cusp_budget(settings_, context_);
     }
 
-    void look_at_main(const StrategyResult& main) {
+    /// mm^2 that it leaves of what it was to cut.
+    double look_at_main(const StrategyResult& main) {
         Coverage coverage(
             surface_samples(*outside_.mesh, outside_.geometry->vertex_normals, up_, sample_spacing()),
             raise());
@@ -187,6 +217,7 @@ private:
                 const SurfaceSample& s = coverage.samples()[i];
                 plan_->left_by_main.push_back({s.point, s.normal, 0});
             }
+        return coverage.area() - coverage.cleared_area();
     }
 
     void cut_regions(const StrategyResult& main) {
@@ -216,6 +247,8 @@ private:
         rework.chord_tolerance = settings_.chord_tolerance;
         rework.normal_limit = settings_.normal_limit;
         plan_->path = Finish3(rework).plan(context, progress);
+        order_by_travel(plan_->path.passes, settings_.pattern == Finish5Settings::Pattern::zigzag, clear_z(),
+                        progress.part(1, 1));
         // What it cannot reach is looked for below, on what the main path leaves only.
         plan_->path.warnings.clear();
     }
@@ -279,6 +312,20 @@ private:
 
 } // namespace
 
+namespace {
+
+AssumedPath assumed_along(const PlanContext& context, Finish5Settings settings, double direction,
+                          const Progress& progress) {
+    settings.direction = {direction, ""};
+    const FiveAxisField field(context, settings, progress.part(0, 0.3));
+    if (!(field.lines().lo() <= field.lines().hi()))
+        throw Error(ErrorCode::empty_result, settings.name, "no drive plane meets the part",
+                    "check part and direction");
+    return assume_path(field, spacing_of(context.part_box, field.radius()), progress.part(0.3, 1));
+}
+
+} // namespace
+
 std::shared_ptr<const RegionSource>
 region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress) {
     auto source = std::make_shared<RegionSource>();
@@ -292,11 +339,27 @@ region_source(const PlanContext& context, const GlobalLocalSettings& settings, c
     source->curvatures = own.curvatures;
     Finish5Settings assumed = settings;
     assumed.lead_limits = {0, settings.assumed_lead_limit};
-    const FiveAxisField field(own, assumed, progress.part(0.3, 0.5));
-    if (!(field.lines().lo() <= field.lines().hi()))
-        throw Error(ErrorCode::empty_result, settings.name, "no drive plane meets the part",
-                    "check part and direction");
-    source->assumed = assume_path(field, spacing_of(own.part_box, field.radius()), progress.part(0.5, 1));
+    if (!settings.direction.is("auto")) {
+        source->assumed =
+            assumed_along(own, assumed, travel_direction(settings.direction, own, progress.part(0.3, 0.3)),
+                          progress.part(0.3, 1));
+    } else {
+        const double diameter = 2 * CutterProfile(own.tool.cutter()).max_radius();
+        const double rework =
+            own.further_tools.empty() ? usual_rework_share * diameter : own.further_tools[0].diameter;
+        double least = infinity;
+        for (const bool along_y : {false, true}) {
+            RegionSource one = *source;
+            one.assumed = assumed_along(own, assumed, along_y ? 0.5 * pi : 0,
+                                        along_y ? progress.part(0.65, 1) : progress.part(0.3, 0.65));
+            const double seconds = estimate(one, diameter, diameter, settings.lead_limit, rework,
+                                            settings.tolerance, settings.feed)
+                                       .seconds();
+            if (!(seconds < least)) continue;
+            least = seconds;
+            *source = std::move(one);
+        }
+    }
     if (source->assumed.contacts.empty())
         throw Error(ErrorCode::empty_result, settings.name, "no place of the part can be come to from above",
                     "turn the part");

@@ -2,10 +2,10 @@
 // its strips stay wide, and a rework path with a smaller tool where that is not enough.
 //
 //  1. The assumed previous path and its screening by alpha_M (assumed_path.h) give the uncut places, these
-//  the
-//     rework regions on the part's surface (rework_region.h).
+//     the rework regions on the part's surface (rework_region.h).
 //  2. The main path is that of five-axis finishing (finish5.h) over the part without the uncut places, with
-//     leads from 0 to alpha_M; the whole part is kept from being cut.
+//     leads from 0 to alpha_M and partial passes where strips are narrow; those that the rework tool cuts as
+//     well are left to it. The whole part is kept from being cut.
 //  3. What the main path really clears is looked at pose by pose (coverage.h). Places that it leaves, at
 //     slanted ends of passes for example, join the regions.
 //  4. The rework path covers the regions with their outward offset: a ball with vertical axis along parallel
@@ -41,8 +41,10 @@ struct GlobalLocalSettings : Finish5Settings {
 
 const ParameterTable<GlobalLocalSettings>& global_local_parameters();
 
-/// The assumed previous path over the context's part. Throws what FiveAxisField throws; Cancelled within 100
-/// ms.
+/// The assumed previous path over the context's part. With the direction auto: along X or Y, whichever the
+/// estimate of main and rework time (tool_advice.h) prefers. A flat end's strips are wide where the part is
+/// flat or hollow across the travel, so that need not be the direction in which the surface turns least.
+/// Throws what FiveAxisField throws; Cancelled within 100 ms.
 std::shared_ptr<const RegionSource>
 region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress);
 

@@ -12,8 +12,9 @@ namespace {
 
 /// Of the diameter: no strip is wider.
 constexpr double widest_share = 0.97;
-/// Of a trajectory's contacts: so many narrow ones are left to finer means than the step.
-constexpr double narrow_share = 0.05;
+/// Of the diameter: what turning round at the end of a pass costs. The tip of a flat end is a radius behind
+/// its contact, whichever way it goes.
+constexpr double turn_share = 1;
 /// Curvatures below this share of the scallop over the radius squared are none.
 constexpr double flat_share = 1e-3;
 /// Neighbours in a region are no farther apart, in spacings.
@@ -59,11 +60,9 @@ StrategyEstimate estimate(const RegionSource& source, double source_diameter, do
     e.lead_limit = lead_limit;
     std::vector<Vec3> uncut;
     double area = 0, uncut_area = 0;
-    std::vector<double> steps;
     const double per_second = feed / 60;
     for (std::size_t start = 0; start < contacts.size(); start = contacts[start].end + 1) {
-        steps.clear();
-        double length = 0;
+        double cut = 0, length = 0;
         for (std::size_t i = start; i <= contacts[start].end; ++i) {
             const AssumedContact& c = contacts[i];
             // A level step of one spacing takes so much of the surface.
@@ -81,13 +80,10 @@ StrategyEstimate estimate(const RegionSource& source, double source_diameter, do
                 continue;
             }
             length += piece;
-            steps.push_back(slanted
-                            * strip_width(std::max(curvature, 0.0) - c.hollowness, scallop, diameter));
+            cut += own / strip_width(std::max(curvature, 0.0) - c.hollowness, scallop, diameter);
         }
-        if (steps.empty()) continue;
-        const auto narrow = steps.begin() + long(narrow_share * double(steps.size()));
-        std::nth_element(steps.begin(), narrow, steps.end());
-        e.main_seconds += spacing / *narrow * length / per_second;
+        // As many passes as the strips' mean width asks for, each turned at its end.
+        if (length > 0) e.main_seconds += cut * (1 + turn_share * diameter / length) / per_second;
     }
     e.rework_share = area > 0 ? uncut_area / area : 0;
     // Uncut contacts that are neighbours belong to one region.

@@ -4,9 +4,8 @@
 //
 // Of every contact the assumed path tells the least lead for its own tool; by (4) that stands for a
 // curvature, and so for the lead of any other diameter. Width of a strip: between the tool's section across
-// the travel, of curvature 2 sin(lead) / D, and the part's lies the scallop; never wider than the tool. A
-// main path's step is the smallest width along its trajectory, as drive planes are parallel: that is why few
-// places make it slow.
+// the travel, of curvature 2 sin(lead) / D, and the part's lies the scallop; never wider than the tool. Where
+// strips are narrow the main path has partial passes, so each place costs its area over its width.
 #pragma once
 
 #include "core/strategy/global_local.h"

@@ -3,10 +3,11 @@
 // Wang's ball has D 25.4 as well, and what it cannot enter is neglected; a row with the rework ball stands
 // beside it.
 //
-//     bench_strategies [PART [LEAD_LIMIT [MACHINE [ROWS [RESOLUTION]]]]]
+//     bench_strategies [PART [LEAD_LIMIT [MACHINE [ROWS [RESOLUTION [DIRECTION]]]]]]
 //
 // LEAD_LIMIT in degrees; ROWS some of "b" (ball 25.4), "s" (ball 6.35), "f" (flat), "g" (global-local);
-// RESOLUTION of the verifier in mm, 0: not verified. Default: shell 8 trunnion-ac bsfg 0.
+// RESOLUTION of the verifier in mm, 0: not verified; DIRECTION auto, x or y. Default: shell 8 trunnion-ac
+// bsfg 0 auto.
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -15,6 +16,7 @@
 #include "core/strategy/finish3.h"
 #include "core/strategy/global_local.h"
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -49,6 +51,18 @@ void share(Settings& s, long number, double stays) {
     s.chord_tolerance = {0.4 * stays, ""};
 }
 
+/// What the tool travels at feed: along passes, between them on the surface, and down and up.
+std::array<double, 3> metres_by_kind(const ToolMotions& program) {
+    std::array<double, 3> metres{};
+    const auto& all = program.motions;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        if (all[i].kind == MotionKind::rapid) continue;
+        const std::size_t kind = all[i].kind == MotionKind::cut ? 0 : all[i].kind == MotionKind::link ? 1 : 2;
+        metres[kind] += (all[i].to.tip - all[i - 1].to.tip).norm() / 1000;
+    }
+    return metres;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -56,6 +70,7 @@ int main(int argc, char** argv) {
                       rows = argc > 4 ? argv[4] : "bsfg";
     const double lead = radians(argc > 2 ? std::atof(argv[2]) : 8),
                  resolution = argc > 5 ? std::atof(argv[5]) : 0;
+    const std::string direction = argc > 6 ? argv[6] : "auto";
     const auto file = std::filesystem::temp_directory_path() / ("bench_strategies_" + part + ".stl");
     save_stl(*make_sample(part, mesh_tolerance, Progress()), file.string(), LengthUnit::mm, {});
 
@@ -65,9 +80,10 @@ int main(int argc, char** argv) {
     project.machine = machine;
     project.tools = {tool(1, 25.4, false), tool(2, 6.35, true), tool(3, 25.4, true)};
     Planner planner;
-    std::printf("%-14s %6s %9s %8s %9s %8s %7s %7s\n", part.c_str(), "passes", "length m", "time s",
-                "at feed s", "step mm", "area %", "plan s");
+    std::printf("%-14s %6s %9s %8s %9s %8s %8s %8s %7s %7s\n", part.c_str(), "passes", "length m", "cut m",
+                "links m", "up/dn m", "time s", "step mm", "area %", "plan s");
     const auto row = [&](const char* name, std::unique_ptr<Operation> operation) {
+        operation->common().direction = {0, direction};
         project.operations.clear();
         project.operations.push_back(std::move(operation));
         const auto start = std::chrono::steady_clock::now();
@@ -89,13 +105,15 @@ int main(int argc, char** argv) {
                 share = 100
                         * (i == 0 ? 1 - rework->regions.uncut_area / rework->part_area
                                   : rework->regions.area / rework->part_area);
-            std::printf("%-14s %6d %9.2f %8.0f %9.0f %8.2f %7.1f %7.1f\n", i == 0 ? name : "  rework",
-                        o.path.drive_planes, o.totals.cut_length / 1000, o.totals.time_seconds,
-                        o.totals.cut_length / feed * 60, o.path.stepover_max, share, seconds);
+            const auto metres = metres_by_kind(o.program.motions);
+            std::printf("%-14s %6d %9.2f %8.2f %8.2f %8.2f %8.0f %8.2f %7.1f %7.1f\n",
+                        i == 0 ? name : "  rework", o.path.drive_planes, o.totals.cut_length / 1000,
+                        metres[0], metres[1], metres[2], o.totals.time_seconds, o.path.stepover_max, share,
+                        seconds);
             for (const std::string& w : o.warnings())
                 std::printf("    %s\n", w.c_str());
         }
-        if (plan->operations.size() > 1) std::printf("%-14s %25.0f\n", "  together", total);
+        if (plan->operations.size() > 1) std::printf("%-14s %51.0f\n", "  together", total);
         std::fflush(stdout);
         if (resolution > 0) {
             VerifySettings s = verify_settings(project, plan.get());
@@ -130,6 +148,7 @@ int main(int argc, char** argv) {
             share(s, 1, stays);
             s.lead_limit = lead;
             s.rework_tool = 2;
+            s.rework_offset = 0.5; // what must be cut lies within a region without it
             s.posture = Finish5Settings::PostureChoice::cm2;
             row("global-local", std::make_unique<GlobalLocal>(s));
         }
