@@ -23,9 +23,13 @@ constexpr double finest_share = 0.1, coarsest_share = 0.3;
 constexpr double most_samples = 1e5, least_piece = 0.25;
 /// Of what is allowed: a cutter that is so near touches; a fillet of so little takes nothing from the feed.
 constexpr double touching = 0.02, least_fillet = 0.05;
-/// Directions and rounds of the search about a place; each round begins with a step of half the one before,
-/// the first with half the cutter's radius.
-constexpr int directions = 8, rounds = 6, most_moves = 40;
+/// Of the cutter's radius: distance of the places at which the cutter is lowered, once for all samples
+/// around, and the last step of a search about a place. Of a block of samples, and of places.
+constexpr double lattice_share = 1.0 / 8, last_step_share = 1.0 / 64;
+constexpr double most_places = 1e6; ///< of the whole part; else they are farther apart
+constexpr std::size_t doubtful_per_block = 64, stands_per_block = 64;
+/// Directions of the search about a place; each round begins with a step of half the one before.
+constexpr int directions = 8, most_moves = 40;
 constexpr double golden_angle = 2.399963229728653;
 /// Of a thorough search: places that it looks at, within so many radii of the cutter, and from how many of
 /// the best it goes downhill; samples of a region that get one.
@@ -49,12 +53,13 @@ struct Sample {
     bool alone = false; ///< no other sample says how far what it stands for reaches
     bool sure = false;  ///< searched thoroughly
     Vec3 p = Vec3::Zero(), n = Vec3::Zero();
+    LathePoint at; ///< the cutter where it came nearest
     UnreachedRegion::Why why = UnreachedRegion::Why::narrow;
 };
 
 struct Found {
     double area = 0, crease_cusp = 0;
-    std::vector<Sample> out;
+    std::vector<Sample> doubtful; ///< not served where the cutter would touch the facet's plane
     std::vector<FeedLimit> limits;
 };
 
@@ -111,7 +116,7 @@ public:
                         for (std::size_t column = 0; column < rows.columns(row); ++column) {
                             if (++looked % samples_per_check == 0) progress.check();
                             sample(rows.point(row, column), n, scale * rows.weight(row), false, hint,
-                                   found.out, progress);
+                                   found.doubtful);
                         }
                 }
                 return found;
@@ -166,11 +171,28 @@ public:
             joined);
     }
 
+    /// Those of the samples that no place serves, each with the distance at the best and the reason.
+    std::vector<Sample> unreached(std::vector<Sample> doubtful, const Progress& progress) const {
+        const Lattice lattice = lattice_around(doubtful, progress.part(0, 0.3));
+        std::vector<char> served(doubtful.size(), 0);
+        parallel_blocks(doubtful.size(), doubtful_per_block, progress.part(0.3, 1),
+                        [&](std::size_t begin, std::size_t end) {
+                            LatheField::Hint hint;
+                            for (std::size_t i = begin; i < end; ++i)
+                                served[i] = serve(doubtful[i], lattice, hint, progress);
+                        });
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < doubtful.size(); ++i)
+            if (!served[i]) std::swap(doubtful[left++], doubtful[i]);
+        doubtful.resize(left);
+        return doubtful;
+    }
+
     /// Looks for a better place than the sample has, from places all around it: downhill alone may end in a
     /// dip that is not the deepest. False where one serves it after all.
     bool search_again(Sample& s, LatheField::Hint& hint, const Progress& progress) const {
         const LathePlace straight = straight_over(s.p);
-        const double radius = field_.cover().radius(), away = std::max(frame_.away(s.p), 0.5 * radius);
+        const double radius = field_.cover().radius(), away = away_of(s.p);
         std::vector<std::pair<double, LathePlace>> starts;
         for (int k = 0; k < spread; ++k) {
             const double out = spread_share * radius * std::sqrt((k + 0.5) / spread);
@@ -185,7 +207,7 @@ public:
         starts.resize(best_starts);
         starts.emplace_back(0, straight);
         for (const auto& [unused, start] : starts) {
-            const Nearest found = nearest_from(start, s.p, s.n, hint, progress);
+            const Nearest found = nearest_from(start, 0.5 * radius, s.p, s.n, hint, progress);
             if (found.height <= allowed_) return false;
             s.distance = std::min(s.distance, found.distance - field_.allowance());
         }
@@ -207,7 +229,7 @@ private:
 
     static Found joined(Found a, const Found& b) {
         a.area += b.area;
-        a.out.insert(a.out.end(), b.out.begin(), b.out.end());
+        a.doubtful.insert(a.doubtful.end(), b.doubtful.begin(), b.doubtful.end());
         a.limits.insert(a.limits.end(), b.limits.begin(), b.limits.end());
         a.crease_cusp = std::max(a.crease_cusp, b.crease_cusp);
         return a;
@@ -299,7 +321,7 @@ private:
     /// The cutter lowered at a place, or where the range ends before it, and its frame.
     struct Stand {
         LathePoint at;
-        Vec3 tip, x, y, axis;
+        Vec3 tip = Vec3::Zero(), x = Vec3::Zero(), y = Vec3::Zero(), axis = Vec3::Zero();
         Vec3 local(const Vec3& v) const { return {v.dot(x), v.dot(y), v.dot(axis)}; }
     };
     Stand stand(LathePlace place, LatheField::Hint& hint) const {
@@ -322,8 +344,11 @@ private:
         if (normal.z() >= 0)
             r.height = cover.ray_entry(tool.local(p + field_.allowance() * n - tool.tip), normal,
                                        Vec3::Zero(), 2 * cover.radius());
-        // A cutter that touches p may be passed by its own tangent.
-        if (r.distance <= field_.allowance() + touching * allowed_) r.height = 0;
+        // A cutter that touches p may be passed by its own tangent. Behind a wall whose normal points the
+        // other way, as those of bores do, it has not been at p at all.
+        r.height = r.distance <= field_.allowance() + touching * allowed_
+                       ? 0
+                       : std::max(r.height, r.distance - field_.allowance());
         return r;
     }
 
@@ -343,7 +368,7 @@ private:
     struct Nearest : Rest {
         LathePoint at;
     };
-    Nearest nearest_from(LathePlace place, const Vec3& p, const Vec3& n, LatheField::Hint& hint,
+    Nearest nearest_from(LathePlace place, double step, const Vec3& p, const Vec3& n, LatheField::Hint& hint,
                          const Progress& progress) const {
         const auto at = [&](const LathePlace& q) {
             const Stand tool = stand(q, hint);
@@ -351,9 +376,9 @@ private:
         };
         Nearest best = at(place);
         if (best.height <= allowed_) return best;
-        const double away = std::max(frame_.away(p), 0.5 * field_.cover().radius());
-        double step = 0.5 * field_.cover().radius(), first = 0;
-        for (int round = 0; round < rounds; ++round, step *= 0.5, first += golden_angle) {
+        const double away = away_of(p), last = last_step_share * field_.cover().radius();
+        double first = 0;
+        for (; step > 0.75 * last; step *= 0.5, first += golden_angle) {
             progress.check();
             bool moved = true;
             for (int moves = 0; moved && moves < most_moves; ++moves) {
@@ -375,22 +400,111 @@ private:
         return best;
     }
 
-    /// Finds out whether any place serves p, and adds it to `out` if not, with the distance at the best.
+    /// Radius at which a step to the side of the tool turns the part by step / radius.
+    double away_of(const Vec3& p) const { return std::max(frame_.away(p), 0.5 * field_.cover().radius()); }
+
+    /// The cutter lowered on an even grid over the unrolled part, as far as samples lie below.
+    struct Lattice {
+        std::int64_t around = 0, along = 0;
+        double turn = 0, step = 0, from = 0; ///< between neighbours, radians and mm; y of the first
+        std::vector<std::uint32_t> slot;     ///< of a place, in `stands`
+        std::vector<Stand> stands;
+
+        /// Calls visit(place's number) for all places that are less than `radius` beside the place.
+        template <class Visit>
+        void near(const LathePlace& place, double radius, double away, Visit&& visit) const {
+            const auto lowest = std::int64_t(std::ceil((place.y - radius - from) / step)),
+                       highest = std::int64_t(std::floor((place.y + radius - from) / step));
+            for (std::int64_t j = std::max<std::int64_t>(lowest, 0); j <= std::min(highest, along - 1); ++j) {
+                const double dy = from + double(j) * step - place.y;
+                const double side = std::sqrt(std::max(radius * radius - dy * dy, 0.0)) / away;
+                const auto left = std::int64_t(std::ceil((place.angle - side) / turn));
+                auto right = std::int64_t(std::floor((place.angle + side) / turn));
+                right = std::min(right, left + around - 1);
+                for (std::int64_t i = left; i <= right; ++i)
+                    visit(std::size_t(j * around + ((i % around) + around) % around));
+            }
+        }
+    };
+
+    Lattice lattice_around(std::span<const Sample> samples, const Progress& progress) const {
+        Lattice lattice;
+        if (samples.empty()) return lattice;
+        constexpr std::uint32_t none = ~std::uint32_t(0), wanted = none - 1;
+        const double radius = field_.cover().radius(), outside = std::max(field_.part_radius(), radius);
+        const double step = std::max(lattice_share * radius,
+                                     std::sqrt(2 * pi * outside * (range_.to - range_.from) / most_places));
+        lattice.around = std::int64_t(2 * pi * outside / step) + 1;
+        lattice.along = std::int64_t((range_.to - range_.from) / step) + 2;
+        lattice.turn = 2 * pi / double(lattice.around);
+        lattice.step =
+            std::max((range_.to - range_.from) / double(lattice.along - 1), tolerance::smallest_extent);
+        lattice.from = range_.from;
+        lattice.slot.assign(std::size_t(lattice.around * lattice.along), none);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if (i % samples_per_check == 0) progress.check();
+            lattice.near(straight_over(samples[i].p), radius, away_of(samples[i].p),
+                         [&](std::size_t k) { lattice.slot[k] = wanted; });
+        }
+        std::vector<std::size_t> places;
+        for (std::size_t k = 0; k < lattice.slot.size(); ++k) {
+            if (lattice.slot[k] == none) continue;
+            lattice.slot[k] = std::uint32_t(places.size());
+            places.push_back(k);
+        }
+        lattice.stands.resize(places.size());
+        parallel_blocks(places.size(), stands_per_block, progress, [&](std::size_t begin, std::size_t end) {
+            LatheField::Hint hint;
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto k = std::int64_t(places[i]);
+                lattice.stands[i] = stand({double(k % lattice.around) * lattice.turn,
+                                           lattice.from + double(k / lattice.around) * lattice.step},
+                                          hint);
+            }
+        });
+        return lattice;
+    }
+
+    /// Whether any place serves the sample; if not, its best place, distance and reason are set.
+    bool serve(Sample& s, const Lattice& lattice, LatheField::Hint& hint, const Progress& progress) const {
+        progress.check();
+        const LathePlace straight = straight_over(s.p);
+        const CutterCover& cover = field_.cover();
+        Nearest best{Rest{infinity, s.distance}, s.at};
+        bool served = false;
+        lattice.near(straight, cover.radius(), away_of(s.p), [&](std::size_t k) {
+            if (served) return;
+            const Stand& tool = lattice.stands[lattice.slot[k]];
+            const double distance = cover.distance(tool.local(s.p - tool.tip));
+            // What is left along the normal is no less than the distance tells.
+            if (distance <= field_.allowance() + allowed_) served = rest(tool, s.p, s.n).height <= allowed_;
+            if (distance < best.distance) best = {Rest{infinity, distance}, tool.at};
+        });
+        if (served) return true;
+        best = nearest_from(best.at.place, 0.5 * lattice.step, s.p, s.n, hint, progress);
+        if (best.height <= allowed_) return true;
+        // Straight over it the cutter is no farther than the part's outside.
+        const Stand above = stand(straight, hint);
+        if (const Nearest here{rest(above, s.p, s.n), above.at}; here.distance < best.distance) best = here;
+        if (best.height <= allowed_) return true;
+        s.at = best.at;
+        s.distance = best.distance - field_.allowance();
+        s.why = reason(s.p, s.n, best.at);
+        return false;
+    }
+
+    /// Adds p to `doubtful` where the cutter that would touch the facet's plane there does not serve it.
     void sample(const Vec3& p, const Vec3& facet_normal, double area, bool alone, LatheField::Hint& hint,
-                std::vector<Sample>& out, const Progress& progress) const {
+                std::vector<Sample>& doubtful) const {
         const double along = frame_.along(p);
         if ((named_from_ && along < range_.from) || (named_to_ && along > range_.to)) return;
         // Either side of a facet may be out, as the winding of a scan says nothing.
         const Vec3 n = facet_normal.dot(frame_.radial(angle_of(p))) < 0 ? Vec3(-facet_normal) : facet_normal;
         const LathePlace place = place_over(p, n);
         if ((named_from_ && place.y < range_.from) || (named_to_ && place.y > range_.to)) return;
-        Nearest best = nearest_from(place, p, n, hint, progress);
-        if (best.height <= allowed_) return;
-        // Straight over p it is no farther than the part's outside.
-        const Stand above = stand(straight_over(p), hint);
-        if (const Nearest straight{rest(above, p, n), above.at}; straight.distance < best.distance)
-            best = straight;
-        if (best.height <= allowed_) return;
+        const Stand tool = stand(place, hint);
+        const Rest here = rest(tool, p, n);
+        if (here.height <= allowed_) return;
         Sample s;
         s.p = p;
         s.n = n;
@@ -400,9 +514,9 @@ private:
         s.area = area;
         s.half = std::max(std::min({0.5 * std::sqrt(area), along - from_, to_ - along}), 0.0);
         s.alone = alone;
-        s.distance = best.distance - field_.allowance();
-        s.why = reason(p, n, best.at);
-        out.push_back(s);
+        s.distance = here.distance;
+        s.at = tool.at;
+        doubtful.push_back(s);
     }
 
     UnreachedRegion::Why reason(const Vec3& p, const Vec3& n, const LathePoint& at) const {
@@ -451,7 +565,7 @@ private:
             const double wide = std::sqrt(2 * radius) * (std::sqrt(rests) - std::sqrt(allowed_));
             const bool missed = wide < 0.5 * spacing_;
             const double area = !missed ? 0 : length > 0 ? 2 * wide * length : pi * wide * wide;
-            sample(p, normals[0], area, missed, hint, found.out, progress);
+            sample(p, normals[0], area, missed, hint, found.doubtful);
             return;
         }
         // Of two cutters, an advance apart, that pass it to both sides the nearer one leaves what stays.
@@ -610,14 +724,15 @@ LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, con
                        const LatheRange& range, double allowed, const ReachFeed& feed,
                        const Progress& progress) {
     const Search search(settings, field, context, range, allowed, feed);
-    Found found = search.facets(progress.part(0, 0.7));
-    Found creases = search.creases(progress.part(0.7, 0.95));
-    found.out.insert(found.out.end(), creases.out.begin(), creases.out.end());
+    Found found = search.facets(progress.part(0, 0.3));
+    Found creases = search.creases(progress.part(0.3, 0.5));
+    found.doubtful.insert(found.doubtful.end(), creases.doubtful.begin(), creases.doubtful.end());
+    std::vector<Sample> out = search.unreached(std::move(found.doubtful), progress.part(0.5, 0.95));
     LatheReach reach;
     reach.area = found.area;
     reach.limits = std::move(creases.limits);
     reach.crease_cusp = creases.crease_cusp;
-    reach.regions = Regions(search, found.out, cell_spacings * search.spacing(),
+    reach.regions = Regions(search, out, cell_spacings * search.spacing(),
                             std::max(field.part_radius(), tolerance::smallest_extent))
                         .find(progress.part(0.95, 1));
     return reach;

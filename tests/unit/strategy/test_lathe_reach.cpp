@@ -224,6 +224,25 @@ private slots:
         QVERIFY(told(d.reach).contains("under the part itself"));
     }
 
+    /// A slot right through, so narrow that the tool can hardly lean: of its walls, whose normals point to
+    /// the other wall and not away from the axis, only the mouths are reached.
+    void walls_of_a_slot_through_the_axis_are_not_taken_for_served() {
+        Mesh part = drawn_out({{4, -20}, {20, -20}, {20, 20}, {4, 20}}, 20);
+        const Mesh other = drawn_out({{-20, -20}, {-4, -20}, {-4, 20}, {-20, 20}}, 20);
+        const auto first = Index(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), other.vertices.begin(), other.vertices.end());
+        for (const Facet& f : other.facets)
+            part.facets.push_back({f[0] + first, f[1] + first, f[2] + first});
+        const Looked l = look(part, ball_tool(6));
+        double left = 0;
+        for (const UnreachedRegion& r : l.reach.regions)
+            left += r.area;
+        // At the depth z below the mouth at 20 the shank stays 1 - z / 20 away from the wall.
+        const double walls = 2 * 40 * 20, mouths = 4 * 20 * (20 * 0.05);
+        QVERIFY2(std::abs(left - (walls - mouths)) < 0.03 * walls,
+                 qPrintable(QString("%1 of %2").arg(left).arg(walls - mouths)));
+    }
+
     void core_shaft_and_chuck_have_their_own_reasons() {
         const Mesh block = drawn_out({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, 20);
         LatheCommon s;
