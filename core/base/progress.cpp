@@ -14,6 +14,12 @@ void Job::raise_fraction(double to) {
     double now = fraction_.load(std::memory_order_relaxed);
     while (now < to && !fraction_.compare_exchange_weak(now, to, std::memory_order_relaxed)) {
     }
+    if (to >= cancel_at_.load(std::memory_order_relaxed)) cancel();
+}
+
+void Job::cancel_at(double fraction) {
+    cancel_at_.store(fraction, std::memory_order_relaxed);
+    if (this->fraction() >= fraction) cancel();
 }
 
 void Job::set_label(std::string label) {

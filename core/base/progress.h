@@ -1,13 +1,14 @@
-// Progress and cancellation. One `Job` per background job: an atomic cancel flag, a fraction that never goes back, a
-// label. A `Progress` is an interval of a job; parts of it share the job and hence the flag. The UI polls the job; core
-// never calls back.
+// Progress and cancellation. One `Job` per background job: an atomic cancel flag, a fraction that never goes
+// back, a label. A `Progress` is an interval of a job; parts of it share the job and hence the flag. The UI
+// polls the job; core never calls back.
 //
 //     Job job;
 //     Progress p(job);
 //     load(p.part(0.0, 0.2, "Reading part"));
 //     plan(p.part(0.2, 1.0, "Finish"));
 //
-// Loops call `set` or `check` per chunk of at most about 20 ms of work, so that a cancel takes effect within 100 ms.
+// Loops call `set` or `check` per chunk of at most about 20 ms of work, so that a cancel takes effect within
+// 100 ms.
 #pragma once
 
 #include "core/base/error.h"
@@ -22,6 +23,8 @@ namespace facetmill {
 class Job {
 public:
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    /// Cancels as soon as the job has come to this fraction, at once if it has: the same place in every run.
+    void cancel_at(double fraction);
     bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
     /// 0 to 1, never decreasing.
@@ -33,7 +36,7 @@ public:
 
 private:
     std::atomic<bool> cancelled_{false};
-    std::atomic<double> fraction_{0.0};
+    std::atomic<double> fraction_{0.0}, cancel_at_{2.0};
     mutable std::mutex label_mutex_;
     std::string label_;
 };

@@ -3,29 +3,13 @@
 
 #include "core/base/progress.h"
 
-#include <atomic>
-#include <thread>
-
 namespace facetmill::test {
 
-/// Runs `run(Progress)` with a job that another thread cancels as soon as it has come to `fraction`, or has
-/// ended. True when it was cancelled. Other errors pass.
+/// Runs `run(Progress)` with a job that is cancelled as soon as it has come to `fraction`. True when it ended
+/// by that. Other errors pass.
 template <class Run>
 bool cancelled_at(Job& job, double fraction, Run&& run) {
-    std::atomic<bool> over{false};
-    struct Watcher {
-        std::atomic<bool>& over;
-        std::thread thread;
-        ~Watcher() {
-            over = true;
-            thread.join();
-        }
-    };
-    const Watcher watcher{over, std::thread([&] {
-                              while (!over && job.fraction() < fraction)
-                                  std::this_thread::yield();
-                              job.cancel();
-                          })};
+    job.cancel_at(fraction);
     try {
         run(Progress(job));
     } catch (const Cancelled&) {

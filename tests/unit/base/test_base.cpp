@@ -164,6 +164,19 @@ private slots:
         Progress().check();
     }
 
+    void a_job_is_cancelled_where_it_was_told() {
+        Job job;
+        job.cancel_at(0.4);
+        const Progress p(job);
+        p.set(0.39);
+        QVERIFY(!job.cancelled());
+        QVERIFY_EXCEPTION_THROWN(p.set(0.4), Cancelled);
+        Job late;
+        Progress(late).set(0.5);
+        late.cancel_at(0.5);
+        QVERIFY(late.cancelled());
+    }
+
     void loops_are_deterministic_and_cancellable() {
         std::vector<double> values(100001);
         std::mt19937_64 rng(7);
