@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 namespace facetmill {
 
@@ -44,8 +43,6 @@ constexpr int halvings = 6;
 constexpr double smallest_share = 1.0 / 16;
 /// Angles to either side at which the way out from a place is looked at.
 constexpr int sights = 4;
-/// Regions that a warning names.
-constexpr std::size_t most_named = 3;
 
 struct Sample {
     double angle = 0, y = 0, area = 0, distance = 0; ///< where on the part; angle from 0 up to a turn
@@ -169,6 +166,26 @@ public:
                 return found;
             },
             joined);
+    }
+
+    /// Leaves of samples without an area, which only say how far the cutter stays away, the farthest in every
+    /// piece of the part as large as a sample's: in a fine mesh they lie much closer than those of facets.
+    void thin_out(std::vector<Sample>& samples) const {
+        std::map<std::array<std::int64_t, 2>, std::size_t> farthest;
+        const auto piece = [&](const Sample& s) {
+            return std::array<std::int64_t, 2>{std::int64_t(s.angle * away_of(s.p) / spacing_),
+                                               std::int64_t(std::floor(s.y / spacing_))};
+        };
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if (samples[i].area > 0) continue;
+            const auto [at, is_new] = farthest.try_emplace(piece(samples[i]), i);
+            if (!is_new && samples[i].distance > samples[at->second].distance) at->second = i;
+        }
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (samples[i].area > 0 || farthest.at(piece(samples[i])) == i)
+                std::swap(samples[left++], samples[i]);
+        samples.resize(left);
     }
 
     /// Those of the samples that no place serves, each with the distance at the best and the reason.
@@ -708,16 +725,6 @@ private:
     std::int64_t around_;
 };
 
-/// "12° to 35°, 10 to 14 mm": angle and place along the axis.
-std::string place_text(const UnreachedRegion& r, LengthUnit unit) {
-    const auto angle = [](double v) { return format_number(std::round(10 * degrees(v)) / 10, 4) + "°"; };
-    const auto length = [&](double mm) { return format_number(mm / mm_per(unit), 4); };
-    const std::string turn = r.angle_to - r.angle_from >= 2 * pi - tolerance::level_angle
-                                 ? std::string("all around")
-                                 : angle(r.angle_from) + " to " + angle(r.angle_to);
-    return turn + ", " + length(r.from) + " to " + length_text(r.to, unit) + " along the axis";
-}
-
 } // namespace
 
 LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, const PlanContext& context,
@@ -726,6 +733,7 @@ LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, con
     const Search search(settings, field, context, range, allowed, feed);
     Found found = search.facets(progress.part(0, 0.3));
     Found creases = search.creases(progress.part(0.3, 0.5));
+    search.thin_out(creases.doubtful);
     found.doubtful.insert(found.doubtful.end(), creases.doubtful.begin(), creases.doubtful.end());
     std::vector<Sample> out = search.unreached(std::move(found.doubtful), progress.part(0.5, 0.95));
     LatheReach reach;
@@ -736,58 +744,6 @@ LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, con
                             std::max(field.part_radius(), tolerance::smallest_extent))
                         .find(progress.part(0.95, 1));
     return reach;
-}
-
-const char* unreached_name(UnreachedRegion::Why why) {
-    switch (why) {
-    case UnreachedRegion::Why::narrow:
-        return "narrow";
-    case UnreachedRegion::Why::covered:
-        return "covered";
-    case UnreachedRegion::Why::shaft:
-        return "shaft";
-    case UnreachedRegion::Why::core:
-        return "core";
-    case UnreachedRegion::Why::held:
-        return "held";
-    }
-    return "";
-}
-
-std::vector<std::string> reach_warnings(const LatheReach& reach, LengthUnit unit) {
-    using Why = UnreachedRegion::Why;
-    std::vector<std::string> warnings;
-    for (const auto& [why, what, remedy] :
-         {std::tuple(Why::narrow, "the cutter is too large for hollows of the part",
-                     "use a smaller tool there"),
-          std::tuple(Why::covered, "places lie under the part itself, seen along the tool",
-                     "cut them with the part held another way"),
-          std::tuple(Why::shaft, "shank or holder keep the cutter from hollows of the part",
-                     "use a longer tool, or less holder clearance"),
-          std::tuple(Why::core, "the core radius keeps the cutter from the part",
-                     "choose a smaller core radius"),
-          std::tuple(Why::held, "chuck or tailstock keep the cutter from the part",
-                     "hold less of the stock, or take a smaller tool or clearance")}) {
-        double area = 0, most = 0;
-        std::size_t regions = 0;
-        std::string places;
-        for (const UnreachedRegion& r : reach.regions) {
-            if (r.why != why) continue;
-            area += r.area;
-            most = std::max(most, r.distance);
-            if (regions++ >= most_named) continue;
-            places += (places.empty() ? "" : "; ") + place_text(r, unit);
-        }
-        if (regions == 0) continue;
-        if (regions > most_named) places += "; and " + std::to_string(regions - most_named) + " more";
-        const double per = mm_per(unit);
-        warnings.push_back(std::string(what) + ": " + format_number(area / (per * per), 3) + " "
-                           + std::string(unit_name(unit)) + "² ("
-                           + format_number(std::max(100 * area / reach.area, 1e-3), 2)
-                           + " % of the surface), where it stays up to " + length_text(most, unit)
-                           + " away, at " + places + ": " + remedy);
-    }
-    return warnings;
 }
 
 } // namespace facetmill
