@@ -110,6 +110,21 @@ std::pair<double, std::size_t> left_within_reach(const Verification& v, const Pl
     return {most, places};
 }
 
+/// A roughing path cut into its box of stock and compared with the part.
+Verification verified(const Rough& op, const StrategyResult& path, const PlanContext& context,
+                      const Mesh& part, double allowance, double resolution, double spacing) {
+    VerifySettings v;
+    v.resolution = resolution;
+    v.sample_spacing = spacing;
+    v.allowance = allowance;
+    v.gouge_limit = 1e-3;
+    StockSolid stock;
+    stock.box = context.stock_box;
+    const auto motions = std::make_shared<ToolMotions>(link_operation(op, path, context, Progress()));
+    const VerifyProgram program{"R", VerifyTool(context.tool), motions, {}};
+    return verify(part, stock, {&program, 1}, v, Progress());
+}
+
 } // namespace
 
 class TestRoughShapes : public QObject {
@@ -227,16 +242,7 @@ private slots:
         const Rough op(s);
         const PlanContext context = raised(part, tool);
         const StrategyResult path = op.plan(context, Progress());
-        const ToolMotions motions = link_operation(op, path, context, Progress());
-        VerifySettings v;
-        v.resolution = 0.5;
-        v.sample_spacing = 0.4;
-        v.allowance = allowance;
-        v.gouge_limit = 1e-3;
-        StockSolid stock;
-        stock.box = context.stock_box;
-        const VerifyProgram program{"R", VerifyTool(tool), std::make_shared<ToolMotions>(motions), {}};
-        const Verification judged = verify(part, stock, {&program, 1}, v, Progress());
+        const Verification judged = verified(op, path, context, part, allowance, 0.5, 0.4);
         QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
                                                  .arg(judged.figures.gouge_max)
                                                  .arg(judged.collisions.size())));
@@ -281,16 +287,7 @@ private slots:
         PlanContext context = raised(part, tool);
         if (floor == 2) context.stock_box.hi.z() = context.part_box.lo.z() + 8 * depth;
         const StrategyResult path = op.plan(context, Progress());
-        const ToolMotions motions = link_operation(op, path, context, Progress());
-        VerifySettings v;
-        v.resolution = 1;
-        v.sample_spacing = 0.3;
-        v.allowance = allowance;
-        v.gouge_limit = 1e-3;
-        StockSolid stock;
-        stock.box = context.stock_box;
-        const VerifyProgram program{"R", VerifyTool(tool), std::make_shared<ToolMotions>(motions), {}};
-        const Verification judged = verify(part, stock, {&program, 1}, v, Progress());
+        const Verification judged = verified(op, path, context, part, allowance, 1, 0.3);
         QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
                                                  .arg(judged.figures.gouge_max)
                                                  .arg(judged.collisions.size())));
