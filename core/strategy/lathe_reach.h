@@ -2,8 +2,10 @@
 //
 // The part's facets are sampled. At every sample the place (theta, y) is taken at which the cutter would
 // touch the facet's plane there, and the cutter lowered as far as part, chuck and core radius let it. Where
-// it leaves more over the sample, along the facet's normal, than a cusp may, places around are tried that
-// bring it nearer. Samples that no place serves are put together into regions, by the reason:
+// it leaves more over the sample, along the facet's normal, than a cusp may, the places of an even grid
+// within the cutter's radius, at each of which it is lowered once for all samples, are tried, and then those
+// about the one that brings it nearest. Samples that no place serves are put together into regions, by the
+// reason:
 //
 //  - narrow: hollows narrower than the cutter, inner edges, feet of walls. A smaller tool helps.
 //  - covered: the part itself lies over the place along the tool's axis: undercuts, bores. Only another axis
@@ -40,9 +42,9 @@ struct LatheReach {
     double crease_cusp = 0; ///< largest height that the feed, before the limits, leaves at a crease
 };
 
-/// `allowed`: what may stay above the allowance, mm, > 0. Costs a lift per sample, one for every piece of a
-/// share of the cutter's size, some hundred where it is not reached. Cancelled within 20 ms; the same bits
-/// for every thread count.
+/// `allowed`: what may stay above the allowance, mm, > 0. Costs a lift per sample, and where the
+/// first place does not serve one for every place of the grid and some 30 per sample. Cancelled within 20 ms;
+/// the same bits for every thread count.
 LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, const PlanContext& context,
                        const LatheRange& range, double allowed, const ReachFeed& feed,
                        const Progress& progress);
