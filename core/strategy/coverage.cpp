@@ -12,8 +12,11 @@ namespace facetmill {
 
 namespace {
 
-/// Of the radius: how far the tool moves between two poses; cells of the samples.
-constexpr double step_share = 0.03, cell_share = 0.25;
+/// Of the radius: how far the tool moves at most in a piece of its way, cells of the samples, and what is
+/// given away because within a piece places move straight as the tool sees them.
+constexpr double step_share = 0.25, cell_share = 0.25, straight_share = 2e-4;
+/// The deepest place of a way through the cutter is looked for so often, each time on two thirds of the rest.
+constexpr int deepest_rounds = 24;
 /// Of the radius: what of the cutter counts, above the tip.
 constexpr double height_share = 1;
 
@@ -110,33 +113,86 @@ Coverage::Coverage(std::vector<SurfaceSample> samples, double raise)
         raised_.push_back(s.point + raise * s.normal);
 }
 
+namespace {
+
+/// A place as a tool in some pose sees it: along its axis, and beside it.
+struct Seen {
+    double z;
+    Vec3 beside;
+};
+
+Seen seen_from(const CutterLocation& at, const Vec3& place) {
+    const Vec3 from = place - at.tip;
+    const double z = from.dot(at.axis);
+    return {z, from - z * at.axis};
+}
+
+/// Whether a place that goes straight from `a` to `b`, as the tool sees it, comes `slack` deep into the
+/// cutter.
+bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double height, double slack) {
+    if (std::max(a.z, b.z) < slack || std::min(a.z, b.z) > height) return false;
+    const double r = cutter.max_radius() - slack;
+    const Vec3 way = b.beside - a.beside;
+    // The part of the way beside which the cutter is: |a + t way| <= r, 0 <= z <= height.
+    double from = 0, to = 1;
+    const double square = way.squaredNorm(), half = a.beside.dot(way), rest = a.beside.squaredNorm() - r * r;
+    if (square > 0) {
+        const double root = half * half - square * rest;
+        if (root < 0) return false;
+        from = std::max(from, (-half - std::sqrt(root)) / square);
+        to = std::min(to, (-half + std::sqrt(root)) / square);
+    } else if (rest > 0) {
+        return false;
+    }
+    if (const double rise = b.z - a.z; rise != 0) {
+        const double at_tip = -a.z / rise, at_top = (height - a.z) / rise;
+        from = std::max(from, std::min(at_tip, at_top));
+        to = std::min(to, std::max(at_tip, at_top));
+    }
+    if (!(from <= to)) return false;
+    const auto depth = [&](double t) {
+        return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * way).norm());
+    };
+    // The cutter is convex: on a straight way the depth rises, then falls.
+    if (depth(from) >= slack || depth(to) >= slack) return true;
+    for (int round = 0; round < deepest_rounds; ++round) {
+        const double third = (to - from) / 3, first = depth(from + third), second = depth(to - third);
+        if (first >= slack || second >= slack) return true;
+        (first < second ? from : to) += first < second ? third : -third;
+    }
+    return false;
+}
+
+} // namespace
+
 void Coverage::add(std::span<const Pass> passes, const CutterProfile& cutter, const Progress& progress) {
     const double r = cutter.max_radius(), height = std::min(cutter.height(), height_share * r);
-    const double reach = std::hypot(r, height);
+    const double reach = std::hypot(r, height), slack = straight_share * r;
     const Cells cells(raised_, cell_share * r);
     parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
         const Pass& pass = passes[i];
-        const auto look = [&](const CutterLocation& at) {
-            cells.near(at.tip, reach, [&](std::size_t s) {
+        const auto look = [&](const CutterLocation& a, const CutterLocation& b) {
+            cells.near(0.5 * (a.tip + b.tip), reach + 0.5 * (b.tip - a.tip).norm(), [&](std::size_t s) {
                 std::atomic_ref<unsigned char> flag(cleared_[s]);
                 if (flag.load(std::memory_order_relaxed)) return;
-                const Vec3 from = raised_[s] - at.tip;
-                const double z = from.dot(at.axis);
-                if (z < 0 || z > height) return;
-                const double square = from.squaredNorm() - z * z;
-                if (square <= r * r && cutter.height_at(std::sqrt(std::max(square, 0.0))) <= z)
+                if (comes_in(seen_from(a, raised_[s]), seen_from(b, raised_[s]), cutter, height, slack))
                     flag.store(1, std::memory_order_relaxed);
             });
         };
-        for (std::size_t k = 0; k < pass.cl.size(); ++k) {
-            progress.check();
-            look(pass.cl[k]);
-            if (k + 1 == pass.cl.size()) break;
+        if (pass.cl.size() == 1) look(pass.cl[0], pass.cl[0]);
+        for (std::size_t k = 0; k + 1 < pass.cl.size(); ++k) {
             const CutterLocation &a = pass.cl[k], &b = pass.cl[k + 1];
-            const double way = (b.tip - a.tip).norm() + r * (b.axis - a.axis).norm();
-            const auto pieces = std::size_t(std::ceil(way / (step_share * r)));
-            for (std::size_t p = 1; p < pieces; ++p)
-                look(location_on_way(a, b, double(p) / double(pieces)));
+            const double way = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
+            // What a turning tool sees of a straight way bends by turn (reach turn + 2 way) / 8.
+            const double pieces = std::ceil(std::max(
+                {1.0, way / (step_share * r), std::sqrt(turn * (reach * turn + 2 * way) / (8 * slack))}));
+            CutterLocation last = a;
+            for (double p = 1; p <= pieces; ++p) {
+                progress.check();
+                const CutterLocation next = p < pieces ? location_on_way(a, b, p / pieces) : b;
+                look(last, next);
+                last = next;
+            }
         }
     });
 }

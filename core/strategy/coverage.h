@@ -1,7 +1,8 @@
 // What a path with any tool axes clears of the part, judged by its tool alone: places of the surface, raised
-// by what may stay there, that some pose of the tool holds. Poses are looked at so densely that what is
-// missed between two of them is a thousandth of the cutter's radius; what is missed counts as not cleared.
-// Millimetres.
+// by what may stay there, that some pose of the tool holds. Poses alone do not tell: an inclined flat end
+// holds a place that is raised by a hundredth of a millimetre for a few hundredths of its way. So the way of
+// each place as the tool sees it is followed, in straight pieces; what those lack, less than a thousandth of
+// the cutter's radius, counts as not cleared. Millimetres.
 #pragma once
 
 #include "core/cutter/cutter.h"
