@@ -6,8 +6,10 @@
 #include "core/strategy/axis_tilt.h"
 #include "core/strategy/budget.h"
 #include "core/strategy/left_strip.h"
+#include "core/strategy/nearest_place.h"
 #include "core/strategy/point_grid.h"
 #include "core/strategy/strip_passes.h"
+#include "core/strategy/touch_up.h"
 
 #include <optional>
 
@@ -280,7 +282,7 @@ private:
         }
     }
 
-    void cut(const Progress& progress) {
+    StripCutting cutting() const {
         StripCutting with;
         with.mesh = context_.part;
         with.grid = &grid_;
@@ -293,21 +295,30 @@ private:
         with.overlap = overlap_;
         with.along_z = settings_.lift == CleanupSettings::Lift::z;
         with.one_way = settings_.pattern == CleanupSettings::Pattern::oneway;
+        return with;
+    }
+
+    void cut(const Progress& progress) {
+        const StripCutting with = cutting();
         result_.stepover_min = infinity;
-        std::vector<StripCut> cuts;
+        std::vector<StripCut> cuts(found_.size());
+        std::vector<BandCut> touched;
         for (std::size_t i = 0; i < found_.size(); ++i) {
             const Found& f = found_[i];
-            const Progress here =
-                progress.part(double(i) / double(found_.size()), double(i + 1) / double(found_.size()));
+            const Progress here = progress.part(0.7 * double(i) / double(found_.size()),
+                                                0.7 * double(i + 1) / double(found_.size()));
             if (!result_.strips[i].enabled) continue;
-            StripCut c = f.left.piece.mesh ? cut_around_places(f, here)
-                         : f.curve         ? cut_valley(with, *f.curve, f.band, here)
-                                           : cut_hollow(with, f.band, here);
+            StripCut& c = cuts[i];
+            c = f.left.piece.mesh ? cut_around_places(f, here)
+                : f.curve         ? cut_valley(with, *f.curve, f.band, here)
+                                  : cut_hollow(with, f.band, here);
             result_.stepover_min = std::min(result_.stepover_min, c.stepover_min);
             result_.stepover_max = std::max(result_.stepover_max, c.stepover_max);
             blocked_ += c.blocked;
-            if (!c.passes.empty()) cuts.push_back(std::move(c));
+            if (!f.left.piece.mesh) touched.push_back({&f.band, &c});
         }
+        touch_up(with, touched, progress.part(0.7, 1));
+        std::erase_if(cuts, [](const StripCut& c) { return c.passes.empty(); });
         if (result_.stepover_min == infinity) result_.stepover_min = result_.stepover_max;
         // From each strip to the nearest that is left.
         std::vector<char> done(cuts.size(), 0);
@@ -441,16 +452,7 @@ private:
             const double along = rel.dot(at.axis);
             return cover_.distance(Vec3((rel - along * at.axis).norm(), 0, along));
         };
-        const ValleyInput in = [&] {
-            ValleyInput i;
-            i.mesh = context_.part.get();
-            i.grid = &grid_;
-            i.side = &side_;
-            i.lift = &lift_;
-            i.cover = &cover_;
-            i.tolerance = cusp_;
-            return i;
-        }();
+        const ValleyInput in = reach_of(cutting());
         struct Sum {
             double reached = 0, hollow = 0, missed_area = 0, missed = 0, area = 0;
             Vec3 hollow_at = Vec3::Zero(), missed_at = Vec3::Zero();

@@ -3,21 +3,25 @@
 
 #include "core/mesh/mesh.h"
 
+#include <array>
+
 namespace facetmill {
 
 /// Samples in the middles of even pieces of a facet: rows along its longest edge.
 class FacetRows {
 public:
-    FacetRows(const Mesh& mesh, std::size_t f, double spacing) {
-        int longest = 0;
+    FacetRows(const Mesh& mesh, std::size_t f, double spacing)
+        : FacetRows({mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)}, spacing) {}
+    FacetRows(const std::array<Vec3, 3>& corner, double spacing) {
+        std::size_t longest = 0;
         double edge[3];
-        for (int k = 0; k < 3; ++k) {
-            edge[k] = (mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k)).norm();
+        for (std::size_t k = 0; k < 3; ++k) {
+            edge[k] = (corner[(k + 1) % 3] - corner[k]).norm();
             if (edge[k] > edge[longest]) longest = k;
         }
-        origin_ = mesh.corner(f, longest);
-        along_ = mesh.corner(f, (longest + 1) % 3) - origin_;
-        up_ = mesh.corner(f, (longest + 2) % 3) - origin_;
+        origin_ = corner[longest];
+        along_ = corner[(longest + 1) % 3] - origin_;
+        up_ = corner[(longest + 2) % 3] - origin_;
         area_ = 0.5 * along_.cross(up_).norm();
         base_ = edge[longest];
         rows_ = std::size_t(2 * area_ / base_ / spacing) + 1;

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/nearest_place.h"
 #include "core/strategy/point_grid.h"
 
 #include <map>
@@ -25,9 +26,8 @@ constexpr double standing = 0.3;
 /// Tips are asked up to this many radii aside: an upright wall is just at the radius.
 constexpr double aside = 1.02;
 
-/// Steps of a search for the place where the cutter leaves least, in radii, and its ways.
-constexpr double first_step = 0.2, last_step = 0.02;
-constexpr int search_ways = 8;
+/// The place where the cutter leaves least is looked for in steps down to this, in radii.
+constexpr double last_step = 0.02;
 
 /// Cells, seen from above, near to which something is left.
 class Marks {
@@ -213,18 +213,17 @@ private:
                 const Index v = seen[start[s]][0];
                 const Vec3& p = points_[v];
                 const std::size_t stop = s + 1 < start.size() ? start[s + 1] : seen.size();
-                double gap = infinity;
-                Vec3 last = Vec3::Zero(), nearest_tip = Vec3::Zero();
-                for (std::size_t i = start[s]; i < stop && gap > in_.tolerance; ++i) {
+                RestSample nearest;
+                nearest.gap = infinity;
+                Vec3 last = Vec3::Zero();
+                for (std::size_t i = start[s]; i < stop && nearest.gap > in_.tolerance; ++i) {
                     const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(seen[i][1]));
                     if (n.dot(last) > same_normal) continue;
                     last = n;
                     const RestSample asked = nearest_touch(in_, p, n, hint);
-                    if (asked.gap >= gap) continue;
-                    gap = asked.gap;
-                    nearest_tip = asked.tip;
+                    if (asked.gap < nearest.gap) nearest = asked;
                 }
-                if (gap > in_.tolerance) {
+                if (nearest.gap > in_.tolerance) {
                     int by = -1;
                     double least = infinity;
                     // A cutter is nearer than the distance of its axis less the radius nowhere.
@@ -243,33 +242,16 @@ private:
                         if (least + radius_ <= within) break;
                     }
                     nearest_[v] = by;
-                    gap = gap < least ? by_search(p, nearest_tip, gap, hint) : least;
+                    // Of a valley's band the valley's own tips come nearest; a place for which they do not
+                    // may have a normal that says nothing, of a needle on a noisy plane.
+                    nearest.gap =
+                        nearest.gap < least
+                            ? nearest_about(in_, nearest, in_.tolerance, last_step * radius_, hint).gap
+                            : least;
                 }
-                gap_[v] = gap;
+                gap_[v] = nearest.gap;
             }
         });
-    }
-
-    /// The least that the cutter leaves over p, not above the tolerance or not to be bettered near `tip`. Of
-    /// a valley's band the valley's own tips come nearest; a place for which they do not may have a normal
-    /// that says nothing, of a needle on a noisy plane.
-    double by_search(const Vec3& p, Vec3 tip, double gap, LiftHint& hint) const {
-        for (double step = first_step * radius_; step > last_step * radius_ && gap > in_.tolerance;) {
-            bool better = false;
-            for (int k = 0; k < search_ways && gap > in_.tolerance; ++k) {
-                const double angle = 2 * pi * k / search_ways;
-                Vec3 there = tip + step * Vec3(std::cos(angle), std::sin(angle), 0);
-                there.z() = in_.lift->tip_z(there.x(), there.y(), hint);
-                if (!(there.z() > -infinity)) continue;
-                if (const double d = in_.cover->distance(p - there); d < gap) {
-                    gap = d;
-                    tip = there;
-                    better = true;
-                }
-            }
-            if (!better) step *= 0.5;
-        }
-        return gap;
     }
 
     void own(const Progress& progress) {

@@ -7,7 +7,9 @@
 #include "core/mesh/refine.h"
 #include "core/strategy/band_facets.h"
 #include "core/strategy/border_touch.h"
+#include "core/strategy/nearest_place.h"
 #include "core/strategy/pass_clearing.h"
+#include "core/strategy/pass_leads.h"
 #include "core/strategy/point_grid.h"
 
 #include <optional>
@@ -41,12 +43,12 @@ constexpr int most_fills = 4;
 constexpr int end_halvings = 8;
 constexpr int ridge_angles = 241;
 constexpr double ridge_tilt = 1.4; ///< radians, to either side
-constexpr int lead_points = 6;
-constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
 
 /// What stays between two passes is looked for on the part by so many halvings of the way from one to the
 /// other.
 constexpr int between_halvings = 5;
+/// The least that the cutter leaves is looked for in steps down to this, of what may be left.
+constexpr double finest_limit = 0.1;
 /// Sine of the angle: by less the part does not turn between two passes.
 constexpr double same_plane = 0.02;
 
@@ -75,13 +77,7 @@ class ValleyCutter {
 public:
     ValleyCutter(const StripCutting& with, const ValleyCurve& curve, const RestBand& band)
         : with_(with), curve_(curve), band_(band), along_(tangents(curve)), radius_(with.cover->radius()),
-          count_(curve.points.size()) {
-        small_.mesh = with.mesh.get();
-        small_.grid = with.grid;
-        small_.side = with.side;
-        small_.lift = with.lift;
-        small_.cover = with.cover;
-    }
+          count_(curve.points.size()), small_(reach_of(with)) {}
 
     StripCut run(const Progress& progress) {
         if (count_ < 2) return {};
@@ -443,8 +439,12 @@ private:
             }
             const double rest = std::min(by_a, by_b);
             if (rest <= std::max(most, with_.cusp)) continue;
-            double limit = nearest_touch(small_, p, facet, hint).gap;
-            if (normal.z() >= 0) limit = std::min(limit, nearest_touch(small_, p, normal, hint).gap);
+            RestSample least = nearest_touch(small_, p, facet, hint);
+            if (normal.z() >= 0)
+                if (const RestSample other = nearest_touch(small_, p, normal, hint); other.gap < least.gap)
+                    least = other;
+            const double limit =
+                nearest_about(small_, least, rest - 2 * with_.cusp, finest_limit * with_.cusp, hint).gap;
             most = std::max(most, rest - limit);
         }
         return most;
@@ -555,63 +555,18 @@ private:
                 pass.cl.push_back({s.tip, Vec3::UnitZ()});
                 pass.cc.push_back({s.touch, s.normal});
             }
-            add_leads(pass, at(r.front()).up, at(r.back()).up);
+            add_leads(with_, pass, at(r.front()).up, at(r.back()).up);
             cut_.passes.push_back(std::move(pass));
         }
-    }
-
-    /// Smooth ways in and out: an arc that leaves along the pass and turns upwards; where the part is in its
-    /// way, out along the fitted vector.
-    void add_leads(Pass& pass, const Vec3& up_front, const Vec3& up_back) const {
-        const std::size_t n = pass.cl.size();
-        const auto front = lead(pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
-        const auto back = lead(pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
-        std::vector<CutterLocation> cl;
-        std::vector<CutterContact> cc;
-        for (std::size_t k = front.size(); k-- > 0;) {
-            cl.push_back({front[k], Vec3::UnitZ()});
-            cc.push_back(pass.cc.front());
-        }
-        pass.cl.insert(pass.cl.begin(), cl.begin(), cl.end());
-        pass.cc.insert(pass.cc.begin(), cc.begin(), cc.end());
-        for (const Vec3& tip : back) {
-            pass.cl.push_back({tip, Vec3::UnitZ()});
-            pass.cc.push_back(pass.cc.back());
-        }
-    }
-
-    std::vector<Vec3> lead(const Vec3& tip, const Vec3& way, const Vec3& up) const {
-        const double r = lead_share * radius_;
-        Vec3 ahead(way.x(), way.y(), std::max(way.z(), 0.0));
-        std::vector<Vec3> points;
-        if (ahead.norm() > 0) {
-            ahead.normalize();
-            Vec3 over = Vec3::UnitZ() - ahead.z() * ahead;
-            if (over.norm() > 0.1) {
-                over.normalize();
-                bool free = true;
-                for (int k = 1; k <= lead_points && free; ++k) {
-                    const double a = 0.5 * pi * k / lead_points;
-                    const Vec3 p = tip + r * std::sin(a) * ahead + r * (1 - std::cos(a)) * over;
-                    free = with_.lift->tip_z(p.x(), p.y()) <= p.z();
-                    points.push_back(p);
-                }
-                if (free) return points;
-            }
-        }
-        points.clear();
-        const Vec3 p = tip + r * up;
-        if (with_.lift->tip_z(p.x(), p.y()) <= p.z()) points.push_back(p);
-        return points;
     }
 
     const StripCutting& with_;
     const ValleyCurve& curve_;
     const RestBand& band_;
-    ValleyInput small_; ///< the part and the cutter, for what it cannot reach
     std::vector<Vec3> along_;
     double radius_;
     std::size_t count_;
+    ValleyInput small_; ///< for what it cannot reach
     std::vector<std::shared_ptr<const VectorLift>> lift_of_;
     StripCut cut_;
     int number_ = 0; ///< of passes, for turning every other one
@@ -684,6 +639,17 @@ void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
 }
 
 } // namespace
+
+ValleyInput reach_of(const StripCutting& with) {
+    ValleyInput in;
+    in.mesh = with.mesh.get();
+    in.grid = with.grid;
+    in.side = with.side;
+    in.lift = with.lift;
+    in.cover = with.cover;
+    in.tolerance = with.cusp;
+    return in;
+}
 
 StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const RestBand& band,
                     const Progress& progress) {

@@ -29,6 +29,9 @@ struct StripCutting {
     bool one_way = false;
 };
 
+/// The part and the cutter, for what it can reach.
+ValleyInput reach_of(const StripCutting& with);
+
 struct StripCut {
     std::vector<Pass> passes; ///< in machining order; `offset` is that from the centre, left positive
     double stepover_min = infinity, stepover_max = 0;

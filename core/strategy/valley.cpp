@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/facet_rows.h"
+#include "core/strategy/nearest_place.h"
 #include "core/strategy/point_grid.h"
 #include "core/strategy/valley_fit.h"
 
@@ -770,23 +771,6 @@ private:
 };
 
 } // namespace
-
-RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint) {
-    RestSample s;
-    s.point = p;
-    s.normal = n;
-    const CutterCover& cover = *input.cover;
-    if (n.z() > tolerance::vertical_normal_z) {
-        s.tip = p + cover.tip_offset(n);
-    } else {
-        // Along an upright wall, a hair beside it: it would be passed over else.
-        const double out = cover.radius() * (1 + tolerance::rim_share) / std::hypot(n.x(), n.y());
-        s.tip = p + Vec3(out * n.x(), out * n.y(), -cover.shoulder());
-    }
-    s.tip.z() = std::max(s.tip.z(), input.lift->tip_z(s.tip.x(), s.tip.y(), hint));
-    s.gap = cover.distance(p - s.tip);
-    return s;
-}
 
 Valleys find_valleys(const ValleyInput& input, const Progress& progress) {
     Valleys result;

@@ -82,8 +82,4 @@ struct Valleys {
 /// Throws Cancelled within 100 ms. The same bits for every thread count.
 Valleys find_valleys(const ValleyInput& input, const Progress& progress);
 
-/// Where a cutter with vertical axis comes nearest to touching the part at p, whose unit normal is n; and how
-/// far from p it stays. n.z must not be below -tolerance::vertical_normal_z.
-RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint);
-
 } // namespace facetmill

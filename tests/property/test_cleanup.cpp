@@ -48,44 +48,89 @@ std::vector<std::vector<Vec3>> centers(const StrategyResult& path) {
     return all;
 }
 
-/// The least that a ball with vertical axis leaves over a place along the normal there, over all places it
-/// may take: by search.
-double geometric_limit(const AxialLift& lift, double r, const Vec3& p, const Vec3& n) {
-    const auto left = [&](double x, double y) {
-        const double z = lift.tip_z(x, y);
-        if (!(z > -infinity)) return infinity;
-        // The ray from p along n into the ball, or into the shaft above its middle.
-        const Vec3 d = p - Vec3(x, y, z + r);
-        double entry = infinity;
-        const double b = d.dot(n), c = d.squaredNorm() - r * r;
-        if (b * b >= c) entry = -b - std::sqrt(b * b - c);
-        const double a2 = n.head<2>().squaredNorm(), b2 = d.head<2>().dot(n.head<2>()),
-                     c2 = d.head<2>().squaredNorm() - r * r;
-        if (a2 > 0 && b2 * b2 >= a2 * c2) {
-            const double t = (-b2 - std::sqrt(b2 * b2 - a2 * c2)) / a2;
-            if (d.z() + t * n.z() >= 0) entry = std::min(entry, t);
-        }
-        return entry >= -r ? entry : infinity;
-    };
-    double best = infinity, x0 = p.x(), y0 = p.y(), half = 1.5 * r;
-    for (int level = 0; level < 6; ++level) {
-        double bx = x0, by = y0;
-        const int cells = level == 0 ? 30 : 6;
-        for (int i = -cells; i <= cells; ++i)
-            for (int j = -cells; j <= cells; ++j) {
-                const double x = x0 + half * i / cells, y = y0 + half * j / cells;
-                if (const double e = left(x, y); e < best) {
-                    best = e;
-                    bx = x;
-                    by = y;
-                }
+/// What a ball with vertical axis could still take away: by all places that it may take without cutting into
+/// the part, on a lattice and, about the best of these, between.
+class BallPlaces {
+public:
+    BallPlaces(const AxialLift& lift, double r, const Box3& box) : lift_(lift), r_(r), cell_(0.05 * r) {
+        lo_ = box.lo.head<2>() - Vec2::Constant(r);
+        const Vec2 size = box.hi.head<2>() - box.lo.head<2>() + Vec2::Constant(2 * r);
+        columns_ = long(size.x() / cell_) + 1;
+        rows_ = long(size.y() / cell_) + 1;
+        z_.resize(std::size_t(columns_ * rows_));
+        parallel_for(std::size_t(rows_), 1, Progress(), [&](std::size_t j) {
+            for (long i = 0; i < columns_; ++i) {
+                const Vec2 at = place(i, long(j));
+                z_[std::size_t(long(j) * columns_ + i)] = lift_.tip_z(at.x(), at.y());
             }
-        x0 = bx;
-        y0 = by;
-        half = 1.5 * half / cells;
+        });
     }
-    return best;
-}
+
+    /// How deep in the ball the stretch from p to q lies where it lies deepest: what stands along it the
+    /// cutter could remove with so much to spare. Not above 0: it cannot remove it.
+    double deepest(const Vec3& p, const Vec3& q) const {
+        std::array<std::pair<double, Vec2>, 4> best;
+        best.fill({-infinity, Vec2::Zero()});
+        const Vec2 from = p.head<2>().cwiseMin(q.head<2>()) - Vec2::Constant(r_) - lo_,
+                   to = p.head<2>().cwiseMax(q.head<2>()) + Vec2::Constant(r_) - lo_;
+        const long i0 = std::max(0l, long(from.x() / cell_)), j0 = std::max(0l, long(from.y() / cell_)),
+                   i1 = std::min(columns_ - 1, long(to.x() / cell_) + 1),
+                   j1 = std::min(rows_ - 1, long(to.y() / cell_) + 1);
+        for (long j = j0; j <= j1; ++j)
+            for (long i = i0; i <= i1; ++i) {
+                const double d = depth(p, q, place(i, j), z_[std::size_t(j * columns_ + i)]);
+                if (d <= best.back().first) continue;
+                best.back() = {d, place(i, j)};
+                for (std::size_t k = best.size() - 1; k > 0 && best[k].first > best[k - 1].first; --k)
+                    std::swap(best[k], best[k - 1]);
+            }
+        double most = -infinity;
+        for (auto [d, at] : best) {
+            if (!(d > -r_)) continue;
+            for (double step = cell_; step > 0.0005 * r_;) {
+                const Vec2 middle = at;
+                bool better = false;
+                for (int k = 0; k < 12; ++k) {
+                    const double angle = 2 * pi * k / 12;
+                    const Vec2 there = middle + step * Vec2(std::cos(angle), std::sin(angle));
+                    const double e = depth(p, q, there, lift_.tip_z(there.x(), there.y()));
+                    if (!(e > d)) continue;
+                    d = e;
+                    at = there;
+                    better = true;
+                }
+                if (!better) step *= 0.5;
+            }
+            most = std::max(most, d);
+        }
+        return most;
+    }
+
+private:
+    Vec2 place(long i, long j) const { return lo_ + cell_ * Vec2(double(i), double(j)); }
+
+    /// The radius less the distance of the stretch from the half line up from the ball's middle.
+    double depth(const Vec3& p, const Vec3& q, const Vec2& at, double z) const {
+        if (!(z > -infinity)) return -infinity;
+        const Vec3 a = p - Vec3(at.x(), at.y(), z + r_), d = q - p;
+        const auto from_line = [&](double t) {
+            const Vec3 x = a + std::clamp(t, 0.0, 1.0) * d;
+            return x.z() >= 0 ? x.head<2>().norm() : x.norm();
+        };
+        const double square = d.squaredNorm(), level = d.head<2>().squaredNorm();
+        double least = std::min(from_line(0), from_line(1));
+        // Nearest to the middle, and to the line through it.
+        if (square > 0) least = std::min(least, from_line(-a.dot(d) / square));
+        if (level > 0) least = std::min(least, from_line(-a.head<2>().dot(d.head<2>()) / level));
+        return r_ - least;
+    }
+
+    const AxialLift& lift_;
+    double r_, cell_;
+    Vec2 lo_;
+    long columns_ = 0, rows_ = 0;
+    std::vector<double> z_;
+};
 
 /// Under a sanitizer the smallest says enough.
 const std::vector<ValleyPart>& parts() {
@@ -197,15 +242,17 @@ private slots:
         for (int i = 0; i < int(all.size()); ++i) {
             const std::string& name = all[std::size_t(i)].name;
             QTest::addRow("%s", name.c_str()) << i << false << false;
-            // They take their time.
-            if (name == "mould") continue;
             QTest::addRow("%s noisy", name.c_str()) << i << true << false;
-            if (name == "pillar") continue;
+            // They take their time.
+            if (name == "mould" || name == "pillar") continue;
             QTest::addRow("%s along z", name.c_str()) << i << false << true;
         }
     }
 
-    /// From a full block: on the bands more than the tolerance stays only where the cutter cannot go.
+    /// From a full block: of what stands over any sample of the bands the cutter could remove nothing with
+    /// more than the tolerance to spare, wherever it stood. Where it can touch, that is what stands there;
+    /// where it cannot, it is how much more stands than the least that it must leave. Noise is part of the
+    /// surface.
     void only_what_no_cutter_reaches_stays() {
         QFETCH(int, part);
         QFETCH(bool, noisy);
@@ -245,7 +292,7 @@ private slots:
             }
         const AxialLift lift(context.contact, CutterProfile(tool.cutter()));
         const DeviationSurface& d = *judged.surface;
-        std::size_t in_band = 0, high = 0;
+        std::size_t in_band = 0;
         std::vector<std::size_t> asked;
         for (std::size_t i = 0; i < d.points.size(); ++i) {
             if ((d.flags[i] & ~DeviationSurface::away) != 0) continue;
@@ -257,23 +304,26 @@ private slots:
                 }))
                 continue;
             ++in_band;
-            // A search takes its time: one of so many.
-            if (d.deviation[i] > 1.1 * tau && ++high % 17 == 0) asked.push_back(i);
+            if (d.deviation[i] > 1.1 * tau) asked.push_back(i);
         }
-        std::vector<double> beyond(asked.size());
+        // A probe in a crease may run along the wall beside it: beyond a radius what it meets is another
+        // place.
+        const double radius = 0.5 * tool.diameter;
+        const BallPlaces places(lift, radius, mesh.box());
+        std::vector<double> spare(asked.size());
         parallel_for(asked.size(), 1, Progress(), [&](std::size_t k) {
-            const std::size_t i = asked[k];
-            const Vec3 p(d.points[i][0], d.points[i][1], d.points[i][2]),
-                n(d.normals[i][0], d.normals[i][1], d.normals[i][2]);
-            beyond[k] = d.deviation[i] - geometric_limit(lift, 0.5 * tool.diameter, p, n);
+            const auto &p = d.points[asked[k]], &n = d.normals[asked[k]];
+            const Vec3 point(p[0], p[1], p[2]), normal(n[0], n[1], n[2]);
+            spare[k] =
+                places.deepest(point, point + std::min(double(d.deviation[asked[k]]), radius) * normal);
         });
         std::size_t over = 0;
         double most = 0;
         Vec3 where = Vec3::Zero(), facing = Vec3::Zero();
         for (std::size_t k = 0; k < asked.size(); ++k) {
-            over += beyond[k] > 1.1 * tau;
-            if (beyond[k] <= most) continue;
-            most = beyond[k];
+            over += spare[k] > 1.1 * tau;
+            if (spare[k] <= most) continue;
+            most = spare[k];
             const auto &p = d.points[asked[k]], &n = d.normals[asked[k]];
             where = Vec3(p[0], p[1], p[2]);
             facing = Vec3(n[0], n[1], n[2]);
@@ -292,9 +342,7 @@ private slots:
                 .arg(facing.z());
         qInfo("%s", qPrintable(figures));
         QVERIFY2(in_band > 300, qPrintable(figures));
-        QVERIFY2(17 * double(over) <= 0.003 * double(in_band), qPrintable(figures));
-        // And nowhere much.
-        QVERIFY2(most <= 6 * tau, qPrintable(figures));
+        QVERIFY2(over == 0, qPrintable(figures));
     }
 
     void a_tool_that_fits_everywhere_leaves_nothing() {

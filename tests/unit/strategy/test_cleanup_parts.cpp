@@ -2,8 +2,10 @@
 // what a cutter leaves in a crease.
 #include "core/strategy/border_touch.h"
 #include "core/strategy/cleanup.h"
+#include "core/strategy/point_grid.h"
 #include "core/strategy/rest_band.h"
 #include "core/strategy/strip_passes.h"
+#include "core/strategy/touch_up.h"
 #include "tests/property/shapes.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
@@ -183,6 +185,75 @@ private slots:
         const double half = 5 - std::sqrt(5.05 * 5.05 - 25.0);
         QVERIFY2(std::abs(bands[0].width - 2 * half) < 0.1, qPrintable(QString::number(bands[0].width)));
         QVERIFY(std::abs(bands[0].area / bands[0].length / (2 * half) - 1) < 0.05);
+    }
+
+    /// Of the passes over a crease whole ones are taken away: as little is left as with them.
+    void what_passes_leave_is_touched_up() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const PlanContext context = context_of(part, ball_tool(4));
+        const FacetGrid grid(part, Progress());
+        const UpSide side(part, Progress());
+        const double tolerance = 0.05;
+        const CutterProfile before(ball_tool(10).cutter()), profile(context.tool.cutter());
+        const AxialLift before_lift(context.contact, before), lift(context.contact, profile);
+        const CutterCover before_cover(before, 0.001), cover(profile, 0.001);
+        ValleyInput in;
+        in.mesh = &part;
+        in.grid = &grid;
+        in.side = &side;
+        in.lift = &before_lift;
+        in.cover = &before_cover;
+        in.tolerance = tolerance;
+        in.ripple = 1;
+        const Valleys valleys = find_valleys(in, Progress());
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        StripCutting with;
+        with.mesh = context.part;
+        with.grid = &grid;
+        with.side = &side;
+        with.lift = &lift;
+        with.cover = &cover;
+        with.cusp = tolerance;
+        // The most that is left of the band beyond what the ball must leave in the crease: R (1 / cos 45 - 1)
+        // there, and from the place at which it touches on nothing.
+        const double r = 2;
+        const auto most_left = [&](const std::vector<Pass>& passes) {
+            PointGrid tips(r);
+            for (const Pass& pass : passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                    for (int k = 0; k <= 4; ++k)
+                        tips.add(pass.cl[i - 1].tip + k / 4.0 * (pass.cl[i].tip - pass.cl[i - 1].tip));
+            double most = 0;
+            for (const auto& t : bands[0].band) {
+                const Vec3 p = (t[0] + t[1] + t[2]) / 3;
+                if (std::abs(p.x()) > 4) continue;
+                double left = infinity;
+                tips.near(p, 1.5 * r, [&](std::size_t i) {
+                    left = std::min(left, cover.distance(p - tips.points()[i]));
+                });
+                const double up = std::sqrt(2.0) * std::abs(p.y());
+                most = std::max(most, left - (up < r ? std::hypot(r, r - up) - r : 0));
+            }
+            return most;
+        };
+        const StripCut whole = cut_valley(with, valleys.curves[0], bands[0], Progress());
+        QVERIFY(whole.passes.size() > 5);
+        QVERIFY(most_left(whole.passes) <= 1.05 * tolerance);
+        for (const std::size_t first : {0, 1, 2}) {
+            StripCut cut;
+            for (std::size_t i = 0; i < whole.passes.size(); ++i)
+                if (i % 3 != first) cut.passes.push_back(whole.passes[i]);
+            QVERIFY2(most_left(cut.passes) > 1.5 * tolerance, qPrintable(QString::number(first)));
+            const BandCut band{&bands[0], &cut};
+            touch_up(with, {&band, 1}, Progress());
+            const double left = most_left(cut.passes);
+            QVERIFY2(left <= 1.05 * tolerance, qPrintable(QString("without %1: %2").arg(first).arg(left)));
+            for (const Pass& pass : cut.passes)
+                for (const CutterLocation& c : pass.cl)
+                    QVERIFY(c.tip.z() >= lift.tip_z(c.tip.x(), c.tip.y()) - 1e-9);
+        }
     }
 
     /// As Lu has it: a fillet of radius 4 turns by 1/4 per mm. A previous ball of radius 3 fits into it.
