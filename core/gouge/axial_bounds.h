@@ -15,8 +15,13 @@ namespace facetmill::simd {
 
 namespace {
 
-/// What bounds need to know of a cutter at a place.
-template <bool tilted>
+/// Whether the lower surface is a single arc about a point of the axis, as a ball's.
+FACETMILL_LANES bool is_ball(const SurfaceTable& surface) {
+    return surface.count == 1 && surface.rough[0].r > 0 && surface.rough[0].e == 0;
+}
+
+/// What bounds need to know of a cutter at a place. `ball`: is_ball, which shortens much.
+template <bool tilted, bool ball = false>
 struct Bounds {
     const IndexView& index;
     const SurfaceTable& surface;
@@ -56,6 +61,9 @@ struct Bounds {
         uncertain = float(4 * (1 + steep));
     }
 
+    FACETMILL_MEMBER int pieces() const { return ball ? 1 : surface.count; }
+    FACETMILL_MEMBER static bool is_arc(const RoughPiece& p) { return ball || p.r != 0; }
+
     /// A tip from `zero`, rounded down: what is higher by the last digit of a double must not be passed over.
     FACETMILL_MEMBER float rounded_down(double tip) const {
         const double from_zero = tip - zero;
@@ -65,7 +73,7 @@ struct Bounds {
 
     /// About where a plane touches the cutter; (ux, uy): uphill, as long as the sine of its slope.
     FACETMILL_MEMBER void touched(const Float8& ux, const Float8& uy, Float8& x_out, Float8& y_out) const {
-        if (surface.guess_e == 0 && surface.guess_level == 0) { // a ball
+        if (ball || (surface.guess_e == 0 && surface.guess_level == 0)) {
             x_out = ux * surface.guess_r;
             y_out = uy * surface.guess_r;
             return;
@@ -82,10 +90,10 @@ struct Bounds {
     /// The slope of g at this distance; where it jumps that of one side.
     FACETMILL_MEMBER Float8 slope_at(const Float8& rho) const {
         Float8 slope = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
+        for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
             Float8 here = all(p.slope0);
-            if (p.r != 0) {
+            if (is_arc(p)) {
                 const Float8 sine = larger((rho - p.e) * p.per_r, all(0.0f));
                 here = sine * rough_inverse_root(larger(1.0f - sine * sine, all(1e-3f)));
             }
@@ -98,10 +106,10 @@ struct Bounds {
     /// the slope is none.
     FACETMILL_MEMBER Float8 support(const Float8& slope) const {
         Float8 at0 = surface.rim_height - slope * radius;
-        for (int i = 0; i < surface.count; ++i) {
+        for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
             at0 = smaller(p.z0 - slope * p.rho0, at0);
-            if (p.r == 0) continue;
+            if (!is_arc(p)) continue;
             const Float8 on_arc = p.f - p.e * slope - p.r * root(1.0f + slope * slope);
             at0 = select((slope >= p.slope0) & (slope <= p.slope1), smaller(on_arc, at0), at0);
         }
@@ -114,6 +122,18 @@ struct Bounds {
     FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
                                         const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
         const Float8 square = mx * mx + my * my;
+        if constexpr (ball) {
+            // The slope of a sphere is the distance from the axis over the height of the middle above.
+            constexpr auto most = float(tolerance::steepest_tangent);
+            const RoughPiece& arc = surface.rough[0];
+            const float rr = arc.r * arc.r;
+            const Float8 per =
+                (1 - 2 * rough_share) * rough_inverse_root(larger(rr - square, all(rr / (most * most))));
+            sx = mx * per;
+            sy = my * per;
+            level = arc.f - arc.r * root(1.0f + square * per * per);
+            return;
+        }
         // A little short, so that no direction is longer than 1.
         const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
         const Float8 rho = square * per;
@@ -140,9 +160,9 @@ struct Bounds {
     FACETMILL_MEMBER Float8 touching(const Float8& slope) const {
         const Float8 sine = slope / root(1.0f + slope * slope);
         Float8 rho = all(float(surface.max_radius));
-        for (int i = surface.count - 1; i >= 0; --i) {
+        for (int i = pieces() - 1; i >= 0; --i) {
             const RoughPiece& p = surface.rough[i];
-            if (p.r != 0) {
+            if (is_arc(p)) {
                 const Float8 on_arc = smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
                 rho = select(slope <= p.slope1, on_arc, rho);
             }
@@ -153,10 +173,10 @@ struct Bounds {
     FACETMILL_MEMBER Float8 touching_last(const Float8& slope) const {
         const Float8 sine = slope / root(1.0f + slope * slope);
         Float8 rho = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
+        for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
             const Float8 here =
-                p.r == 0 ? all(p.rho1) : smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
+                !is_arc(p) ? all(p.rho1) : smaller(larger(p.e + p.r * sine, all(p.rho0)), all(p.rho1));
             rho = select(slope >= p.slope0, here, rho);
         }
         return rho;
@@ -214,10 +234,10 @@ struct Bounds {
     /// g in single precision; rho within the radius.
     FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
         Float8 g = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
+        for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
             Float8 here;
-            if (p.r == 0) {
+            if (!is_arc(p)) {
                 here = p.z0 + p.slope0 * (rho - p.rho0);
             } else {
                 const Float8 out = rho - p.e;

@@ -12,19 +12,20 @@
 #pragma once
 
 #include "core/base/tolerances.h"
-#include "core/gouge/axial_bounds.h"
 #include "core/gouge/axial_facet_test.h"
 #include "core/gouge/axial_kernel.h"
+#include "core/gouge/axial_prepared_impl.h"
 
 namespace facetmill::simd {
 
 namespace {
 
-class PacketSearch : Bounds<false> {
+template <bool ball>
+class PacketSearch : PreparedBounds<ball> {
 public:
     FACETMILL_MEMBER PacketSearch(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
                                   const AxialQuery& first, double* t)
-        : Bounds<false>(i, s, first), packet(p), tips(t) {
+        : PreparedBounds<ball>(i, s, first), packet(p), tips(t) {
         float x[float_lanes], y[float_lanes];
         for (int k = 0; k < float_lanes; ++k) {
             const int lane = k < packet.count ? k : 0;
@@ -49,15 +50,6 @@ public:
         margin += float(tolerance::float_slack * 80 * surface.max_radius);
         least = all(-__builtin_inff());
         floor = all(float(-2 * (index.half_size[2] + surface.max_radius) - 1));
-        steep_rho = float(surface.max_radius);
-        for (int k = 0; k < surface.count; ++k) {
-            const SurfacePiece& q = surface.piece[k];
-            if (!(q.slope1 > steepest)) continue;
-            steep_rho = float(q.slope0 >= steepest
-                                  ? q.rho0
-                                  : q.e + q.r * (steepest / __builtin_sqrt(1 + steepest * steepest)));
-            break;
-        }
     }
 
     FACETMILL_MEMBER void run() {
@@ -84,13 +76,17 @@ public:
     }
 
 private:
-    static constexpr double steepest = tolerance::steepest_followed;
+    using Base = PreparedBounds<ball>;
+    using Base::index, Base::surface, Base::query, Base::at, Base::zero, Base::radius, Base::inner,
+        Base::slack, Base::margin;
+    using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
+    using Base::rounded_down, Base::touched, Base::tangent_plane, Base::contact, Base::bounds,
+        Base::rough_height;
+    using typename Base::Contact, typename Base::EdgeLanes;
+
     /// With small facets that matter to no more places than this something else is better put into the lanes:
     /// the facets of the block; edges of several facets.
     static constexpr int few_places = 4, few_edge_places = 2;
-    /// Facets no larger than this share of the cutter's radius are small.
-    static constexpr float fine_share = 0.25f;
-
     const AxialPacket& packet;
     double* tips;
 
@@ -98,9 +94,8 @@ private:
     Float8 dx, dy; ///< the places from the first
     unsigned used; ///< lanes with a place, as bits
     float lo_dx = 0, hi_dx = 0, lo_dy = 0, hi_dy = 0;
-    Float8 least;    ///< no more than the answers, from `zero`
-    Float8 floor;    ///< stands for `least` where nothing is known yet
-    float steep_rho; ///< g is followed up to here, where it has the steepest slope; from here its tangent
+    Float8 least; ///< no more than the answers, from `zero`
+    Float8 floor; ///< stands for `least` where nothing is known yet
 
     /// Where on the cutter, from its axis, a box can be touched.
     struct ContactRange {
@@ -129,12 +124,6 @@ private:
     float pair_bound[most_pairs];
     int pairs = 0;
 
-    /// Edges, eight at a time, as their places see them.
-    struct EdgeLanes {
-        Float8 x, y, z; ///< where it starts
-        Float8 ux, uy, run, slope;
-        Float8 position, height_noise, top;
-    };
     // Edges of pairs that have still to say what they ask for.
     alignas(32) float queued[10][float_lanes] = {}, queued_cap[float_lanes];
     int queued_pair[float_lanes];
@@ -245,228 +234,6 @@ private:
                            all(node.roof[k]), all(node.slope_x[k]), all(node.slope_y[k]))
                     > least)
                & used;
-    }
-
-    /// All but the edges.
-    FACETMILL_CALLED void prepare(const FacetBlock& block, PreparedBlock& f) const {
-        const float r = float(surface.max_radius), share = float(tolerance::float_slack);
-        f.origin[0] = block.x[0][0];
-        f.origin[1] = block.y[0][0];
-        f.has_edges = false;
-        for (std::size_t k = 0; k < block_width; ++k)
-            f.duty[k] = block.duty[k] & duty_upright;
-        Float8 px[3], py[3], pz[3];
-        for (int k = 0; k < 3; ++k) {
-            const double ox = f.origin[0], oy = f.origin[1];
-            px[k] = narrow(load(block.x[k]) - ox, load(block.x[k] + 4) - ox);
-            py[k] = narrow(load(block.y[k]) - oy, load(block.y[k] + 4) - oy);
-            pz[k] = narrow(load(block.z[k]) - zero, load(block.z[k] + 4) - zero);
-            store(px[k], f.x[k]);
-            store(py[k], f.y[k]);
-            store(pz[k], f.z[k]);
-        }
-        const Float8 lo_x = smaller(smaller(px[0], px[1]), px[2]), hi_x = larger(larger(px[0], px[1]), px[2]);
-        const Float8 lo_y = smaller(smaller(py[0], py[1]), py[2]), hi_y = larger(larger(py[0], py[1]), py[2]);
-        // Places that matter are within the radius of the facet, those beside them in the packet within two.
-        const Float8 far = 2 * larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y)) + 4 * r;
-        const Float8 size = larger(hi_x - lo_x, hi_y - lo_y);
-        f.is_fine = bits(size > fine_share * r) == 0;
-        const Float8 z_size = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
-        const Float8 position = share * far;
-        store(lo_x - position, f.lo_x);
-        store(hi_x + position, f.hi_x);
-        store(lo_y - position, f.lo_y);
-        store(hi_y + position, f.hi_y);
-        store(larger(larger(pz[0], pz[1]), pz[2]) + share * z_size, f.top);
-        store(position, f.position);
-        store(share * z_size, f.height_noise);
-
-        const Float8 wx = px[1] - px[0], wy = py[1] - py[0], wz = pz[1] - pz[0];
-        const Float8 vx = px[2] - px[0], vy = py[2] - py[0], vz = pz[2] - pz[0];
-        const Float8 nx = wy * vz - wz * vy, ny = wz * vx - wx * vz, nz = wx * vy - wy * vx;
-        const Float8 per = -1.0f / nz, sx = nx * per, sy = ny * per, slope = root(sx * sx + sy * sy);
-        const Float8 longest = root(wx * wx + wy * wy); // edge 0
-        const Float8 height = magnitude(nz) / longest;
-        const Float8 noise = share * (z_size + (1 + slope) * far);
-        const Float8 slope_doubt = 4 * noise / height; // of the slope as a vector
-        const Int8 sure = (slope_doubt < float(tolerance::trusted_slope))
-                          & (slope < float(tolerance::steepest_trusted))
-                          & (position < float(tolerance::trusted_height) * height);
-        const Float8 rho = touching(larger(slope - slope_doubt, all(0.0f)));
-        const Float8 outer = touching(slope + slope_doubt);
-        const Float8 contact_doubt =
-            outer - rho + outer * smaller(2 * slope_doubt / slope, all(2.0f)) + 2 * position;
-        const Float8 out = select(slope > 0.0f, rho / slope, all(0.0f));
-        const Float8 mx = sx * out, my = sy * out;
-        const Float8 never = all(__builtin_inff());
-        store(select(sure, pz[0] + sx * (mx - px[0]) + sy * (my - py[0]) - rough_height(rho), never),
-              f.plane);
-        store(select(sure, sx, all(0.0f)), f.plane_x);
-        store(select(sure, sy, all(0.0f)), f.plane_y);
-        store(noise + slope_doubt * (longest + contact_doubt), f.noise_in);
-        store(noise + slope_doubt * far, f.noise_out);
-        store(mx, f.contact_x);
-        store(my, f.contact_y);
-        store(sx, f.slope_x);
-        store(sy, f.slope_y);
-        store(share * (z_size + 20 * far), f.noise_tangent);
-        // The point of contact for the lower bound is moved inside of the rim.
-        store(slope * larger(rho - (r - 3 * position), all(0.0f)), f.loss);
-        store(select(nz < 0.0f, all(-1.0f), all(1.0f)), f.turn);
-        store(select(sure, 4 * position * longest, never), f.corner);
-        store(select(sure, contact_doubt, never), f.contact_doubt);
-    }
-
-    /// A plane of slopes (gx, gy) below the cutter that is good where it touches the facets from (x, y), and
-    /// the bound that it gives of their lifts, at x = y = 0.
-    FACETMILL_MEMBER Float8 facet_tangent(const PreparedBlock& f, const Float8& x, const Float8& y,
-                                          Float8& gx, Float8& gy) const {
-        const Float8 tx = smaller(larger(load(f.contact_x), load(f.lo_x) - x), load(f.hi_x) - x),
-                     ty = smaller(larger(load(f.contact_y), load(f.lo_y) - y), load(f.hi_y) - y);
-        Float8 level;
-        tangent_plane(tx, ty, load(f.slope_x), load(f.slope_y), level, gx, gy);
-        Float8 over = load(f.z[0]) - gx * load(f.x[0]) - gy * load(f.y[0]);
-        over = larger(over, load(f.z[1]) - gx * load(f.x[1]) - gy * load(f.y[1]));
-        over = larger(over, load(f.z[2]) - gx * load(f.x[2]) - gy * load(f.y[2]));
-        return over - level + load(f.noise_tangent);
-    }
-
-    /// The lift over a point of every facet from (x, y), from below: the one where the facet's plane touches,
-    /// with barycentric coordinates below 0 made 0. -inf where it is not surely under the cutter.
-    FACETMILL_MEMBER Float8 point_lift(const PreparedBlock& f, const Float8& x, const Float8& y) const {
-        constexpr auto inward = float(1 - 3 * tolerance::rim_share); // a little inside of the rim
-        const Float8 ax = inward * load(f.contact_x) + x, ay = inward * load(f.contact_y) + y;
-        const Float8 sign = load(f.turn);
-        Float8 toward_x[3], toward_y[3], weight[3];
-        for (int k = 0; k < 3; ++k) {
-            toward_x[k] = load(f.x[k]) - ax;
-            toward_y[k] = load(f.y[k]) - ay;
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            weight[k] = larger(sign * (toward_x[i] * toward_y[j] - toward_x[j] * toward_y[i]), all(0.0f));
-        }
-        const Float8 share = 1.0f / (weight[0] + weight[1] + weight[2]);
-        const auto mean = [&](const float(&corner)[3][block_width]) __attribute__((always_inline)) {
-            return share
-                   * (weight[0] * load(corner[0]) + weight[1] * load(corner[1])
-                      + weight[2] * load(corner[2]));
-        };
-        const Float8 qx = mean(f.x) - x, qy = mean(f.y) - y, square = qx * qx + qy * qy;
-        const Float8 rho = root(square) + 4 * load(f.position), noise = load(f.noise_tangent);
-        return select((rho < inner) & (square >= 0.0f),
-                      mean(f.z) - (1 + float(tolerance::float_slack)) * rough_height(rho) - noise,
-                      all(-__builtin_inff()));
-    }
-
-    FACETMILL_CALLED static void prepare_edges(PreparedBlock& f) {
-        const Float8 sign = load(f.turn), mx = load(f.contact_x), my = load(f.contact_y);
-        const Float8 contact_doubt = load(f.contact_doubt), corner = load(f.corner);
-        for (int k = 0; k < 3; ++k) {
-            const int n = k == 2 ? 0 : k + 1;
-            PreparedBlock::Edges& e = f.edge[k];
-            const Float8 px = load(f.x[k]), py = load(f.y[k]);
-            const Float8 ex = load(f.x[n]) - px, ey = load(f.y[n]) - py, run = root(ex * ex + ey * ey),
-                         per_run = 1.0f / run;
-            store(ex * per_run, e.ux);
-            store(ey * per_run, e.uy);
-            store(run, e.run);
-            store((load(f.z[n]) - load(f.z[k])) * per_run, e.slope);
-            store(sign * (ex * (my - py) - ey * (mx - px)), e.side);
-            store(-sign * ey, e.side_x);
-            store(sign * ex, e.side_y);
-            store(larger(run * contact_doubt + corner, corner), e.doubt);
-        }
-        f.has_edges = true;
-    }
-
-    /// Uphill from the foot of the axis, about where a line at distance l from the axis touches that rises by
-    /// `slope` >= 0.
-    FACETMILL_MEMBER Float8 line_guess(const Float8& l, const Float8& slope) const {
-        const auto leg = [](const Float8& a, const Float8& b) __attribute__((always_inline)) {
-            return root(larger((a - b) * (a + b), all(0.0f)));
-        };
-        Float8 s = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
-            const RoughPiece& p = surface.rough[i];
-            Float8 here;
-            if (p.r == 0) {
-                const Float8 k = all(p.slope0);
-                here = l * slope / root(larger((k - slope) * (k + slope), all(1e-30f)));
-                here = select(slope >= k, slope * 1e30f, here);
-            } else {
-                const Float8 over = 1.0f / root(1.0f + slope * slope), sine = slope * over;
-                if (p.e == 0) {
-                    here = sine * leg(all(p.r), l);
-                } else {
-                    const Float8 target = l * over;
-                    Float8 y = larger(all(0.0f),
-                                      larger((target - p.e) * p.per_r, target * sine / (p.e + p.r * sine)));
-                    Float8 x = root(y * y + sine * sine);
-                    const Float8 per = 1.0f / x; // a step of Newton's is enough for a guess
-                    const Float8 value = p.e * y * per + p.r * y - target;
-                    const Float8 change = p.e * sine * sine * per * per * per + p.r;
-                    y = smaller(larger(y - value / change, all(0.0f)), all(1.0f));
-                    x = smaller(root(y * y + sine * sine), all(1.0f));
-                    here = leg(p.e + p.r * x, l);
-                }
-            }
-            if (i == 0) {
-                s = here;
-                continue;
-            }
-            const Float8 s0 = leg(all(p.rho0), l);
-            const Int8 beyond = (l >= p.rho0) | (slope * p.rho0 > surface.rough[i - 1].slope1 * s0);
-            s = select(beyond, larger(here, s0), s);
-        }
-        return s;
-    }
-
-    /// Bounds of the lifts over edges.
-    FACETMILL_CALLED void edge_bounds(const EdgeLanes& e, Float8& above, Float8& below) const {
-        const Float8 never = all(-__builtin_inff());
-        const float r = float(surface.max_radius);
-        const Float8 steep = magnitude(e.slope);
-        const Float8 noise = e.height_noise + (float(steepest) + 4 + steep) * e.position;
-        const Int8 known = (steep < float(tolerance::steepest_edge)) & (e.run > 0.0f);
-        const Float8 from = e.x * e.ux + e.y * e.uy, to = from + e.run;
-        const Float8 l = magnitude(e.x * e.uy - e.y * e.ux);
-        const Float8 wide = r + 2 * e.position, narrow_r = r - 3 * e.position;
-        const Float8 half = root(larger((wide - l) * (wide + l), all(0.0f)));
-        const Float8 lo = larger(from, -half), hi = smaller(to, half);
-        const Int8 reached = (l <= wide) & (lo <= hi + 4 * e.position);
-        Float8 s = line_guess(smaller(l, all(r)), steep);
-        s = select(e.slope < 0.0f, -s, s);
-        const Float8 half_in = float(1 - tolerance::rim_share) * half;
-        s = smaller(larger(s, -half_in), half_in);
-        s = smaller(larger(s, from), to);
-        const Float8 rho = root(l * l + s * s);
-        // g and its slope, or the tangent of the steepest place that is followed.
-        const Float8 followed = smaller(rho, all(steep_rho));
-        Float8 g = all(0.0f), change = all(0.0f);
-        for (int i = 0; i < surface.count; ++i) {
-            const RoughPiece& p = surface.rough[i];
-            Float8 here, change_here;
-            if (p.r == 0) {
-                here = p.z0 + p.slope0 * (followed - p.rho0);
-                change_here = all(p.slope0);
-            } else {
-                const Float8 away = followed - p.e;
-                const Float8 up = root(larger((p.r - away) * (p.r + away), all(1e-12f)));
-                here = p.f - up;
-                change_here = larger(away, all(0.0f)) / up;
-            }
-            const Int8 in = followed > (i == 0 ? -1.0f : surface.rough[i - 1].rho1);
-            g = select(in, here, g);
-            change = select(in, change_here, change);
-        }
-        change = smaller(change, all(float(steepest)));
-        const Float8 lift = e.z + e.slope * (s - from) - g;
-        const Float8 rises = e.slope - change * (s / larger(rho, all(1e-30f)));
-        below = select(known & reached & (rho < smaller(narrow_r + e.position, all(steep_rho))), lift - noise,
-                       never);
-        above = lift - change * (rho - followed) + larger(rises * (lo - s), rises * (hi - s)) + noise;
-        above = select(known, select(reached, above, never), e.top);
     }
 
     FACETMILL_CALLED void open_block(std::uint32_t which, const ContactRange& on, unsigned places) {
@@ -778,8 +545,14 @@ void packet(const IndexView& index, const SurfaceTable& surface, const AxialPack
     AxialQuery first;
     first.place[0] = packet.x[0];
     first.place[1] = packet.y[0];
-    PacketSearch search(index, surface, packet, first, tips);
-    if (index.nodes) search.run();
+    if (!index.nodes) {
+        for (double& tip : tips)
+            tip = no_lift;
+    } else if (is_ball(surface)) {
+        PacketSearch<true>(index, surface, packet, first, tips).run();
+    } else {
+        PacketSearch<false>(index, surface, packet, first, tips).run();
+    }
 }
 
 } // namespace
