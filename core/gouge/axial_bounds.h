@@ -9,7 +9,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_kernel.h"
-#include "core/gouge/simd.h"
+#include "core/gouge/simd_wide.h"
 
 namespace facetmill::simd {
 
@@ -72,45 +72,48 @@ struct Bounds {
     }
 
     /// About where a plane touches the cutter; (ux, uy): uphill, as long as the sine of its slope.
-    FACETMILL_MEMBER void touched(const Float8& ux, const Float8& uy, Float8& x_out, Float8& y_out) const {
+    template <class F>
+    FACETMILL_MEMBER void touched(const F& ux, const F& uy, F& x_out, F& y_out) const {
         if (ball || (surface.guess_e == 0 && surface.guess_level == 0)) {
             x_out = ux * surface.guess_r;
             y_out = uy * surface.guess_r;
             return;
         }
-        const Float8 square = ux * ux + uy * uy;
-        const Float8 scale =
+        const F square = ux * ux + uy * uy;
+        const F scale =
             select(square > surface.guess_level * surface.guess_level,
-                   surface.guess_e * rough_inverse_root(larger(square, all(__FLT_MIN__))) + surface.guess_r,
-                   all(0.0f));
+                   surface.guess_e * rough_inverse_root(larger(square, __FLT_MIN__)) + surface.guess_r,
+                   all_of<F>(0.0f));
         x_out = ux * scale;
         y_out = uy * scale;
     }
 
     /// The slope of g at this distance; where it jumps that of one side.
-    FACETMILL_MEMBER Float8 slope_at(const Float8& rho) const {
-        Float8 slope = all(0.0f);
+    template <class F>
+    FACETMILL_MEMBER F slope_at(const F& rho) const {
+        F slope = all_of<F>(0.0f);
         for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
-            Float8 here = all(p.slope0);
+            F here = all_of<F>(p.slope0);
             if (is_arc(p)) {
-                const Float8 sine = larger((rho - p.e) * p.per_r, all(0.0f));
-                here = sine * rough_inverse_root(larger(1.0f - sine * sine, all(1e-3f)));
+                const F sine = larger((rho - p.e) * p.per_r, 0.0f);
+                here = sine * rough_inverse_root(larger(1.0f - sine * sine, 1e-3f));
             }
             slope = i == 0 ? here : select(rho > surface.rough[i - 1].rho1, here, slope);
         }
-        return smaller(slope, all(float(tolerance::steepest_tangent)));
+        return smaller(slope, all_of<F>(float(tolerance::steepest_tangent)));
     }
 
     /// The highest line of a slope >= 0 that is nowhere above g: its height on the axis. Not a number where
     /// the slope is none.
-    FACETMILL_MEMBER Float8 support(const Float8& slope) const {
-        Float8 at0 = surface.rim_height - slope * radius;
+    template <class F>
+    FACETMILL_MEMBER F support(const F& slope) const {
+        F at0 = surface.rim_height - slope * radius;
         for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
             at0 = smaller(p.z0 - slope * p.rho0, at0);
             if (!is_arc(p)) continue;
-            const Float8 on_arc = p.f - p.e * slope - p.r * root(1.0f + slope * slope);
+            const F on_arc = p.f - p.e * slope - p.r * root(1.0f + slope * slope);
             at0 = select((slope >= p.slope0) & (slope <= p.slope1), smaller(on_arc, at0), at0);
         }
         return at0;
@@ -119,28 +122,28 @@ struct Bounds {
     /// A plane below g that is near it at (mx, my): level + sx x + sy y. On the axis, where g may have a tip,
     /// and at the rim, where g ends, the one of those that is as steep there as the part's plane with slopes
     /// (px, py).
-    FACETMILL_MEMBER void tangent_plane(const Float8& mx, const Float8& my, const Float8& px,
-                                        const Float8& py, Float8& level, Float8& sx, Float8& sy) const {
-        const Float8 square = mx * mx + my * my;
+    template <class F>
+    FACETMILL_MEMBER void tangent_plane(const F& mx, const F& my, const F& px, const F& py, F& level, F& sx,
+                                        F& sy) const {
+        const F square = mx * mx + my * my;
         if constexpr (ball) {
             // The slope of a sphere is the distance from the axis over the height of the middle above.
             constexpr auto most = float(tolerance::steepest_tangent);
             const RoughPiece& arc = surface.rough[0];
             const float rr = arc.r * arc.r;
-            const Float8 per =
-                (1 - 2 * rough_share) * rough_inverse_root(larger(rr - square, all(rr / (most * most))));
+            const F per = (1 - 2 * rough_share) * rough_inverse_root(larger(rr - square, rr / (most * most)));
             sx = mx * per;
             sy = my * per;
             level = arc.f - arc.r * root(1.0f + square * per * per);
             return;
         }
         // A little short, so that no direction is longer than 1.
-        const Float8 per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, all(__FLT_MIN__)));
-        const Float8 rho = square * per;
-        const Float8 ux = mx * per, uy = my * per;
-        Float8 slope = slope_at(rho);
-        const Float8 steep =
-            smaller(larger(px * ux + py * uy, slope), all(float(tolerance::steepest_tangent)));
+        const F per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, __FLT_MIN__));
+        const F rho = square * per;
+        const F ux = mx * per, uy = my * per;
+        F slope = slope_at(rho);
+        const F steep =
+            smaller(larger(px * ux + py * uy, slope), all_of<F>(float(tolerance::steepest_tangent)));
         slope = select(rho >= rim, steep, slope);
         level = support(slope);
         sx = slope * ux;
@@ -148,8 +151,8 @@ struct Bounds {
         if (surface.rough[0].slope0 > 0) {
             constexpr auto most = float(tolerance::steepest_tangent);
             const float steepest = surface.rough[0].slope0 < most ? surface.rough[0].slope0 : most;
-            const Int8 at_tip = (square == 0.0f) & (px * px + py * py <= steepest * steepest);
-            level = select(at_tip, all(surface.rough[0].z0), level);
+            const auto at_tip = (square <= 0.0f) & (px * px + py * py <= steepest * steepest);
+            level = select(at_tip, all_of<F>(surface.rough[0].z0), level);
             sx = select(at_tip, px, sx);
             sy = select(at_tip, py, sy);
         }
@@ -206,42 +209,42 @@ struct Bounds {
 
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
     /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
-    FACETMILL_MEMBER Float8 bounds(const Float8& cx, const Float8& cy, const Float8& hx, const Float8& hy,
-                                   const Float8& top, const Float8& rx, const Float8& ry, const Float8& roof,
-                                   const Float8& px, const Float8& py) const {
-        const Float8 reach = all(radius);
-        const Float8 lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
-        const Float8 lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
-        const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
-                     near_y = larger(larger(lo_y, -hi_y), all(0.0f));
-        const Int8 reached =
+    template <class F>
+    FACETMILL_MEMBER F bounds(const F& cx, const F& cy, const F& hx, const F& hy, const F& top, const F& rx,
+                              const F& ry, const F& roof, const F& px, const F& py) const {
+        const F reach = all_of<F>(radius);
+        const F lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
+        const F lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
+        const F near_x = larger(larger(lo_x, -hi_x), 0.0f), near_y = larger(larger(lo_y, -hi_y), 0.0f);
+        const auto reached =
             (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
         // The tangent plane of the lift over the roof is taken at the point of the box nearest to where the
         // roof touches the cutter: there the lift is about highest.
-        const Float8 per = rough_inverse_root(1.0f + px * px + py * py);
-        Float8 mx, my;
+        const F per = rough_inverse_root(1.0f + px * px + py * py);
+        F mx, my;
         touched(px * per, py * per, mx, my);
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
-        Float8 level, sx, sy;
+        F level, sx, sy;
         tangent_plane(mx, my, px, py, level, sx, sy);
-        const Float8 gx = px - sx, gy = py - sy;
-        const Float8 over =
+        const F gx = px - sx, gy = py - sy;
+        const F over =
             roof - px * rx - py * ry - level + larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
-        return select(reached, smaller(over, top) + margin, all(-__builtin_inff()));
+        return select(reached, smaller(over, top) + margin, all_of<F>(-__builtin_inff()));
     }
 
     /// g in single precision; rho within the radius.
-    FACETMILL_MEMBER Float8 rough_height(const Float8& rho) const {
-        Float8 g = all(0.0f);
+    template <class F>
+    FACETMILL_MEMBER F rough_height(const F& rho) const {
+        F g = all_of<F>(0.0f);
         for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
-            Float8 here;
+            F here;
             if (!is_arc(p)) {
                 here = p.z0 + p.slope0 * (rho - p.rho0);
             } else {
-                const Float8 out = rho - p.e;
-                here = p.f - root(larger((p.r - out) * (p.r + out), all(0.0f)));
+                const F out = rho - p.e;
+                here = p.f - root(larger((p.r - out) * (p.r + out), 0.0f));
             }
             g = i == 0 ? here : select(rho > surface.rough[i - 1].rho1, here, g);
         }

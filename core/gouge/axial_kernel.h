@@ -34,7 +34,7 @@ struct AxialAnswer {
 
 /// One cutter with its axis along Z over places that lie no farther from each other than its radius.
 struct AxialPacket {
-    static constexpr int most_places = 8;
+    static constexpr int most_places = 16; ///< of any kernel; AxialKernels says how many one takes
     double x[most_places], y[most_places];
     int count = 0;
     const TreeNode* cut = nullptr; ///< as for AxialQuery; wanted
@@ -57,6 +57,7 @@ struct AxialKernels {
     AxialKernel upright, tilted;
     PacketKernel packet;
     CurveKernel curve;
+    int packet_places; ///< a packet has room for
     const char* name;
 };
 

@@ -64,24 +64,23 @@ std::size_t near(std::span<const Place> places, double side, Vec2& lo, Vec2& hi)
 /// Orders places so that as many as a packet has, one after another, lie about in a square: in bands along X
 /// as high as such a square, to and fro within strips some squares wide, so that the part of the mesh that a
 /// band needs is still near at hand for the next. Places too far apart for packets stay as they are.
-void arrange(std::vector<Place>& places, double widest) {
+void arrange(std::vector<Place>& places, std::size_t in_packet, double widest) {
     const std::size_t n = places.size();
-    if (n < AxialPacket::most_places) return;
+    if (n < in_packet) return;
     Vec2 lo = places[0].at, hi = lo;
     for (const Place& p : places) {
         lo = lo.cwiseMin(p.at);
         hi = hi.cwiseMax(p.at);
     }
     const Vec2 size = hi - lo;
-    const double in_packet = AxialPacket::most_places;
-    const double side = std::max(std::sqrt(in_packet * size.x() * size.y() / double(n)),
-                                 in_packet * size.maxCoeff() / double(n));
+    const double side = std::max(std::sqrt(double(in_packet) * size.x() * size.y() / double(n)),
+                                 double(in_packet) * size.maxCoeff() / double(n));
     if (!(side > 0) || side > widest) return;
-    // Counting sort by cells of a packet's side in height and an eighth of it in width: about as many as
-    // places.
-    const double wide = side / in_packet;
+    // Counting sort by cells of a packet's side in height and a place's share of it in width: about as many
+    // as places.
+    const double wide = side / double(in_packet);
     const auto bands = std::size_t(size.y() / side) + 1, cells = std::size_t(size.x() / wide) + 1;
-    const std::size_t per_strip = std::min<std::size_t>(8 * AxialPacket::most_places, cells),
+    const std::size_t per_strip = std::min<std::size_t>(8 * in_packet, cells),
                       strips = (cells + per_strip - 1) / per_strip;
     std::vector<std::uint32_t> cell(n), first(strips * bands * per_strip + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -183,9 +182,10 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
     if (points.size() != heights.size())
         throw Error(ErrorCode::internal, "AxialLift", "as many heights as points are needed", "report this");
     // Large blocks, so that there is much to arrange; but several for every thread.
-    constexpr std::size_t fewest = 256, most = 16384, places_per_cut = 32, between_checks = 512;
+    constexpr std::size_t fewest = 256, most = 16384, packets_per_cut = 4, between_checks = 512;
     const std::size_t per_block = std::clamp(points.size() / 16, fewest, most);
     const IndexView view = index_->impl().view();
+    const std::size_t in_packet = std::size_t(axial_kernels().packet_places);
     const double radius = surface_->max_radius, widest_cut = 4 * radius;
     parallel_blocks(points.size(), per_block, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Place> places;
@@ -196,7 +196,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             else
                 heights[i] = lift_nowhere(points[i].x(), points[i].y());
         }
-        arrange(places, radius);
+        arrange(places, in_packet, radius);
         SharedCut cut;
         const auto prepared = std::make_unique_for_overwrite<PreparedBlocks>();
         prepared->clear();
@@ -210,12 +210,13 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             const std::span<const Place> left = std::span(places).subspan(i);
             Vec2 lo, hi;
             if (i >= cut_end) {
-                cut_end = i + near(left.first(std::min(left.size(), places_per_cut)), widest_cut, lo, hi);
+                cut_end = i
+                          + near(left.first(std::min(left.size(), packets_per_cut * in_packet)), widest_cut,
+                                 lo, hi);
                 make_cut(cut, view, radius, lo, hi);
             }
             AxialPacket packet;
-            const std::size_t count =
-                near(left.first(std::min(cut_end - i, std::size_t(packet.most_places))), radius, lo, hi);
+            const std::size_t count = near(left.first(std::min(cut_end - i, in_packet)), radius, lo, hi);
             if (count < fewest_in_packet) {
                 const AxialAnswer answer =
                     search(view, *surface_, left[0].at.x(), left[0].at.y(), hint, &cut);

@@ -26,19 +26,18 @@ public:
     FACETMILL_MEMBER PacketSearch(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
                                   const AxialQuery& first, double* t)
         : PreparedBounds<ball>(i, s, first), packet(p), tips(t) {
-        float x[float_lanes], y[float_lanes];
-        for (int k = 0; k < float_lanes; ++k) {
-            const int lane = k < packet.count ? k : 0;
-            place_x[k] = packet.x[lane];
-            place_y[k] = packet.y[lane];
+        float x[place_lanes], y[place_lanes];
+        for (int k = 0; k < place_lanes; ++k) {
+            const int place = k < packet.count ? k : 0;
+            place_x[k] = packet.x[place];
+            place_y[k] = packet.y[place];
             x[k] = float(place_x[k] - first.place[0]);
             y[k] = float(place_y[k] - first.place[1]);
             tips[k] = no_lift;
         }
-        used = (1u << packet.count) - 1;
-        dx = load(x);
-        dy = load(y);
-        for (int k = 0; k < float_lanes; ++k) {
+        dx = load_places(x);
+        dy = load_places(y);
+        for (int k = 0; k < place_lanes; ++k) {
             lo_dx = k == 0 || x[k] < lo_dx ? x[k] : lo_dx;
             hi_dx = k == 0 || x[k] > hi_dx ? x[k] : hi_dx;
             lo_dy = k == 0 || y[k] < lo_dy ? y[k] : lo_dy;
@@ -48,8 +47,12 @@ public:
             key_room[k] = -__builtin_inff();
         // Sums at the other places are larger by the distances to them and to their reach.
         margin += float(tolerance::float_slack * 80 * surface.max_radius);
-        least = all(-__builtin_inff());
-        floor = all(float(-2 * (index.half_size[2] + surface.max_radius) - 1));
+        // Nothing is higher than what lanes without a place ask for.
+        float none[place_lanes];
+        for (int k = 0; k < place_lanes; ++k)
+            none[k] = k < packet.count ? -__builtin_inff() : __builtin_inff();
+        least = load_places(none);
+        floor = all_of<PlaceFloats>(float(-2 * (index.half_size[2] + surface.max_radius) - 1));
     }
 
     FACETMILL_MEMBER void run() {
@@ -58,12 +61,12 @@ public:
         while (waiting > 0) {
             const int most = most_promising();
             const Child next = child[most];
-            const Float8 bound = load(child_bound[most]);
+            const PlaceFloats bound = load_places(child_bound[most]);
             --waiting;
             if (most != waiting) {
                 key[most] = key[waiting];
                 child[most] = child[waiting];
-                store(load(child_bound[waiting]), child_bound[most]);
+                store(load_places(child_bound[waiting]), child_bound[most]);
             }
             if (bits(bound > least) == 0) continue;
             const std::uint32_t which = next.node->child[next.lane];
@@ -82,20 +85,22 @@ private:
     using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
     using Base::rounded_down, Base::touched, Base::tangent_plane, Base::contact, Base::bounds,
         Base::rough_height;
-    using typename Base::Contact, typename Base::EdgeLanes;
+    using typename Base::Contact;
+    template <class F>
+    using EdgeLanes = typename Base::template EdgeLanes<F>;
 
     /// With small facets that matter to no more places than this something else is better put into the lanes:
     /// the facets of the block; edges of several facets.
     static constexpr int few_places = 4, few_edge_places = 2;
+
     const AxialPacket& packet;
     double* tips;
 
-    alignas(32) double place_x[float_lanes], place_y[float_lanes];
-    Float8 dx, dy; ///< the places from the first
-    unsigned used; ///< lanes with a place, as bits
+    alignas(64) double place_x[place_lanes], place_y[place_lanes];
+    PlaceFloats dx, dy; ///< the places from the first
     float lo_dx = 0, hi_dx = 0, lo_dy = 0, hi_dy = 0;
-    Float8 least; ///< no more than the answers, from `zero`
-    Float8 floor; ///< stands for `least` where nothing is known yet
+    PlaceFloats least; ///< no more than the answers, from `zero`
+    PlaceFloats floor; ///< stands for `least` where nothing is known yet
 
     /// Where on the cutter, from its axis, a box can be touched.
     struct ContactRange {
@@ -114,19 +119,19 @@ private:
         ContactRange contact;
     };
     Child child[most_waiting];
-    alignas(32) float child_bound[most_waiting][float_lanes];
+    alignas(64) float child_bound[most_waiting][place_lanes];
     int waiting = 0;
 
     // Pairs of a place and a facet that may be its highest.
-    static constexpr int most_pairs = 192;
+    static constexpr int most_pairs = 24 * place_lanes;
     std::uint32_t pair_slot[most_pairs];
     int pair_place[most_pairs];
     float pair_bound[most_pairs];
     int pairs = 0;
 
     // Edges of pairs that have still to say what they ask for.
-    alignas(32) float queued[10][float_lanes] = {}, queued_cap[float_lanes];
-    int queued_pair[float_lanes];
+    alignas(64) float queued[10][place_lanes] = {}, queued_cap[place_lanes];
+    int queued_pair[place_lanes];
     int edges = 0;
 
     FacetTest tested;
@@ -135,15 +140,8 @@ private:
 
     /// The places of the packet, from the origin of the block that is asked.
     struct Places {
-        Float8 x, y;
+        PlaceFloats x, y;
     };
-
-    FACETMILL_MEMBER static float most_of(Float8 v) {
-        v = larger(v, __builtin_shuffle(v, Int8{4, 5, 6, 7, 0, 1, 2, 3}));
-        v = larger(v, __builtin_shuffle(v, Int8{2, 3, 0, 1, 6, 7, 4, 5}));
-        return v[0] > v[1] ? v[0] : v[1];
-    }
-    FACETMILL_MEMBER static float least_of(const Float8& v) { return -most_of(-v); }
 
     /// Of the last few that wait the most promising; when there are many, simply the last.
     FACETMILL_MEMBER int most_promising() const {
@@ -152,6 +150,10 @@ private:
         const Float8 most = all(most_of(larger(late, early)));
         const unsigned found = bits(early == most) | bits(late == most) << 8;
         return found == 0 ? waiting - 1 : waiting + 15 - __builtin_clz(found);
+    }
+
+    FACETMILL_MEMBER void raise(int place, float low) {
+        if (low > lane(least, place)) set_lane(least, place, low);
     }
 
     FACETMILL_MEMBER static std::uint32_t room_of(std::uint32_t which) {
@@ -215,9 +217,9 @@ private:
         store(on.hi_y, contacts[3]);
         for (; reached != 0; reached &= reached - 1) {
             const int k = __builtin_ctz(reached);
-            Float8 bound = select((dx >= left[k]) & (dx <= right[k]) & (dy >= front[k]) & (dy <= back[k]),
-                                  smaller(base[k] + base_x[k] * dx + base_y[k] * dy, all(tops[k])),
-                                  all(-__builtin_inff()));
+            const PlaceFloats bound =
+                select((dx >= left[k]) & (dx <= right[k]) & (dy >= front[k]) & (dy <= back[k]),
+                       smaller(base[k] + base_x[k] * dx + base_y[k] * dy, tops[k]), -__builtin_inff());
             if (bits(bound > least) == 0) continue;
             if (node.child[k] & TreeNode::leaf) fetch(node.child[k] & ~TreeNode::leaf);
             key[waiting] = most_of(bound - larger(least, floor));
@@ -229,11 +231,13 @@ private:
 
     /// The places that a block may matter to, as bits. To open it costs more than a tangent for each of them.
     FACETMILL_CALLED unsigned promised(const TreeNode& node, int k) const {
-        const Float8 cx = node.cx[k] + at[0] - dx, cy = node.cy[k] + at[1] - dy;
-        return bits(bounds(cx, cy, all(node.hx[k]), all(node.hy[k]), all(node.cz[k] + node.hz[k]), cx, cy,
-                           all(node.roof[k]), all(node.slope_x[k]), all(node.slope_y[k]))
-                    > least)
-               & used;
+        const auto of = [](float v) __attribute__((always_inline)) {
+            return all_of<PlaceFloats>(v);
+        };
+        const PlaceFloats cx = node.cx[k] + at[0] - dx, cy = node.cy[k] + at[1] - dy;
+        return bits(bounds(cx, cy, of(node.hx[k]), of(node.hy[k]), of(node.cz[k] + node.hz[k]), cx, cy,
+                           of(node.roof[k]), of(node.slope_x[k]), of(node.slope_y[k]))
+                    > least);
     }
 
     FACETMILL_CALLED void open_block(std::uint32_t which, const ContactRange& on, unsigned places) {
@@ -244,8 +248,7 @@ private:
             there = which;
         }
         const double ox = f.origin[0], oy = f.origin[1];
-        const Places p{narrow(load(place_x) - ox, load(place_x + 4) - ox),
-                       narrow(load(place_y) - oy, load(place_y + 4) - oy)};
+        const Places p{from_origin(place_x, ox), from_origin(place_y, oy)};
         if (f.is_fine && __builtin_popcount(places) <= few_places)
             ask_places(f, which, p, on, places);
         else
@@ -261,13 +264,12 @@ private:
         store(middle(f.x), x);
         store(middle(f.y), y);
         store(middle(f.z) - load(f.noise_tangent), z);
-        const Float8 never = all(-__builtin_inff());
         for (; open != 0; open &= open - 1) {
             const int k = __builtin_ctz(open);
-            const Float8 ax = x[k] - p.x, ay = y[k] - p.y;
-            const Float8 rho = root(ax * ax + ay * ay) + 4 * f.position[k];
-            const Float8 low = z[k] - (1 + float(tolerance::float_slack)) * rough_height(rho);
-            least = larger(select(rho < inner, low, never), least);
+            const PlaceFloats ax = x[k] - p.x, ay = y[k] - p.y;
+            const PlaceFloats rho = root(ax * ax + ay * ay) + 4 * f.position[k];
+            const PlaceFloats low = z[k] - (1 + float(tolerance::float_slack)) * rough_height(rho);
+            least = larger(select(rho < inner, low, -__builtin_inff()), least);
         }
     }
 
@@ -280,7 +282,8 @@ private:
                     hi_y = float(oy + hi_dy);
         const Float8 near_x = larger(larger(load(f.lo_x) - hi_x, lo_x - load(f.hi_x)), all(0.0f)),
                      near_y = larger(larger(load(f.lo_y) - hi_y, lo_y - load(f.hi_y)), all(0.0f));
-        const Float8 reach = all(radius), never = all(-__builtin_inff());
+        const Float8 reach = all(radius);
+        const auto never = all_of<PlaceFloats>(-__builtin_inff());
         const Float8 first_x = load(f.lo_x) - on.hi_x, last_x = load(f.hi_x) - on.lo_x;
         const Float8 first_y = load(f.lo_y) - on.hi_y, last_y = load(f.hi_y) - on.lo_y;
         unsigned open = bits((near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_x)
@@ -298,45 +301,47 @@ private:
         store(last_x, right);
         store(first_y, front);
         store(last_y, back);
+        const auto of = [](float v) __attribute__((always_inline)) {
+            return all_of<PlaceFloats>(v);
+        };
         for (; open != 0; open &= open - 1) {
             const int k = __builtin_ctz(open);
             const unsigned duty = f.duty[k];
-            const Float8 plane = f.plane[k] + f.plane_x[k] * p.x + f.plane_y[k] * p.y;
-            const Float8 tangent = level[k] + tangent_x[k] * p.x + tangent_y[k] * p.y;
-            const Float8 cap = smaller(tangent, smaller(plane + f.noise_out[k], all(f.top[k])));
-            const Int8 alive =
+            const PlaceFloats plane = f.plane[k] + f.plane_x[k] * p.x + f.plane_y[k] * p.y;
+            const PlaceFloats tangent = level[k] + tangent_x[k] * p.x + tangent_y[k] * p.y;
+            const PlaceFloats cap = smaller(tangent, smaller(plane + f.noise_out[k], f.top[k]));
+            const PlaceMask alive =
                 (p.x >= left[k]) & (p.x <= right[k]) & (p.y >= front[k]) & (p.y <= back[k]) & (cap > least);
             if ((bits(alive) & places) == 0) continue;
             if (!f.has_edges) prepare_edges(f);
             const auto side = [&](int e) __attribute__((always_inline)) {
                 return f.edge[e].side[k] + f.edge[e].side_x[k] * p.x + f.edge[e].side_y[k] * p.y;
             };
-            const Float8 sides[3] = {side(0), side(1), side(2)};
-            Float8 above = never;
+            const PlaceFloats sides[3] = {side(0), side(1), side(2)};
+            PlaceFloats above = never;
             if (duty & duty_plane) {
-                const Int8 outside = (sides[0] < -f.edge[0].doubt[k]) | (sides[1] < -f.edge[1].doubt[k])
-                                     | (sides[2] < -f.edge[2].doubt[k]);
+                const PlaceMask outside = (sides[0] < -f.edge[0].doubt[k]) | (sides[1] < -f.edge[1].doubt[k])
+                                          | (sides[2] < -f.edge[2].doubt[k]);
                 const float corner = f.corner[k];
-                const Int8 inside = (sides[0] > corner) & (sides[1] > corner) & (sides[2] > corner);
+                const PlaceMask inside = (sides[0] > corner) & (sides[1] > corner) & (sides[2] > corner);
                 above = select(outside, never, select(inside, plane + f.noise_in[k], cap));
                 least = larger(select(inside, plane - f.noise_in[k] - f.loss[k], never), least);
             }
             unsigned asked[3] = {0, 0, 0};
             for (int e = 0; e < 3; ++e) {
                 if (!(duty & (duty_edge << e))) continue;
-                Int8 seen = alive;
+                PlaceMask seen = alive;
                 if (duty & duty_plane) seen &= ~(sides[e] >= f.edge[e].doubt[k]);
                 const unsigned seen_places = bits(seen) & places;
                 if (__builtin_popcount(seen_places) <= few_edges) {
                     asked[e] = seen_places;
                     continue;
                 }
-                const EdgeLanes lanes{f.x[e][k] - p.x,         f.y[e][k] - p.y,
-                                      all(f.z[e][k]),          all(f.edge[e].ux[k]),
-                                      all(f.edge[e].uy[k]),    all(f.edge[e].run[k]),
-                                      all(f.edge[e].slope[k]), all(f.position[k]),
-                                      all(f.height_noise[k]),  all(f.top[k])};
-                Float8 edge_above, edge_below;
+                const EdgeLanes<PlaceFloats> lanes{
+                    f.x[e][k] - p.x,       f.y[e][k] - p.y,      of(f.z[e][k]),          of(f.edge[e].ux[k]),
+                    of(f.edge[e].uy[k]),   of(f.edge[e].run[k]), of(f.edge[e].slope[k]), of(f.position[k]),
+                    of(f.height_noise[k]), of(f.top[k])};
+                PlaceFloats edge_above, edge_below;
                 edge_bounds(lanes, edge_above, edge_below);
                 above = select(seen, larger(edge_above, above), above);
                 least = larger(edge_below, least);
@@ -345,7 +350,7 @@ private:
             above = smaller(above, cap);
             unsigned wanted = still_alive & (bits(above > least) | asked[0] | asked[1] | asked[2]);
             if (wanted == 0) continue;
-            alignas(32) float bound[float_lanes], caps[float_lanes];
+            alignas(64) float bound[place_lanes], caps[place_lanes];
             store(above, bound);
             store(cap, caps);
             for (; wanted != 0; wanted &= wanted - 1) {
@@ -368,7 +373,7 @@ private:
         int count = 0;
         for (; places != 0; places &= places - 1) {
             const int p = __builtin_ctz(places);
-            const Float8 x = all(at_places.x[p]), y = all(at_places.y[p]);
+            const Float8 x = all(lane(at_places.x, p)), y = all(lane(at_places.y, p));
             const Int8 touchable = (x >= load(f.lo_x) - on.hi_x) & (x <= load(f.hi_x) - on.lo_x)
                                    & (y >= load(f.lo_y) - on.hi_y) & (y <= load(f.hi_y) - on.lo_y);
             Float8 gx, gy;
@@ -376,10 +381,10 @@ private:
             const Float8 plane = load(f.plane) + load(f.plane_x) * x + load(f.plane_y) * y;
             const Float8 cap =
                 smaller(over + gx * x + gy * y, smaller(plane + load(f.noise_out), load(f.top)));
-            alive[count] = bits(touchable & (cap > least[p]) & (duty != 0));
+            alive[count] = bits(touchable & (cap > lane(least, p)) & (duty != 0));
             if (alive[count] == 0) continue;
             const float low = most_of(point_lift(f, x, y));
-            if (low > least[p]) least[p] = low;
+            raise(p, low);
             store(cap, caps[count]);
             place[count++] = p;
         }
@@ -387,7 +392,7 @@ private:
         if (!f.has_edges) prepare_edges(f);
         for (int i = 0; i < count; ++i) {
             const int p = place[i];
-            const Float8 x = all(at_places.x[p]), y = all(at_places.y[p]), cap = load(caps[i]);
+            const Float8 x = all(lane(at_places.x, p)), y = all(lane(at_places.y, p)), cap = load(caps[i]);
             const auto side = [&](int e) __attribute__((always_inline)) {
                 return load(f.edge[e].side) + load(f.edge[e].side_x) * x + load(f.edge[e].side_y) * y;
             };
@@ -400,13 +405,13 @@ private:
             Float8 above = select(inside, plane + load(f.noise_in), cap);
             above = smaller(select(has_plane & ~outside, above, never), cap);
             const float low = most_of(select(inside, plane - load(f.noise_in) - load(f.loss), never));
-            if (low > least[p]) least[p] = low;
+            raise(p, low);
             unsigned asked[3];
             for (int e = 0; e < 3; ++e)
                 asked[e] =
                     bits(((duty & (int(duty_edge) << e)) != 0) & ~(has_plane & (sides[e] >= doubts[e])));
-            unsigned wanted =
-                alive[i] & bits(cap > least[p]) & (bits(above > least[p]) | asked[0] | asked[1] | asked[2]);
+            unsigned wanted = alive[i] & bits(cap > lane(least, p))
+                              & (bits(above > lane(least, p)) | asked[0] | asked[1] | asked[2]);
             if (wanted == 0) continue;
             alignas(32) float bound[float_lanes];
             store(above, bound);
@@ -421,48 +426,50 @@ private:
 
     /// A facet that may be the highest at a place: its lift is no more than `bound` or what its edges that
     /// are asked (bits) turn out to allow, and no more than `cap`.
-    FACETMILL_CALLED void add(const PreparedBlock& f, std::uint32_t which, int lane, const Places& p,
+    FACETMILL_CALLED void add(const PreparedBlock& f, std::uint32_t which, int facet, const Places& p,
                               int place, float bound, unsigned edges_asked, float cap) {
-        if (!(cap > least[place])) return;
+        if (!(cap > lane(least, place))) return;
         if (pairs == most_pairs) make_room();
-        pair_slot[pairs] = which * std::uint32_t(block_width) + std::uint32_t(lane);
+        pair_slot[pairs] = which * std::uint32_t(block_width) + std::uint32_t(facet);
         pair_place[pairs] = place;
         pair_bound[pairs] = bound;
         const int pair = pairs++;
         for (; edges_asked != 0; edges_asked &= edges_asked - 1) {
             const int e = __builtin_ctz(edges_asked);
             const PreparedBlock::Edges& edge = f.edge[e];
-            const float member[] = {f.x[e][lane] - p.x[place],
-                                    f.y[e][lane] - p.y[place],
-                                    f.z[e][lane],
-                                    edge.ux[lane],
-                                    edge.uy[lane],
-                                    edge.run[lane],
-                                    edge.slope[lane],
-                                    f.position[lane],
-                                    f.height_noise[lane],
-                                    f.top[lane]};
+            const float member[] = {f.x[e][facet] - lane(p.x, place),
+                                    f.y[e][facet] - lane(p.y, place),
+                                    f.z[e][facet],
+                                    edge.ux[facet],
+                                    edge.uy[facet],
+                                    edge.run[facet],
+                                    edge.slope[facet],
+                                    f.position[facet],
+                                    f.height_noise[facet],
+                                    f.top[facet]};
             for (int i = 0; i < 10; ++i)
                 queued[i][edges] = member[i];
             queued_cap[edges] = cap;
             queued_pair[edges] = pair;
-            if (++edges == float_lanes) ask_edges();
+            if (++edges == place_lanes) ask_edges();
         }
     }
 
     /// The edges that are queued, for all their pairs at a time.
     FACETMILL_CALLED void ask_edges() {
         if (edges == 0) return;
-        const EdgeLanes lanes{load(queued[0]), load(queued[1]), load(queued[2]), load(queued[3]),
-                              load(queued[4]), load(queued[5]), load(queued[6]), load(queued[7]),
-                              load(queued[8]), load(queued[9])};
-        Float8 above, below;
+        const auto of = [&](int i) __attribute__((always_inline)) {
+            return load_places(queued[i]);
+        };
+        const EdgeLanes<PlaceFloats> lanes{of(0), of(1), of(2), of(3), of(4),
+                                           of(5), of(6), of(7), of(8), of(9)};
+        PlaceFloats above, below;
         edge_bounds(lanes, above, below);
         for (int i = 0; i < edges; ++i) {
-            const int pair = queued_pair[i], place = pair_place[pair];
-            const float bound = above[i] < queued_cap[i] ? above[i] : queued_cap[i];
+            const int pair = queued_pair[i];
+            const float most = lane(above, i), bound = most < queued_cap[i] ? most : queued_cap[i];
             if (bound > pair_bound[pair]) pair_bound[pair] = bound;
-            if (below[i] > least[place]) least[place] = below[i];
+            raise(pair_place[pair], lane(below, i));
         }
         edges = 0;
     }
@@ -470,7 +477,7 @@ private:
     /// Lets go of pairs that are not as high as others turned out to be.
     FACETMILL_MEMBER void thin_out() {
         ask_edges();
-        alignas(32) float low[float_lanes];
+        alignas(64) float low[place_lanes];
         store(least, low);
         int left = 0;
         for (int i = 0; i < pairs; ++i) {
@@ -492,7 +499,7 @@ private:
     /// The exact test of what is left, the most promising facet of every place first.
     FACETMILL_CALLED void flush() {
         thin_out();
-        int first[AxialPacket::most_places];
+        int first[place_lanes];
         for (int& i : first)
             i = -1;
         for (int i = 0; i < pairs; ++i) {
@@ -510,7 +517,7 @@ private:
 
     FACETMILL_MEMBER void take(int pair) {
         const int place = pair_place[pair];
-        if (!(pair_bound[pair] > least[place])) return;
+        if (!(pair_bound[pair] > lane(least, place))) return;
         const std::uint32_t slot = pair_slot[pair];
         tested.set(index.blocks[slot / block_width], slot % block_width, packet.x[place], packet.y[place],
                    taken);
@@ -533,8 +540,7 @@ private:
             const int place = tested_place[w];
             if (!(floor4[w] > tips[place])) continue;
             tips[place] = floor4[w];
-            const float low = rounded_down(floor4[w]);
-            if (low > least[place]) least[place] = low;
+            raise(place, rounded_down(floor4[w]));
         }
         taken = 0;
     }

@@ -23,21 +23,23 @@ struct PreparedBounds : Bounds<false, ball> {
 
     float steep_rho; ///< g is followed up to here, where it has the steepest slope; from here its tangent
 
-    /// Edges, eight at a time, as their places see them.
+    /// Edges as their places see them.
+    template <class F>
     struct EdgeLanes {
-        Float8 x, y, z; ///< where it starts
-        Float8 ux, uy, run, slope;
-        Float8 position, height_noise, top;
+        F x, y, z; ///< where it starts
+        F ux, uy, run, slope;
+        F position, height_noise, top;
     };
+
     FACETMILL_MEMBER PreparedBounds(const IndexView& i, const SurfaceTable& s, const AxialQuery& q)
         : Base(i, s, q) {
         steep_rho = float(surface.max_radius);
         for (int k = 0; k < surface.count; ++k) {
-            const SurfacePiece& q = surface.piece[k];
-            if (!(q.slope1 > steepest)) continue;
-            steep_rho = float(q.slope0 >= steepest
-                                  ? q.rho0
-                                  : q.e + q.r * (steepest / __builtin_sqrt(1 + steepest * steepest)));
+            const SurfacePiece& piece = surface.piece[k];
+            if (!(piece.slope1 > steepest)) continue;
+            steep_rho = float(piece.slope0 >= steepest
+                                  ? piece.rho0
+                                  : piece.e + piece.r * (steepest / __builtin_sqrt(1 + steepest * steepest)));
             break;
         }
     }
@@ -177,32 +179,33 @@ struct PreparedBounds : Bounds<false, ball> {
 
     /// Uphill from the foot of the axis, about where a line at distance l from the axis touches that rises by
     /// `slope` >= 0.
-    FACETMILL_MEMBER Float8 line_guess(const Float8& l, const Float8& slope) const {
-        const auto leg = [](const Float8& a, const Float8& b) __attribute__((always_inline)) {
-            return root(larger((a - b) * (a + b), all(0.0f)));
+    template <class F>
+    FACETMILL_MEMBER F line_guess(const F& l, const F& slope) const {
+        const auto leg = [](const F& a, const F& b) __attribute__((always_inline)) {
+            return root(larger((a - b) * (a + b), all_of<F>(0.0f)));
         };
-        Float8 s = all(0.0f);
+        F s = all_of<F>(0.0f);
         for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
-            Float8 here;
+            F here;
             if (!is_arc(p)) {
-                const Float8 k = all(p.slope0);
-                here = l * slope / root(larger((k - slope) * (k + slope), all(1e-30f)));
+                const F k = all_of<F>(p.slope0);
+                here = l * slope / root(larger((k - slope) * (k + slope), all_of<F>(1e-30f)));
                 here = select(slope >= k, slope * 1e30f, here);
             } else {
-                const Float8 over = 1.0f / root(1.0f + slope * slope), sine = slope * over;
+                const F over = 1.0f / root(1.0f + slope * slope), sine = slope * over;
                 if (ball || p.e == 0) {
-                    here = sine * leg(all(p.r), l);
+                    here = sine * leg(all_of<F>(p.r), l);
                 } else {
-                    const Float8 target = l * over;
-                    Float8 y = larger(all(0.0f),
-                                      larger((target - p.e) * p.per_r, target * sine / (p.e + p.r * sine)));
-                    Float8 x = root(y * y + sine * sine);
-                    const Float8 per = 1.0f / x; // a step of Newton's is enough for a guess
-                    const Float8 value = p.e * y * per + p.r * y - target;
-                    const Float8 change = p.e * sine * sine * per * per * per + p.r;
-                    y = smaller(larger(y - value / change, all(0.0f)), all(1.0f));
-                    x = smaller(root(y * y + sine * sine), all(1.0f));
+                    const F target = l * over;
+                    F y = larger(all_of<F>(0.0f),
+                                 larger((target - p.e) * p.per_r, target * sine / (p.e + p.r * sine)));
+                    F x = root(y * y + sine * sine);
+                    const F per = 1.0f / x; // a step of Newton's is enough for a guess
+                    const F value = p.e * y * per + p.r * y - target;
+                    const F change = p.e * sine * sine * per * per * per + p.r;
+                    y = smaller(larger(y - value / change, all_of<F>(0.0f)), all_of<F>(1.0f));
+                    x = smaller(root(y * y + sine * sine), all_of<F>(1.0f));
                     here = leg(p.e + p.r * x, l);
                 }
             }
@@ -210,56 +213,57 @@ struct PreparedBounds : Bounds<false, ball> {
                 s = here;
                 continue;
             }
-            const Float8 s0 = leg(all(p.rho0), l);
-            const Int8 beyond = (l >= p.rho0) | (slope * p.rho0 > surface.rough[i - 1].slope1 * s0);
+            const F s0 = leg(all_of<F>(p.rho0), l);
+            const auto beyond = (l >= p.rho0) | (slope * p.rho0 > surface.rough[i - 1].slope1 * s0);
             s = select(beyond, larger(here, s0), s);
         }
         return s;
     }
 
     /// Bounds of the lifts over edges.
-    FACETMILL_CALLED void edge_bounds(const EdgeLanes& e, Float8& above, Float8& below) const {
-        const Float8 never = all(-__builtin_inff());
+    template <class F>
+    FACETMILL_CALLED void edge_bounds(const EdgeLanes<F>& e, F& above, F& below) const {
+        const F never = all_of<F>(-__builtin_inff());
         const float r = float(surface.max_radius);
-        const Float8 steep = magnitude(e.slope);
-        const Float8 noise = e.height_noise + (float(steepest) + 4 + steep) * e.position;
-        const Int8 known = (steep < float(tolerance::steepest_edge)) & (e.run > 0.0f);
-        const Float8 from = e.x * e.ux + e.y * e.uy, to = from + e.run;
-        const Float8 l = magnitude(e.x * e.uy - e.y * e.ux);
-        const Float8 wide = r + 2 * e.position, narrow_r = r - 3 * e.position;
-        const Float8 half = root(larger((wide - l) * (wide + l), all(0.0f)));
-        const Float8 lo = larger(from, -half), hi = smaller(to, half);
-        const Int8 reached = (l <= wide) & (lo <= hi + 4 * e.position);
-        Float8 s = line_guess(smaller(l, all(r)), steep);
+        const F steep = magnitude(e.slope);
+        const F noise = e.height_noise + (float(steepest) + 4 + steep) * e.position;
+        const auto known = (steep < float(tolerance::steepest_edge)) & (e.run > 0.0f);
+        const F from = e.x * e.ux + e.y * e.uy, to = from + e.run;
+        const F l = magnitude(e.x * e.uy - e.y * e.ux);
+        const F wide = r + 2 * e.position, narrow_r = r - 3 * e.position;
+        const F half = root(larger((wide - l) * (wide + l), all_of<F>(0.0f)));
+        const F lo = larger(from, -half), hi = smaller(to, half);
+        const auto reached = (l <= wide) & (lo <= hi + 4 * e.position);
+        F s = line_guess(smaller(l, all_of<F>(r)), steep);
         s = select(e.slope < 0.0f, -s, s);
-        const Float8 half_in = float(1 - tolerance::rim_share) * half;
+        const F half_in = float(1 - tolerance::rim_share) * half;
         s = smaller(larger(s, -half_in), half_in);
         s = smaller(larger(s, from), to);
-        const Float8 rho = root(l * l + s * s);
+        const F rho = root(l * l + s * s);
         // g and its slope, or the tangent of the steepest place that is followed.
-        const Float8 followed = smaller(rho, all(steep_rho));
-        Float8 g = all(0.0f), change = all(0.0f);
+        const F followed = smaller(rho, all_of<F>(steep_rho));
+        F g = all_of<F>(0.0f), change = all_of<F>(0.0f);
         for (int i = 0; i < pieces(); ++i) {
             const RoughPiece& p = surface.rough[i];
-            Float8 here, change_here;
+            F here, change_here;
             if (!is_arc(p)) {
                 here = p.z0 + p.slope0 * (followed - p.rho0);
-                change_here = all(p.slope0);
+                change_here = all_of<F>(p.slope0);
             } else {
-                const Float8 away = followed - p.e;
-                const Float8 up = root(larger((p.r - away) * (p.r + away), all(1e-12f)));
+                const F away = followed - p.e;
+                const F up = root(larger((p.r - away) * (p.r + away), all_of<F>(1e-12f)));
                 here = p.f - up;
-                change_here = larger(away, all(0.0f)) / up;
+                change_here = larger(away, all_of<F>(0.0f)) / up;
             }
-            const Int8 in = followed > (i == 0 ? -1.0f : surface.rough[i - 1].rho1);
+            const auto in = followed > (i == 0 ? -1.0f : surface.rough[i - 1].rho1);
             g = select(in, here, g);
             change = select(in, change_here, change);
         }
-        change = smaller(change, all(float(steepest)));
-        const Float8 lift = e.z + e.slope * (s - from) - g;
-        const Float8 rises = e.slope - change * (s / larger(rho, all(1e-30f)));
-        below = select(known & reached & (rho < smaller(narrow_r + e.position, all(steep_rho))), lift - noise,
-                       never);
+        change = smaller(change, all_of<F>(float(steepest)));
+        const F lift = e.z + e.slope * (s - from) - g;
+        const F rises = e.slope - change * (s / larger(rho, all_of<F>(1e-30f)));
+        below = select(known & reached & (rho < smaller(narrow_r + e.position, all_of<F>(steep_rho))),
+                       lift - noise, never);
         above = lift - change * (rho - followed) + larger(rises * (lo - s), rises * (hi - s)) + noise;
         above = select(known, select(reached, above, never), e.top);
     }

@@ -89,14 +89,14 @@ private slots:
                     lower_surface(CutterProfile(cutter).grown(i % 3 ? 0 : uniform(rng, 0, 2)));
                 const double spread = surface.max_radius * std::pow(10.0, uniform(rng, -5, 0));
                 AxialPacket packet;
-                packet.count = whole(rng, 1, AxialPacket::most_places);
+                const int places = whole(rng, 1, AxialPacket::most_places);
                 packet.cut = view.nodes;
                 packet.cut_nodes = 1;
                 Vec2 at(uniform(rng, box.lo.x() - 3, box.hi.x() + 3),
                         uniform(rng, box.lo.y() - 3, box.hi.y() + 3));
                 if (i % 4 == 0)
                     at = mesh->vertices[std::size_t(whole(rng, 0, int(mesh->vertices.size()) - 1))].head<2>();
-                for (int k = 0; k < packet.count; ++k) {
+                for (int k = 0; k < places; ++k) {
                     packet.x[k] = at.x() + (k > 0 ? uniform(rng, 0, spread) : 0);
                     packet.y[k] = at.y() + (k > 0 ? uniform(rng, 0, spread) : 0);
                 }
@@ -104,6 +104,7 @@ private slots:
                     double tips[AxialPacket::most_places];
                     prepared->clear();
                     packet.prepared = prepared.get();
+                    packet.count = std::min(places, sets[set]->packet_places);
                     sets[set]->packet(view, surface, packet, tips);
                     for (int k = 0; k < packet.count; ++k) {
                         AxialQuery query;
