@@ -15,13 +15,8 @@ namespace facetmill::simd {
 
 namespace {
 
-/// Whether the lower surface is a single arc about a point of the axis, as a ball's.
-FACETMILL_LANES bool is_ball(const SurfaceTable& surface) {
-    return surface.count == 1 && surface.rough[0].r > 0 && surface.rough[0].e == 0;
-}
-
-/// What bounds need to know of a cutter at a place. `ball`: is_ball, which shortens much.
-template <bool tilted, bool ball = false>
+/// What bounds need to know of a cutter at a place. They are shorter where the shape is known.
+template <bool tilted, SurfaceShape shape>
 struct Bounds {
     const IndexView& index;
     const SurfaceTable& surface;
@@ -61,8 +56,9 @@ struct Bounds {
         uncertain = float(4 * (1 + steep));
     }
 
-    FACETMILL_MEMBER int pieces() const { return ball ? 1 : surface.count; }
-    FACETMILL_MEMBER static bool is_arc(const RoughPiece& p) { return ball || p.r != 0; }
+    static constexpr bool ball = shape == SurfaceShape::ball, flat = shape == SurfaceShape::flat;
+    FACETMILL_MEMBER int pieces() const { return ball || flat ? 1 : surface.count; }
+    FACETMILL_MEMBER static bool is_arc(const RoughPiece& p) { return ball || (!flat && p.r != 0); }
 
     /// A tip from `zero`, rounded down: what is higher by the last digit of a double must not be passed over.
     FACETMILL_MEMBER float rounded_down(double tip) const {
@@ -135,6 +131,16 @@ struct Bounds {
             sx = mx * per;
             sy = my * per;
             level = arc.f - arc.r * root(1.0f + square * per * per);
+            return;
+        }
+        if constexpr (flat) {
+            const F per = (1 - 2 * rough_share) * rough_inverse_root(larger(square, __FLT_MIN__));
+            const F ux = mx * per, uy = my * per;
+            const F steep = smaller(larger(px * ux + py * uy, 0.0f), float(tolerance::steepest_tangent));
+            const F slope = select(square * per >= rim, steep, 0.0f);
+            level = surface.rough[0].z0 - slope * radius;
+            sx = slope * ux;
+            sy = slope * uy;
             return;
         }
         // A little short, so that no direction is longer than 1.

@@ -15,6 +15,12 @@ struct FacetTest {
     alignas(32) double most_lift[4]; ///< bounds of their lifts
     alignas(32) std::int64_t has_edge[3][4], has_plane[4];
 
+    FACETMILL_MEMBER static Mask4 mask(const std::int64_t* m) {
+        Mask4 v;
+        __builtin_memcpy(&v, m, sizeof v);
+        return v;
+    }
+
     FACETMILL_MEMBER void set_duty(unsigned duty, int w) {
         for (int k = 0; k < 3; ++k)
             has_edge[k][w] = duty & (duty_edge << k) ? -1 : 0;
@@ -29,6 +35,65 @@ struct FacetTest {
             z[k][w] = block.z[k][lane];
         }
         set_duty(block.duty[lane], w);
+    }
+
+    /// A facet as it lies in its block, to be turned.
+    FACETMILL_MEMBER void set_unturned(const FacetBlock& block, std::uint32_t lane, int w) {
+        for (int k = 0; k < 3; ++k) {
+            x[k][w] = block.x[k][lane];
+            y[k][w] = block.y[k][lane];
+            z[k][w] = block.z[k][lane];
+            has_edge[k][w] = block.duty[lane] & (duty_edge_anyway << k) ? -1 : 0;
+        }
+    }
+
+    /// Turns the first `taken` facets, as they lie in their blocks, into a frame (rows) at a place.
+    FACETMILL_MEMBER void turn(const double (&place)[3], const double (&frame)[3][3], int taken) {
+        for (int w = taken; w < double_lanes; ++w)
+            for (int k = 0; k < 3; ++k) {
+                x[k][w] = x[k][0];
+                y[k][w] = y[k][0];
+                z[k][w] = z[k][0];
+                has_edge[k][w] = 0;
+            }
+        Double4 px[3], py[3], pz[3], square[3];
+        for (int k = 0; k < 3; ++k) {
+            const Double4 ax = load(x[k]) - place[0], ay = load(y[k]) - place[1], az = load(z[k]) - place[2];
+            px[k] = frame[0][0] * ax + frame[0][1] * ay + frame[0][2] * az;
+            py[k] = frame[1][0] * ax + frame[1][1] * ay + frame[1][2] * az;
+            pz[k] = frame[2][0] * ax + frame[2][1] * ay + frame[2][2] * az;
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int n = k == 2 ? 0 : k + 1;
+            const Double4 ex = px[n] - px[k], ey = py[n] - py[k];
+            square[k] = ex * ex + ey * ey;
+        }
+        // The longest edge first, as the lift over the plane wants it.
+        const Mask4 second = square[1] > square[0], third = square[2] > larger(square[1], square[0]);
+        const auto store_turned = [&](const Double4(&v)[3], double(&out)[3][4])
+            __attribute__((always_inline)) {
+            for (int k = 0; k < 3; ++k)
+                store(select(third, v[(k + 2) % 3], select(second, v[(k + 1) % 3], v[k])), out[k]);
+        };
+        store_turned(px, x);
+        store_turned(py, y);
+        store_turned(pz, z);
+        Mask4 edge[3];
+        for (int k = 0; k < 3; ++k)
+            edge[k] = mask(has_edge[k]);
+        for (int k = 0; k < 3; ++k) {
+            const Mask4 turned = third ? edge[(k + 2) % 3] : second ? edge[(k + 1) % 3] : edge[k];
+            __builtin_memcpy(has_edge[k], &turned, sizeof turned);
+        }
+        // The coordinates themselves carry rounding from being turned: a projection that it could have made
+        // has no area, and then its edges say everything.
+        const Double4 x0 = load(x[0]), y0 = load(y[0]);
+        const Double4 left = (load(x[1]) - x0) * (load(y[2]) - y0),
+                      right = (load(y[1]) - y0) * (load(x[2]) - x0);
+        const Double4 area = left - right, noise = tolerance::area_roundings * 0.5 * __DBL_EPSILON__
+                                                   * (magnitude(left) + magnitude(right));
+        const Mask4 plane = (area > noise) | (area < -noise);
+        __builtin_memcpy(has_plane, &plane, sizeof plane);
     }
 
     /// Places from `taken` on ask for nothing.
@@ -52,11 +117,6 @@ struct FacetTest {
         const Point4 p[3] = {{load(x[0]), load(y[0]), load(z[0])},
                              {load(x[1]), load(y[1]), load(z[1])},
                              {load(x[2]), load(y[2]), load(z[2])}};
-        const auto mask = [](const std::int64_t* m) __attribute__((always_inline)) {
-            Mask4 v;
-            __builtin_memcpy(&v, m, sizeof v);
-            return v;
-        };
         const PlaneLift4 plane = plane_lift(surface, mask(has_plane), p, tolerance::contact_roundings);
         static constexpr int no_edge[] = {-1, -1, -1, -1};
         consider(plane.lift, no_edge);

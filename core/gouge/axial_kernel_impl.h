@@ -12,13 +12,12 @@ namespace facetmill::simd {
 
 namespace {
 
-template <bool tilted>
-struct Search : Bounds<tilted> {
-    using Bounds<tilted>::index, Bounds<tilted>::surface, Bounds<tilted>::query;
-    using Bounds<tilted>::at, Bounds<tilted>::turn, Bounds<tilted>::zero;
-    using Bounds<tilted>::inner, Bounds<tilted>::radius, Bounds<tilted>::uncertain;
-    using Bounds<tilted>::bounds, Bounds<tilted>::touched, Bounds<tilted>::tangent_plane;
-    using Bounds<tilted>::rough_height;
+template <bool tilted, SurfaceShape shape>
+struct Search : Bounds<tilted, shape> {
+    using Base = Bounds<tilted, shape>;
+    using Base::bounds, Base::touched, Base::tangent_plane, Base::rough_height;
+    using Base::index, Base::surface, Base::query, Base::at, Base::turn, Base::zero;
+    using Base::inner, Base::radius, Base::uncertain;
 
     AxialAnswer& best;
 
@@ -47,7 +46,7 @@ struct Search : Bounds<tilted> {
     std::uint32_t opened; ///< a block that was opened first
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
-        : Bounds<tilted>(i, s, q), best(b) {
+        : Base(i, s, q), best(b) {
         best.tip = query.least;
         best.slot = no_slot;
         least = sure = -__builtin_inff();
@@ -168,46 +167,10 @@ struct Search : Bounds<tilted> {
         const FacetBlock& block = index.blocks[which / block_width];
         const std::uint32_t lane = which % block_width;
         slot[w] = which;
-        if constexpr (!tilted) {
+        if constexpr (!tilted)
             tested.set(block, lane, query.place[0], query.place[1], w);
-        } else {
-            const auto& m = query.frame;
-            double cx[3], cy[3], cz[3];
-            for (int k = 0; k < 3; ++k) {
-                const double ax = block.x[k][lane] - query.place[0], ay = block.y[k][lane] - query.place[1],
-                             az = block.z[k][lane] - query.place[2];
-                cx[k] = m[0][0] * ax + m[0][1] * ay + m[0][2] * az;
-                cy[k] = m[1][0] * ax + m[1][1] * ay + m[1][2] * az;
-                cz[k] = m[2][0] * ax + m[2][1] * ay + m[2][2] * az;
-            }
-            // The longest edge first, as the lift over the plane wants it.
-            int first = 0;
-            double longest = -1;
-            for (int k = 0; k < 3; ++k) {
-                const int n = k == 2 ? 0 : k + 1;
-                const double ex = cx[n] - cx[k], ey = cy[n] - cy[k], square = ex * ex + ey * ey;
-                if (square > longest) {
-                    longest = square;
-                    first = k;
-                }
-            }
-            unsigned edges = 0;
-            for (int k = 0; k < 3; ++k) {
-                const int from = (k + first) % 3;
-                tested.x[k][w] = cx[from];
-                tested.y[k][w] = cy[from];
-                tested.z[k][w] = cz[from];
-                if (block.duty[lane] & (duty_edge_anyway << from)) edges |= 1u << k;
-            }
-            const auto &x = tested.x, &y = tested.y;
-            // The coordinates themselves carry rounding from being turned: a projection that it could have
-            // made has no area, and then its edges say everything.
-            const double left = (x[1][w] - x[0][w]) * (y[2][w] - y[0][w]),
-                         right = (y[1][w] - y[0][w]) * (x[2][w] - x[0][w]), area = left - right;
-            const double noise = tolerance::area_roundings * 0.5 * __DBL_EPSILON__
-                                 * ((left < 0 ? -left : left) + (right < 0 ? -right : right));
-            tested.set_duty(edges | (area > noise || area < -noise ? unsigned(duty_plane) : 0u), w);
-        }
+        else
+            tested.set_unturned(block, lane, w);
     }
 
     FACETMILL_MEMBER void consider(const Lift4& lift, const int (&edge)[double_lanes]) {
@@ -243,6 +206,7 @@ struct Search : Bounds<tilted> {
             waiting_slot[next] = waiting_slot[waiting];
         }
         if (taken == 0) return;
+        if constexpr (tilted) tested.turn(query.place, query.frame, taken);
         tested.fill(taken);
         tested.run(
             surface, [&]() __attribute__((always_inline)) { return best.tip; },
@@ -358,11 +322,24 @@ struct Search : Bounds<tilted> {
     }
 };
 
+template <bool tilted, SurfaceShape shape>
+FACETMILL_CALLED void search_shape(const IndexView& index, const SurfaceTable& surface,
+                                   const AxialQuery& query, AxialAnswer& answer) {
+    Search<tilted, shape> search(index, surface, query, answer);
+    if (index.nodes) search.run();
+}
+
 template <bool tilted>
 void search(const IndexView& index, const SurfaceTable& surface, const AxialQuery& query,
             AxialAnswer& answer) {
-    Search<tilted> search(index, surface, query, answer);
-    if (index.nodes) search.run();
+    switch (surface.shape) {
+    case SurfaceShape::ball:
+        return search_shape<tilted, SurfaceShape::ball>(index, surface, query, answer);
+    case SurfaceShape::flat:
+        return search_shape<tilted, SurfaceShape::flat>(index, surface, query, answer);
+    case SurfaceShape::any:
+        return search_shape<tilted, SurfaceShape::any>(index, surface, query, answer);
+    }
 }
 
 } // namespace

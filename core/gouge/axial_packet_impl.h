@@ -20,12 +20,12 @@ namespace facetmill::simd {
 
 namespace {
 
-template <bool ball>
-class PacketSearch : PreparedBounds<ball> {
+template <SurfaceShape shape>
+class PacketSearch : PreparedBounds<shape> {
 public:
     FACETMILL_MEMBER PacketSearch(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
                                   const AxialQuery& first, double* t)
-        : PreparedBounds<ball>(i, s, first), packet(p), tips(t) {
+        : PreparedBounds<shape>(i, s, first), packet(p), tips(t) {
         float x[place_lanes], y[place_lanes];
         for (int k = 0; k < place_lanes; ++k) {
             const int place = k < packet.count ? k : 0;
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    using Base = PreparedBounds<ball>;
+    using Base = PreparedBounds<shape>;
     using Base::index, Base::surface, Base::query, Base::at, Base::zero, Base::radius, Base::inner,
         Base::slack, Base::margin;
     using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
@@ -554,10 +554,12 @@ void packet(const IndexView& index, const SurfaceTable& surface, const AxialPack
     if (!index.nodes) {
         for (double& tip : tips)
             tip = no_lift;
-    } else if (is_ball(surface)) {
-        PacketSearch<true>(index, surface, packet, first, tips).run();
+    } else if (surface.shape == SurfaceShape::ball) {
+        PacketSearch<SurfaceShape::ball>(index, surface, packet, first, tips).run();
+    } else if (surface.shape == SurfaceShape::flat) {
+        PacketSearch<SurfaceShape::flat>(index, surface, packet, first, tips).run();
     } else {
-        PacketSearch<false>(index, surface, packet, first, tips).run();
+        PacketSearch<SurfaceShape::any>(index, surface, packet, first, tips).run();
     }
 }
 

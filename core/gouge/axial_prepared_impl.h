@@ -11,10 +11,10 @@ namespace facetmill::simd {
 
 namespace {
 
-template <bool ball>
-struct PreparedBounds : Bounds<false, ball> {
-    using Base = Bounds<false, ball>;
-    using Base::pieces, Base::is_arc, Base::touching, Base::tangent_plane, Base::rough_height;
+template <SurfaceShape shape>
+struct PreparedBounds : Bounds<false, shape> {
+    using Base = Bounds<false, shape>;
+    using Base::ball, Base::pieces, Base::is_arc, Base::touching, Base::tangent_plane, Base::rough_height;
     using Base::surface, Base::zero, Base::inner;
 
     static constexpr double steepest = tolerance::steepest_followed;

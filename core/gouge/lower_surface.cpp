@@ -87,6 +87,11 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
     add_outer_line(table, profile);
     add_rough(table, profile);
     add_guess(table);
+    const SurfacePiece& first = table.piece[0];
+    if (table.count == 1 && first.r > 0 && first.e == 0)
+        table.shape = SurfaceShape::ball;
+    else if (table.count == 1 && first.r == 0 && first.slope0 == 0)
+        table.shape = SurfaceShape::flat;
     return table;
 }
 

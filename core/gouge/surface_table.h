@@ -20,7 +20,11 @@ struct RoughPiece {
     float e = 0, f = 0, r = 0, per_r = 0; ///< the last: 1 / r, 0 for a line
 };
 
+/// Surfaces for which bounds are simpler: one arc about a point of the axis; one level line.
+enum class SurfaceShape { any, ball, flat };
+
 struct SurfaceTable {
+    SurfaceShape shape = SurfaceShape::any;
     SurfacePiece piece[most_surface_pieces] = {};
     RoughPiece rough[most_surface_pieces] = {};
     int count = 0;
