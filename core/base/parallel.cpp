@@ -56,11 +56,13 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body
     const bool lower = low_priority;
     tbb::task_arena arena(threads);
     arena.execute([&] {
+        // As many loops as threads, each of which takes the next block that nobody has: blocks are begun in order.
+        std::atomic<std::size_t> next{0};
         tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, blocks, 1),
-            [&](const tbb::blocked_range<std::size_t>& range) {
+            tbb::blocked_range<int>(0, threads, 1),
+            [&](const tbb::blocked_range<int>&) {
                 if (lower) lower_thread_priority();
-                for (std::size_t b = range.begin(); b != range.end() && !stop; ++b) {
+                for (std::size_t b = next++; b < blocks && !stop; b = next++) {
                     try {
                         body(b);
                     } catch (...) {

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,20 @@ void parallel_blocks(std::size_t n, std::size_t grain, const Progress& progress,
         progress.check();
         body(b * grain, std::min(n, (b + 1) * grain));
         progress.set(double(++done) / double(blocks));
+    });
+}
+
+/// body(bounds[i], bounds[i + 1]) for every i, begun in this order: with small ranges at the end all threads end at
+/// about the same time.
+template <class Body>
+void parallel_ranges(std::span<const std::size_t> bounds, const Progress& progress, Body&& body) {
+    if (bounds.size() < 2) return;
+    const std::size_t ranges = bounds.size() - 1;
+    std::atomic<std::size_t> done{0};
+    detail::run_blocks(ranges, [&](std::size_t b) {
+        progress.check();
+        body(bounds[b], bounds[b + 1]);
+        progress.set(double(++done) / double(ranges));
     });
 }
 

@@ -48,6 +48,19 @@ struct Place {
     std::size_t number;
 };
 
+/// What a thread needs for a batch, kept for its next one: for many small batches it costs more to ask for
+/// memory than to find the lifts.
+struct Scratch {
+    std::vector<Place> places, sorted;
+    std::vector<std::uint32_t> cell, first;
+    PreparedBlocks prepared;
+};
+
+Scratch& scratch() {
+    thread_local const auto kept = std::make_unique_for_overwrite<Scratch>();
+    return *kept;
+}
+
 /// How many of the first places lie in a square of this side; [lo, hi] becomes their box.
 std::size_t near(std::span<const Place> places, double side, Vec2& lo, Vec2& hi) {
     lo = hi = places[0].at;
@@ -64,7 +77,8 @@ std::size_t near(std::span<const Place> places, double side, Vec2& lo, Vec2& hi)
 /// Orders places so that as many as a packet has, one after another, lie about in a square: in bands along X
 /// as high as such a square, to and fro within strips some squares wide, so that the part of the mesh that a
 /// band needs is still near at hand for the next. Places too far apart for packets stay as they are.
-void arrange(std::vector<Place>& places, std::size_t in_packet, double widest) {
+void arrange(Scratch& scratch, std::size_t in_packet, double widest) {
+    std::vector<Place>& places = scratch.places;
     const std::size_t n = places.size();
     if (n < in_packet) return;
     Vec2 lo = places[0].at, hi = lo;
@@ -82,7 +96,9 @@ void arrange(std::vector<Place>& places, std::size_t in_packet, double widest) {
     const auto bands = std::size_t(size.y() / side) + 1, cells = std::size_t(size.x() / wide) + 1;
     const std::size_t per_strip = std::min<std::size_t>(8 * in_packet, cells),
                       strips = (cells + per_strip - 1) / per_strip;
-    std::vector<std::uint32_t> cell(n), first(strips * bands * per_strip + 1, 0);
+    std::vector<std::uint32_t>&cell = scratch.cell, &first = scratch.first;
+    cell.resize(n);
+    first.assign(strips * bands * per_strip + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 d = places[i].at - lo;
         const std::size_t band = std::min(std::size_t(d.y() / side), bands - 1),
@@ -94,10 +110,11 @@ void arrange(std::vector<Place>& places, std::size_t in_packet, double widest) {
     }
     for (std::size_t c = 1; c < first.size(); ++c)
         first[c] += first[c - 1];
-    std::vector<Place> sorted(n);
+    std::vector<Place>& sorted = scratch.sorted;
+    sorted.resize(n);
     for (std::size_t i = 0; i < n; ++i)
         sorted[first[cell[i]]++] = places[i];
-    places = std::move(sorted);
+    places.swap(sorted);
 }
 
 AxialAnswer search(const IndexView& index, const SurfaceTable& surface, double x, double y,
@@ -181,14 +198,21 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
                       const Progress& progress) const {
     if (points.size() != heights.size())
         throw Error(ErrorCode::internal, "AxialLift", "as many heights as points are needed", "report this");
-    // Large blocks, so that there is much to arrange; but several for every thread.
+    // Large blocks, so that there is much to arrange; the last of them in quarters, so that all threads end
+    // at about the same time.
     constexpr std::size_t fewest = 256, most = 16384, packets_per_cut = 4, between_checks = 512;
-    const std::size_t per_block = std::clamp(points.size() / 16, fewest, most);
+    const std::size_t large = std::clamp(points.size() / 16, fewest, most),
+                      small = std::max(large / 4, fewest);
+    std::vector<std::size_t> bounds{0};
+    for (std::size_t left = points.size(); left > 0; left = points.size() - bounds.back())
+        bounds.push_back(bounds.back() + std::min(left, left > 2 * large ? large : small));
     const IndexView view = index_->impl().view();
     const std::size_t in_packet = std::size_t(axial_kernels().packet_places);
     const double radius = surface_->max_radius, widest_cut = 4 * radius;
-    parallel_blocks(points.size(), per_block, progress, [&](std::size_t begin, std::size_t end) {
-        std::vector<Place> places;
+    parallel_ranges(bounds, progress, [&](std::size_t begin, std::size_t end) {
+        Scratch& kept = scratch();
+        std::vector<Place>& places = kept.places;
+        places.clear();
         places.reserve(end - begin);
         for (std::size_t i = begin; i < end; ++i) {
             if (is_place(points[i].x(), points[i].y()))
@@ -196,10 +220,10 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             else
                 heights[i] = lift_nowhere(points[i].x(), points[i].y());
         }
-        arrange(places, in_packet, radius);
+        arrange(kept, in_packet, radius);
         SharedCut cut;
-        const auto prepared = std::make_unique_for_overwrite<PreparedBlocks>();
-        prepared->clear();
+        PreparedBlocks& prepared = kept.prepared;
+        prepared.clear();
         std::uint32_t hint = no_slot;
         std::size_t cut_end = 0, next_check = between_checks;
         for (std::size_t i = 0; i < places.size();) {
@@ -232,7 +256,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             packet.count = int(count);
             packet.cut = cut.nodes();
             packet.cut_nodes = cut.count();
-            packet.prepared = prepared.get();
+            packet.prepared = &prepared;
             double tips[AxialPacket::most_places];
             axial_kernels().packet(view, *surface_, packet, tips);
             for (std::size_t k = 0; k < count; ++k)
