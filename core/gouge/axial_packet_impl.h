@@ -91,7 +91,7 @@ private:
 
     /// With small facets that matter to no more places than this something else is better put into the lanes:
     /// the facets of the block; edges of several facets.
-    static constexpr int few_places = 4, few_edge_places = 2;
+    static constexpr int few_places = shape == SurfaceShape::ball ? place_lanes / 2 : 4, few_edge_places = 2;
 
     const AxialPacket& packet;
     double* tips;
@@ -160,12 +160,17 @@ private:
         return which % PreparedBlocks::room;
     }
 
-    /// A block that will most likely be opened.
-    FACETMILL_MEMBER void fetch(std::uint32_t which) const {
-        if (packet.prepared->block[room_of(which)] == which) return;
-        const FacetBlock& block = index.blocks[which];
-        for (std::size_t i = 0; i < sizeof block; i += 64)
-            __builtin_prefetch(reinterpret_cast<const char*>(&block) + i);
+    /// What will most likely be opened.
+    FACETMILL_MEMBER void fetch(std::uint32_t child) const {
+        const auto from = [](const auto& what) __attribute__((always_inline)) {
+            for (std::size_t i = 0; i < sizeof what; i += 64)
+                __builtin_prefetch(reinterpret_cast<const char*>(&what) + i);
+        };
+        const std::uint32_t block = child & ~TreeNode::leaf;
+        if (!(child & TreeNode::leaf))
+            from(index.nodes[child]);
+        else if (packet.prepared->block[room_of(block)] != block)
+            from(index.blocks[block]);
     }
 
     FACETMILL_CALLED void open_node(const TreeNode& node) {
@@ -221,7 +226,7 @@ private:
                 select((dx >= left[k]) & (dx <= right[k]) & (dy >= front[k]) & (dy <= back[k]),
                        smaller(base[k] + base_x[k] * dx + base_y[k] * dy, tops[k]), -__builtin_inff());
             if (bits(bound > least) == 0) continue;
-            if (node.child[k] & TreeNode::leaf) fetch(node.child[k] & ~TreeNode::leaf);
+            fetch(node.child[k]);
             key[waiting] = most_of(bound - larger(least, floor));
             child[waiting] = {&node, k, {contacts[0][k], contacts[1][k], contacts[2][k], contacts[3][k]}};
             store(bound, child_bound[waiting]);
