@@ -161,14 +161,14 @@ private:
     }
 
     /// What will most likely be opened.
-    FACETMILL_MEMBER void fetch(std::uint32_t child) const {
+    FACETMILL_MEMBER void fetch(std::uint32_t which) const {
         const auto from = [](const auto& what) __attribute__((always_inline)) {
             for (std::size_t i = 0; i < sizeof what; i += 64)
                 __builtin_prefetch(reinterpret_cast<const char*>(&what) + i);
         };
-        const std::uint32_t block = child & ~TreeNode::leaf;
-        if (!(child & TreeNode::leaf))
-            from(index.nodes[child]);
+        const std::uint32_t block = which & ~TreeNode::leaf;
+        if (!(which & TreeNode::leaf))
+            from(index.nodes[which]);
         else if (packet.prepared->block[room_of(block)] != block)
             from(index.blocks[block]);
     }
