@@ -97,6 +97,9 @@ inline constexpr double uncut_margin = 0.1;
 inline constexpr double smallest_step_share = 0.01;
 /// Chord tolerances of a path are at least this (mm).
 inline constexpr double smallest_chord = 1e-6;
+/// A chord tolerance that nobody has set is this share of the machining tolerance, and at most this (mm): it is what a path
+/// may gouge, and a part that may keep high cusps may not be gouged more for it.
+inline constexpr double auto_chord_share = 0.05, largest_auto_chord = 0.01;
 /// Points of a slice closer than this share of the part's diagonal say nothing about how the normal changes.
 inline constexpr double vanishing_step = 1e-6;
 /// Average changes of normals that differ by less than this share are alike.

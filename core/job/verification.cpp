@@ -3,6 +3,7 @@
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
+#include "core/strategy/budget.h"
 #include "core/strategy/lathe_rough.h"
 
 #include <array>
@@ -14,7 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double least_gouge_limit = 1e-4; // mm
-constexpr double chord_share = 0.05; // of the tolerance, where nobody says what chord tolerance was kept
 
 const char* kind_name(Collision::Kind kind) {
     switch (kind) {
@@ -168,7 +168,8 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
         const OperationCommon& common = last->common();
         settings.tolerance = common.tolerance;
         settings.allowance = common.allowance;
-        settings.gouge_limit = chord_share * common.tolerance;
+        // Nobody says what chord tolerance was kept.
+        settings.gouge_limit = chord_budget({0, "auto"}, common.tolerance);
         if (const auto* rough = dynamic_cast<const LatheRough*>(last))
             settings.allowance += rough->settings().finishing_allowance;
     }

@@ -24,7 +24,9 @@ double cusp_budget(const OperationCommon& settings, const PlanContext& context) 
 }
 
 double chord_budget(const NumberOrWord& asked, double budget) {
-    const double chord = asked.is_number() ? asked.number : 0.05 * budget;
+    const double chord = asked.is_number()
+                             ? asked.number
+                             : std::min(tolerance::auto_chord_share * budget, tolerance::largest_auto_chord);
     return std::max(std::min(chord, 0.5 * budget), tolerance::smallest_chord);
 }
 

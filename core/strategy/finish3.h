@@ -36,7 +36,7 @@ struct Finish3Settings : OperationCommon {
     NumberOrWord stepover{0, "adaptive"}; ///< mm
     Topology topology = Topology::parallel;
     Pattern pattern = Pattern::zigzag;
-    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: a twentieth of the tolerance
+    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     bool rest_only = false;
 };

@@ -32,7 +32,7 @@ struct Finish5Settings : OperationCommon {
     std::array<double, 2> yaw_limits{radians(-45), radians(45)};
     NumberOrWord stepover{0, "adaptive"}; ///< mm
     Pattern pattern = Pattern::zigzag;
-    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: a twentieth of the tolerance
+    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes
     double holder_clearance = 0;     ///< mm, kept between shank or holder and the part

@@ -6,8 +6,8 @@ ParameterInfo chord_tolerance_parameter(const std::string& what) {
     return {.key = "chord_tolerance",
             .label = "Chord tolerance",
             .help = what
-                    + "; auto is a twentieth of the tolerance. At most half the tolerance is "
-                      "used.",
+                    + "; the deepest gouge that the verification lets pass. auto is a twentieth of the "
+                      "tolerance, but at most 0.01 mm (0.0004 in). At most half the tolerance is used.",
             .kind = ParameterKind::number_or_word,
             .quantity = Quantity::length,
             .minimum = 0,

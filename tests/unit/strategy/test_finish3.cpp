@@ -30,6 +30,17 @@ const Mesh& level() {
 class TestFinish3 : public QObject {
     Q_OBJECT
 private slots:
+    /// However much may be left, no more than the limit is gouged unless that is asked for.
+    void chord_tolerance_by_itself_is_limited() {
+        for (const double tolerance : {0.02, 0.1, 0.2, 0.75, 5.0}) {
+            Finish3Settings s;
+            s.tolerance = tolerance;
+            QCOMPARE(planned(level(), s).chord_tolerance, std::min(tolerance / 20, 0.01));
+            s.chord_tolerance = {0.3 * tolerance, ""};
+            QCOMPARE(planned(level(), s).chord_tolerance, 0.3 * tolerance);
+        }
+    }
+
     void it_is_registered() {
         const auto& kinds = operation_kinds();
         QVERIFY(
