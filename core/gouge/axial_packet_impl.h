@@ -89,9 +89,12 @@ private:
     template <class F>
     using EdgeLanes = typename Base::template EdgeLanes<F>;
 
+    /// Places whose facets, eight each, fill the lanes.
+    static constexpr int together = place_lanes / int(block_width);
     /// With small facets that matter to no more places than this something else is better put into the lanes:
     /// the facets of the block; edges of several facets.
-    static constexpr int few_places = shape == SurfaceShape::ball ? place_lanes / 2 : 4, few_edge_places = 2;
+    static constexpr int few_places = shape == SurfaceShape::ball ? 6 * together : 2 + 2 * together,
+                         few_edge_places = 2;
 
     const AxialPacket& packet;
     double* tips;
@@ -376,22 +379,38 @@ private:
         int place[few_places];
         unsigned alive[few_places];
         int count = 0;
-        for (; places != 0; places &= places - 1) {
-            const int p = __builtin_ctz(places);
-            const Float8 x = all(lane(at_places.x, p)), y = all(lane(at_places.y, p));
-            const Int8 touchable = (x >= load(f.lo_x) - on.hi_x) & (x <= load(f.hi_x) - on.lo_x)
-                                   & (y >= load(f.lo_y) - on.hi_y) & (y <= load(f.hi_y) - on.lo_y);
-            Float8 gx, gy;
-            const Float8 over = facet_tangent(f, x, y, gx, gy);
-            const Float8 plane = load(f.plane) + load(f.plane_x) * x + load(f.plane_y) * y;
-            const Float8 cap =
-                smaller(over + gx * x + gy * y, smaller(plane + load(f.noise_out), load(f.top)));
-            alive[count] = bits(touchable & (cap > lane(least, p)) & (duty != 0));
-            if (alive[count] == 0) continue;
-            const float low = most_of(point_lift(f, x, y));
-            raise(p, low);
-            store(cap, caps[count]);
-            place[count++] = p;
+        const auto of = [](const float(&v)[block_width]) __attribute__((always_inline)) {
+            return repeat<PlaceFloats>(v);
+        };
+        const unsigned has_duty = bits(duty != 0);
+        while (places != 0) {
+            int p[together];
+            float px[together], py[together], lows[together];
+            for (int j = 0; j < together; ++j) {
+                p[j] = j > 0 && places == 0 ? p[0] : __builtin_ctz(places);
+                places &= places - 1;
+                px[j] = lane(at_places.x, p[j]);
+                py[j] = lane(at_places.y, p[j]);
+                lows[j] = lane(least, p[j]);
+            }
+            const auto x = each_eight<PlaceFloats>(px), y = each_eight<PlaceFloats>(py);
+            const PlaceMask touchable = (x >= of(f.lo_x) - on.hi_x) & (x <= of(f.hi_x) - on.lo_x)
+                                        & (y >= of(f.lo_y) - on.hi_y) & (y <= of(f.hi_y) - on.lo_y);
+            PlaceFloats gx, gy;
+            const PlaceFloats over = facet_tangent(f, x, y, gx, gy);
+            const PlaceFloats plane = of(f.plane) + of(f.plane_x) * x + of(f.plane_y) * y;
+            const PlaceFloats cap =
+                smaller(over + gx * x + gy * y, smaller(plane + of(f.noise_out), of(f.top)));
+            const unsigned open = bits(touchable & (cap > each_eight<PlaceFloats>(lows)));
+            if (open == 0) continue;
+            const PlaceFloats low = point_lift(f, x, y);
+            for (int j = 0; j < together && (j == 0 || p[j] != p[0]); ++j) {
+                alive[count] = open >> j * block_width & has_duty;
+                if (alive[count] == 0) continue;
+                raise(p[j], most_of(eight(low, j)));
+                store(eight(cap, j), caps[count]);
+                place[count++] = p[j];
+            }
         }
         if (count == 0) return;
         if (!f.has_edges) prepare_edges(f);

@@ -15,7 +15,7 @@ template <SurfaceShape shape>
 struct PreparedBounds : Bounds<false, shape> {
     using Base = Bounds<false, shape>;
     using Base::ball, Base::pieces, Base::is_arc, Base::touching, Base::tangent_plane, Base::rough_height;
-    using Base::surface, Base::zero, Base::inner;
+    using Base::surface, Base::zero, Base::inner, Base::radius;
 
     static constexpr double steepest = tolerance::steepest_followed;
     /// Facets no larger than this share of the cutter's radius are small.
@@ -116,44 +116,54 @@ struct PreparedBounds : Bounds<false, shape> {
 
     /// A plane of slopes (gx, gy) below the cutter that is good where it touches the facets from (x, y), and
     /// the bound that it gives of their lifts, at x = y = 0.
-    FACETMILL_MEMBER Float8 facet_tangent(const PreparedBlock& f, const Float8& x, const Float8& y,
-                                          Float8& gx, Float8& gy) const {
-        const Float8 tx = smaller(larger(load(f.contact_x), load(f.lo_x) - x), load(f.hi_x) - x),
-                     ty = smaller(larger(load(f.contact_y), load(f.lo_y) - y), load(f.hi_y) - y);
-        Float8 level;
-        tangent_plane(tx, ty, load(f.slope_x), load(f.slope_y), level, gx, gy);
-        Float8 over = load(f.z[0]) - gx * load(f.x[0]) - gy * load(f.y[0]);
-        over = larger(over, load(f.z[1]) - gx * load(f.x[1]) - gy * load(f.y[1]));
-        over = larger(over, load(f.z[2]) - gx * load(f.x[2]) - gy * load(f.y[2]));
-        return over - level + load(f.noise_tangent);
+    template <class F>
+    FACETMILL_MEMBER F facet_tangent(const PreparedBlock& f, const F& x, const F& y, F& gx, F& gy) const {
+        const F tx = smaller(larger(repeat<F>(f.contact_x), repeat<F>(f.lo_x) - x), repeat<F>(f.hi_x) - x),
+                ty = smaller(larger(repeat<F>(f.contact_y), repeat<F>(f.lo_y) - y), repeat<F>(f.hi_y) - y);
+        F level;
+        tangent_plane(tx, ty, repeat<F>(f.slope_x), repeat<F>(f.slope_y), level, gx, gy);
+        F over = repeat<F>(f.z[0]) - gx * repeat<F>(f.x[0]) - gy * repeat<F>(f.y[0]);
+        over = larger(over, repeat<F>(f.z[1]) - gx * repeat<F>(f.x[1]) - gy * repeat<F>(f.y[1]));
+        over = larger(over, repeat<F>(f.z[2]) - gx * repeat<F>(f.x[2]) - gy * repeat<F>(f.y[2]));
+        return over - level + repeat<F>(f.noise_tangent);
     }
 
     /// The lift over a point of every facet from (x, y), from below: the one where the facet's plane touches,
     /// with barycentric coordinates below 0 made 0. -inf where it is not surely under the cutter.
-    FACETMILL_MEMBER Float8 point_lift(const PreparedBlock& f, const Float8& x, const Float8& y) const {
+    template <class F>
+    FACETMILL_MEMBER F point_lift(const PreparedBlock& f, const F& x, const F& y) const {
         constexpr auto inward = float(1 - 3 * tolerance::rim_share); // a little inside of the rim
-        const Float8 ax = inward * load(f.contact_x) + x, ay = inward * load(f.contact_y) + y;
-        const Float8 sign = load(f.turn);
-        Float8 toward_x[3], toward_y[3], weight[3];
+        const F ax = inward * repeat<F>(f.contact_x) + x, ay = inward * repeat<F>(f.contact_y) + y;
+        const F sign = repeat<F>(f.turn);
+        F toward_x[3], toward_y[3], weight[3];
         for (int k = 0; k < 3; ++k) {
-            toward_x[k] = load(f.x[k]) - ax;
-            toward_y[k] = load(f.y[k]) - ay;
+            toward_x[k] = repeat<F>(f.x[k]) - ax;
+            toward_y[k] = repeat<F>(f.y[k]) - ay;
         }
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
-            weight[k] = larger(sign * (toward_x[i] * toward_y[j] - toward_x[j] * toward_y[i]), all(0.0f));
+            weight[k] = larger(sign * (toward_x[i] * toward_y[j] - toward_x[j] * toward_y[i]), 0.0f);
         }
-        const Float8 share = 1.0f / (weight[0] + weight[1] + weight[2]);
+        const F share = 1.0f / (weight[0] + weight[1] + weight[2]);
         const auto mean = [&](const float(&corner)[3][block_width]) __attribute__((always_inline)) {
             return share
-                   * (weight[0] * load(corner[0]) + weight[1] * load(corner[1])
-                      + weight[2] * load(corner[2]));
+                   * (weight[0] * repeat<F>(corner[0]) + weight[1] * repeat<F>(corner[1])
+                      + weight[2] * repeat<F>(corner[2]));
         };
-        const Float8 qx = mean(f.x) - x, qy = mean(f.y) - y, square = qx * qx + qy * qy;
-        const Float8 rho = root(square) + 4 * load(f.position), noise = load(f.noise_tangent);
-        return select((rho < inner) & (square >= 0.0f),
-                      mean(f.z) - (1 + float(tolerance::float_slack)) * rough_height(rho) - noise,
-                      all(-__builtin_inff()));
+        const F qx = mean(f.x) - x, qy = mean(f.y) - y, square = qx * qx + qy * qy;
+        const F height = mean(f.z) - repeat<F>(f.noise_tangent), position = repeat<F>(f.position);
+        constexpr float widened = 1 + float(tolerance::float_slack);
+        if constexpr (ball) {
+            // (rho + 4 position)^2 is less than this.
+            const F farther = square + 16 * position * radius;
+            const RoughPiece& arc = surface.rough[0];
+            return select(farther < inner * inner,
+                          height - widened * (arc.f - root(larger(arc.r * arc.r - farther, 0.0f))),
+                          -__builtin_inff());
+        }
+        const F rho = root(square) + 4 * position;
+        return select((rho < inner) & (square >= 0.0f), height - widened * rough_height(rho),
+                      -__builtin_inff());
     }
 
     FACETMILL_CALLED static void prepare_edges(PreparedBlock& f) {

@@ -91,6 +91,15 @@ FACETMILL_LANES void set_lane(Float16& a, int k, float value) {
 FACETMILL_LANES Float16 filled(float v, const Float16*) {
     return {_mm512_set1_ps(v)};
 }
+FACETMILL_LANES Float16 repeated(const float* p, const Float16*) {
+    return {_mm512_broadcast_f32x8(_mm256_loadu_ps(p))};
+}
+FACETMILL_LANES Float16 by_eights(const float* v, const Float16*) {
+    return {_mm512_insertf32x8(_mm512_set1_ps(v[0]), _mm256_set1_ps(v[1]), 1)};
+}
+FACETMILL_LANES Float8 eight(const Float16& a, int k) {
+    return Float8(k == 0 ? _mm512_castps512_ps256(a.v) : _mm512_extractf32x8_ps(a.v, 1));
+}
 
 using PlaceFloats = Float16;
 using PlaceMask = Mask16;
@@ -145,6 +154,25 @@ FACETMILL_LANES Float8 filled(float v, const Float8*) {
 template <class F>
 FACETMILL_LANES F all_of(float v) {
     return filled(v, static_cast<const F*>(nullptr));
+}
+FACETMILL_LANES Float8 repeated(const float* p, const Float8*) {
+    return load(p);
+}
+FACETMILL_LANES Float8 by_eights(const float* v, const Float8*) {
+    return all(v[0]);
+}
+FACETMILL_LANES Float8 eight(const Float8& a, int) {
+    return a;
+}
+/// Eight numbers, as often as they find room.
+template <class F>
+FACETMILL_LANES F repeat(const float* p) {
+    return repeated(p, static_cast<const F*>(nullptr));
+}
+/// A number in every eight of the lanes.
+template <class F>
+FACETMILL_LANES F each_eight(const float* v) {
+    return by_eights(v, static_cast<const F*>(nullptr));
 }
 template <class F>
 FACETMILL_LANES F larger(const F& a, float b) {
