@@ -26,6 +26,10 @@ constexpr double standing = 0.3;
 /// Tips are asked up to this many radii aside: an upright wall is just at the radius.
 constexpr double aside = 1.02;
 
+/// Of the tolerance: two valleys that leave the same within this leave alike.
+constexpr double alike = 0.25;
+/// Of an edge between two bands: neither gets less.
+constexpr double least_part = 0.02;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
 constexpr double last_step = 0.02;
 
@@ -224,23 +228,30 @@ private:
                     if (asked.gap < nearest.gap) nearest = asked;
                 }
                 if (nearest.gap > in_.tolerance) {
-                    int by = -1;
                     double least = infinity;
+                    // What a curve's tips leave, of those that come near.
+                    std::vector<std::pair<int, double>> by_curve;
                     // A cutter is nearer than the distance of its axis less the radius nowhere.
                     for (const double share : {aside, 1.5, 2.5, 4.0}) {
                         const double within = share * radius_;
+                        by_curve.clear();
                         tips.near(Vec3(p.x(), p.y(), 0), within, [&](std::size_t t) {
                             const Valleys::Tip& tip = valleys_.tips[t];
                             const Vec3 rel = p - tip.tip;
-                            if (rel.head<2>().squaredNorm() > (least + radius_) * (least + radius_)) return;
+                            const double most = least + alike * in_.tolerance + radius_;
+                            if (rel.head<2>().squaredNorm() > most * most) return;
                             const double d = in_.cover->distance(rel);
-                            if (d < least || (d == least && tip.curve < by)) {
-                                least = d;
-                                by = tip.curve;
-                            }
+                            least = std::min(least, d);
+                            for (auto& [curve, left] : by_curve)
+                                if (curve == tip.curve) {
+                                    left = std::min(left, d);
+                                    return;
+                                }
+                            by_curve.emplace_back(tip.curve, d);
                         });
                         if (least + radius_ <= within) break;
                     }
+                    const int by = owner_of(p, by_curve, least);
                     nearest_[v] = by;
                     // Of a valley's band the valley's own tips come nearest; a place for which they do not
                     // may have a normal that says nothing, of a needle on a noisy plane.
@@ -252,6 +263,27 @@ private:
                 gap_[v] = nearest.gap;
             }
         });
+    }
+
+    /// The curve that a place of a band belongs to. Where two leave alike, as about the corner in which they
+    /// meet, it is the one with the nearer centre; -1 where none comes near.
+    int owner_of(const Vec3& p, const std::vector<std::pair<int, double>>& left, double least) const {
+        int owner = -1;
+        double nearest = infinity;
+        for (const auto& [curve, d] : left) {
+            if (d > least + alike * in_.tolerance) continue;
+            const double away = curve >= 0 ? from_center(p, curve) : infinity;
+            if (away > nearest || (away == nearest && owner >= 0 && (curve < 0 || owner < curve))) continue;
+            owner = curve;
+            nearest = away;
+        }
+        return owner;
+    }
+    double from_center(const Vec3& p, int curve) const {
+        double least = infinity;
+        for (const PencilPoint& q : valleys_.curves[std::size_t(curve)].points)
+            least = std::min(least, (q.center - p).squaredNorm());
+        return least;
     }
 
     void own(const Progress& progress) {
@@ -316,6 +348,22 @@ private:
         return found->second;
     }
 
+    /// Where the centres of two points' curves are equally far on the edge between them.
+    Index border(Index a, int owner_a, Index b, int owner_b) {
+        const auto [found, is_new] = borders_.try_emplace(pair_of(a, b), Index(points_.size()));
+        if (is_new) {
+            const auto nearer = [&](Index c, int mine, int others) {
+                return std::sqrt(from_center(points_[c], others)) - std::sqrt(from_center(points_[c], mine));
+            };
+            const double at_a = std::max(nearer(a, owner_a, owner_b), 0.0),
+                         at_b = std::max(nearer(b, owner_b, owner_a), 0.0);
+            const double t = at_a + at_b > 0 ? at_a / (at_a + at_b) : 0.5;
+            points_.push_back(points_[a]
+                              + std::clamp(t, least_part, 1 - least_part) * (points_[b] - points_[a]));
+        }
+        return found->second;
+    }
+
     std::vector<RestBand> cut_out(const Progress& progress) {
         const int curves = int(valleys_.curves.size());
         std::vector<RestBand> bands;
@@ -326,32 +374,74 @@ private:
             if (i % check_every == 0) progress.check();
             const Leaf& l = leaves_[i];
             if (!l.in || l.owner < 0) continue;
-            RestBand& band = bands[std::size_t(l.owner)];
             std::vector<Index> outline;
+            std::vector<int> owner; // of its points
             for (std::size_t k = 0; k < 3; ++k) {
                 const Index a = l.corner[k], b = l.corner[(k + 1) % 3];
                 const bool in_a = gap_[a] > in_.tolerance, in_b = gap_[b] > in_.tolerance;
-                if (in_a) outline.push_back(a);
-                if (in_a != in_b) outline.push_back(crossing(a, b));
-                if (in_a) band.depth = std::max(band.depth, gap_[a]);
-            }
-            for (std::size_t k = 0; k < outline.size(); ++k) {
-                const Index a = outline[k], b = outline[(k + 1) % outline.size()];
-                if (a == b) continue;
-                // An edge that another facet runs along the other way is inside.
-                auto& map = edges[std::size_t(l.owner)];
-                const std::uint64_t there = (std::uint64_t(a) << 32) | b, back = (std::uint64_t(b) << 32) | a;
-                if (const auto twin = map.find(back); twin != map.end()) {
-                    if (--twin->second == 0) map.erase(twin);
-                } else {
-                    ++map[there];
+                const auto of = [&](Index c) { return nearest_[c] >= 0 ? nearest_[c] : l.owner; };
+                if (in_a) {
+                    outline.push_back(a);
+                    owner.push_back(of(a));
+                    RestBand& band = bands[std::size_t(of(a))];
+                    band.depth = std::max(band.depth, gap_[a]);
                 }
-                reach_at.push_back({a, Index(l.owner)});
+                if (in_a != in_b) {
+                    outline.push_back(crossing(a, b));
+                    owner.push_back(of(in_a ? a : b));
+                }
             }
-            for (std::size_t k = 2; k < outline.size(); ++k) {
-                const Vec3 &a = points_[outline[0]], &b = points_[outline[k - 1]], &c = points_[outline[k]];
-                band.band.push_back({a, b, c});
-                band.area += 0.5 * (b - a).cross(c - a).norm();
+            const auto add = [&](const std::vector<Index>& part, int to) {
+                RestBand& band = bands[std::size_t(to)];
+                auto& map = edges[std::size_t(to)];
+                for (std::size_t k = 0; k < part.size(); ++k) {
+                    const Index a = part[k], b = part[(k + 1) % part.size()];
+                    if (a == b) continue;
+                    // An edge that another facet runs along the other way is inside.
+                    const std::uint64_t there = (std::uint64_t(a) << 32) | b,
+                                        back = (std::uint64_t(b) << 32) | a;
+                    if (const auto twin = map.find(back); twin != map.end()) {
+                        if (--twin->second == 0) map.erase(twin);
+                    } else {
+                        ++map[there];
+                    }
+                    reach_at.push_back({a, Index(to)});
+                }
+                for (std::size_t k = 2; k < part.size(); ++k) {
+                    const Vec3 &a = points_[part[0]], &b = points_[part[k - 1]], &c = points_[part[k]];
+                    band.band.push_back({a, b, c});
+                    band.area += 0.5 * (b - a).cross(c - a).norm();
+                }
+            };
+            // Where bands meet it is divided among them, where three do about its middle.
+            const std::size_t n = outline.size();
+            std::vector<std::size_t> first; // of the points of each
+            for (std::size_t k = 0; k < n; ++k)
+                if (owner[k] != owner[(k + n - 1) % n]) first.push_back(k);
+            if (first.empty()) {
+                add(outline, owner.front());
+                continue;
+            }
+            Index middle = no_index;
+            if (first.size() > 2) {
+                Vec3 sum = Vec3::Zero();
+                for (const Index p : outline)
+                    sum += points_[p];
+                middle = Index(points_.size());
+                points_.push_back(sum / double(n));
+            }
+            for (std::size_t j = 0; j < first.size(); ++j) {
+                const std::size_t from = first[j], to = first[(j + 1) % first.size()];
+                const auto before = [&](std::size_t k) {
+                    const std::size_t last = (k + n - 1) % n;
+                    return border(outline[last], owner[last], outline[k], owner[k]);
+                };
+                std::vector<Index> part{before(from)};
+                for (std::size_t k = from; k != to; k = (k + 1) % n)
+                    part.push_back(outline[k]);
+                part.push_back(before(to));
+                if (middle != no_index) part.push_back(middle);
+                add(part, owner[from]);
             }
         }
         for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -461,7 +551,7 @@ private:
     std::vector<Leaf> leaves_;
     std::vector<double> gap_;
     std::vector<int> nearest_;
-    std::unordered_map<std::uint64_t, Index> middles_, crossings_;
+    std::unordered_map<std::uint64_t, Index> middles_, crossings_, borders_;
     int owners_ = 0;
 };
 

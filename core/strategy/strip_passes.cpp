@@ -39,6 +39,8 @@ constexpr double smallest_step = 0.01;
 /// The step-over suits this share of the places along a pass; elsewhere passes are put in, halving so often.
 constexpr double usual_share = 0.85;
 constexpr int most_fills = 4;
+/// ... and so many radii of the way between two of them are passed over, too.
+constexpr double bridge_radii = 4;
 /// The end of a pass is found to this many halvings of a step.
 constexpr int end_halvings = 8;
 constexpr int ridge_angles = 241;
@@ -464,6 +466,7 @@ private:
             }
         progress.check();
         if (!any) return;
+        bridge(which);
         Row middle{a.offsets, {}};
         for (std::size_t i = 0; i < count_; ++i)
             middle.offsets[i] = 0.5 * (a.offsets[i] + b.offsets[i]);
@@ -472,6 +475,20 @@ private:
         const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
         add_passes(middle, which, ++number_, middle.offsets[first]);
         fill(middle, b, depth - 1, progress);
+    }
+
+    /// Cutting nothing over a short way takes less time than a way out, over and in again.
+    void bridge(std::vector<char>& which) const {
+        std::size_t last = count_;
+        double way = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (i > 0) way += spacing(i - 1, i);
+            if (!which[i]) continue;
+            if (last < count_ && way <= bridge_radii * radius_)
+                std::fill(which.begin() + std::ptrdiff_t(last), which.begin() + std::ptrdiff_t(i), 1);
+            last = i;
+            way = 0;
+        }
     }
 
     /// With the overlap before and after.

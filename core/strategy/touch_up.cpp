@@ -26,9 +26,9 @@ constexpr double stand_share = 0.02;
 constexpr double finest_share = 0.2;
 /// Of the radius: places of the cutter are looked for by cells of this size; next on a pass is one within a
 /// reach.
-constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5;
+constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5, gap_share = 4;
 /// Cosine: a pass turns by no more from one place to the next.
-constexpr double most_turn = 0.5;
+constexpr double most_turn = 0.5, most_turn_after_gap = 0.95;
 /// A pass goes on over its ends in so many steps of this share of the radius.
 constexpr int end_steps = 3;
 constexpr double end_share = 0.1;
@@ -192,7 +192,6 @@ private:
         std::vector<std::size_t> order(left_.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             order[i] = i;
-        const auto excess = [&](std::size_t i) { return left_[i].rest - left_[i].sample.gap; };
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return excess(a) > excess(b); });
         std::vector<std::vector<Pass>> more(bands_.size());
@@ -209,16 +208,7 @@ private:
                 Vec3 at = start, ahead = half == 0 ? along : Vec3(-along);
                 if (half == 1 && !halves[0].empty()) ahead = (start - halves[0].front()).normalized();
                 for (;;) {
-                    std::size_t next = left_.size();
-                    tips.near(level(at), next_share * radius_, [&](std::size_t i) {
-                        const Vec3 way = left_[i].sample.tip - at;
-                        if (!too_much(left_[i]) || way.norm() > next_share * radius_
-                            || way.dot(ahead) < most_turn * way.norm())
-                            return;
-                        if (next == left_.size() || excess(i) > excess(next)
-                            || (excess(i) == excess(next) && i < next))
-                            next = i;
-                    });
+                    const std::size_t next = next_on(at, ahead, tips);
                     if (next == left_.size()) break;
                     const Vec3 tip = left_[next].sample.tip;
                     known = stand_.size();
@@ -251,6 +241,29 @@ private:
             clear_passes(with_, more[b], progress.part(0, 0));
             add_nearest_first(more[b], bands_[b].cut->passes);
         }
+    }
+
+    double excess(std::size_t i) const { return left_[i].rest - left_[i].sample.gap; }
+
+    /// The place where most is left of those that come next on a pass, or, where there is none, the first
+    /// after a gap; the number of places where there is none either.
+    std::size_t next_on(const Vec3& at, const Vec3& ahead, const PointGrid& tips) const {
+        for (const double reach : {next_share * radius_, gap_share * radius_}) {
+            std::size_t next = left_.size();
+            double least = infinity;
+            tips.near(level(at), reach, [&](std::size_t i) {
+                const Vec3 way = left_[i].sample.tip - at;
+                const double length = way.norm();
+                const double cosine = reach == next_share * radius_ ? most_turn : most_turn_after_gap;
+                if (!too_much(left_[i]) || length > reach || way.dot(ahead) < cosine * length) return;
+                const double rank = reach == next_share * radius_ ? -excess(i) : length;
+                if (rank > least || (rank == least && i > next)) return;
+                least = rank;
+                next = i;
+            });
+            if (next < left_.size()) return next;
+        }
+        return left_.size();
     }
 
     /// Unit vector along the pass that comes nearest to a tip.

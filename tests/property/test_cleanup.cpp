@@ -234,6 +234,20 @@ private slots:
         QVERIFY2(double(wrong) <= 0.01 * double(center_places.size()), qPrintable(figures));
     }
 
+    /// Every band is one piece without holes, or a ring round a closed valley: where two meet, neither has
+    /// islands in the other.
+    void bands_are_whole() {
+        for (int i = 0; i < int(parts().size()); ++i)
+            for (const Strip& strip : planned(i, false, false).path.strips) {
+                const auto& center = strip.centers.at(0);
+                const bool closed = (center.front() - center.back()).norm() < 1e-9;
+                QVERIFY2(strip.boundaries.size() == (closed ? 2 : 1),
+                         qPrintable(QString("%1, %2: %3 boundaries")
+                                        .arg(parts()[std::size_t(i)].name.c_str(), strip.name.c_str())
+                                        .arg(strip.boundaries.size())));
+            }
+    }
+
     void only_what_no_cutter_reaches_stays_data() {
         QTest::addColumn<int>("part");
         QTest::addColumn<bool>("noisy");
