@@ -148,7 +148,8 @@ std::vector<Vec3> gap_floor() {
 
 Mesh shell(double tolerance, const Progress& progress) {
     // 12 x 6 in: nose, windscreen, roof and tail, sides falling away, and four scoops with walls up to about
-    // 70 degrees.
+    // 65 degrees. Their tightest hollow has a radius of 3.5 mm: the ball of D 6.35 mm that Wang reworks with
+    // fits everywhere.
     static const CubicBSpline spine({{0, 0.7},
                                      {1, 0.9},
                                      {2.5, 1.25},
@@ -173,10 +174,10 @@ Mesh shell(double tolerance, const Progress& progress) {
         const double s = y / half_width, x = top.x();
         double z = top.y() * (1.0 - 0.7 * s * s * s * s);
         for (const Scoop& scoop : scoops) {
-            // Flat floor inside 0.4 of a rounded rectangle, a wall with continuous curvature out to its rim.
+            // Flat floor inside 0.2 of a rounded rectangle, a wall with continuous curvature out to its rim.
             const double across = std::pow((x - scoop.x) / scoop.half_length, 4)
                                   + std::pow((y - scoop.y) / scoop.half_width, 4);
-            const double w = std::clamp((1.0 - std::sqrt(std::sqrt(across))) / 0.6, 0.0, 1.0);
+            const double w = std::clamp((1.0 - std::sqrt(std::sqrt(across))) / 0.8, 0.0, 1.0);
             z -= scoop.depth * w * w * w * (10.0 + w * (6.0 * w - 15.0));
         }
         return Vec3(mm_per_inch * Vec3(x, y, z));
