@@ -14,6 +14,8 @@ constexpr int most_divisions = 9;
 constexpr double most_lift_share = 1.5;
 /// Of the chord tolerance, as for passes.
 constexpr double chord_share = 0.6;
+/// How far a tool comes off that turns over, in what it has to be clear by.
+constexpr double off_share = 2;
 
 /// A way between two locations that keeps clear of the part to within the chord tolerance, lifted along the
 /// tool axis where it has to be.
@@ -88,7 +90,30 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         return above;
     };
 
-    SurfaceLink on_surface(lift, chord_share * options.chord_tolerance, most_lift_share * diameter);
+    const double chord = chord_share * options.chord_tolerance, most_lift = most_lift_share * diameter;
+    SurfaceLink on_surface(lift, chord, most_lift);
+    // Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact, and
+    // the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and goes
+    // in along its axis. The rim sweeps inclined over borders of the part: clear by as much as it is looked
+    // at apart.
+    const double apart = looking_step(0.5 * diameter, chord);
+    const ToolLift clear_lift(context.contact, context.tool,
+                              {clearance.cutter + apart, clearance.shank, clearance.holder});
+    SurfaceLink over_surface(clear_lift, chord, most_lift);
+    const auto turned_over = [&](const Pass& from, const Pass& to, std::vector<CutterLocation>& way) {
+        if (from.cc.empty() || to.cc.empty()
+            || (to.cc.front().point - from.cc.back().point).norm() > options.link_distance)
+            return false;
+        const auto off = [&](const CutterLocation& c) {
+            return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
+        };
+        const CutterLocation up = off(from.cl.back()), down = off(to.cl.front());
+        way.assign(1, up);
+        if (!over_surface.between(up, down, 0, way)) return false;
+        way.push_back(down);
+        return true;
+    };
+    const Pass* last_pass = nullptr;
     const CutterLocation* last = nullptr;
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
         progress.set(double(i) / double(path.passes.size()));
@@ -97,14 +122,16 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
         bool linked = false;
+        std::vector<CutterLocation> way;
         if (last && (start.tip - last->tip).norm() <= options.link_distance) {
-            std::vector<CutterLocation> way;
             linked = on_surface.between(*last, start, 0, way);
-            if (linked) {
-                for (const CutterLocation& c : way)
-                    result.motions.push_back({MotionKind::link, c, no_index, no_index});
-                result.motions.push_back({MotionKind::link, start, pass_index, 0});
-            }
+        } else if (last) {
+            linked = turned_over(*last_pass, pass, way);
+        }
+        if (linked) {
+            for (const CutterLocation& c : way)
+                result.motions.push_back({MotionKind::link, c, no_index, no_index});
+            result.motions.push_back({MotionKind::link, start, pass_index, 0});
         }
         if (!linked) {
             if (last)
@@ -114,6 +141,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         }
         for (std::size_t k = 1; k < pass.cl.size(); ++k)
             result.motions.push_back({MotionKind::cut, pass.cl[k], pass_index, Index(k)});
+        last_pass = &pass;
         last = &pass.cl.back();
     }
     if (last) result.motions.push_back({MotionKind::retract, at_clearance(*last), no_index, no_index});

@@ -4,6 +4,7 @@
 #include "core/cspace/choose.h"
 #include "core/strategy/five_axis_parameters.h"
 #include "core/strategy/five_axis_record.h"
+#include "core/strategy/pass_order.h"
 #include "core/strategy/posture_path.h"
 #include "core/strategy/posture_study.h"
 #include "core/strategy/run_out.h"
@@ -490,6 +491,12 @@ private:
         result_.cusp_max += field_.chord();
         result_.chord_tolerance = field_.chord();
         if (is_piece_) return;
+        // Where what has no posture breaks passes into pieces, one after the other of every plane would mean
+        // going up and down between them.
+        const PlanContext& context = field_.context();
+        order_by_travel(result_.passes, false,
+                        std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + settings_.clearance,
+                        progress_.part(1, 1));
         if (unsatisfied_ > 0)
             result_.warnings.push_back(std::to_string(unsatisfied_) + " of "
                                        + std::to_string(result_.drive_planes)

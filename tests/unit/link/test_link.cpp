@@ -107,6 +107,30 @@ private slots:
             QVERIFY(motion.to.tip.z() >= 0);
     }
 
+    /// Tips a diameter apart, contacts beside each other: a flat end that turns round.
+    void a_flat_end_turns_round_without_going_up() {
+        const double lead = radians(5), radius = 5;
+        StrategyResult path;
+        for (const int travel : {1, -1}) {
+            Pass p;
+            const Vec3 axis(travel * std::sin(lead), 0, std::cos(lead)),
+                down(travel * std::cos(lead), 0, -std::sin(lead)); // to the rim's lowest point
+            const double y = travel > 0 ? 0 : 1;
+            for (const double x : {-10.0 * travel, 10.0 * travel}) {
+                p.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
+                p.cl.push_back({Vec3(x, y, 0) - radius * down, axis});
+            }
+            path.passes.push_back(std::move(p));
+        }
+        const PlanContext context = context_of(level(), flat_tool(2 * radius));
+        const ToolMotions m = link_five_axis(path, context, {}, near_options(2), Progress());
+        QVERIFY2(kinds_of(m).find("cl") != std::string::npos && kinds_of(m).find("^r") == std::string::npos,
+                 kinds_of(m).c_str());
+        path.passes[1].cc.front().point.y() = path.passes[1].cl.front().tip.y() = 15;
+        QVERIFY(kinds_of(link_five_axis(path, context, {}, near_options(2), Progress())).find("^r")
+                != std::string::npos);
+    }
+
     void an_allowance_stays_under_links() {
         const PlanContext context = context_of(level(), ball_tool(6));
         StrategyResult path;
