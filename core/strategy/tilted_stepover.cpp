@@ -16,8 +16,6 @@ constexpr double bin_share = 0.25, spread_share = 0.5, beyond_share = 2, look_sh
 constexpr double most_width_share = 0.97;
 /// Of the tolerance: an estimated posture may be lifted by this.
 constexpr double lifted_share = 0.1;
-/// Of a width: left unused, because postures are estimates.
-constexpr double safety = 0.95;
 /// Of a step: to this it is the largest.
 constexpr double step_accuracy = 0.01;
 constexpr std::size_t contacts_per_block = 16;
@@ -25,6 +23,8 @@ constexpr std::size_t contacts_per_block = 16;
 /// in radii of the cutter.
 constexpr double step_ratio = 1.15, partial_cost = 2;
 constexpr int tries_beyond = 4;
+/// Of a pass: where partial passes would be longer, a full one is closer by.
+constexpr double most_partial = 0.6;
 /// Partial passes have partial passes between them, so deep at most.
 constexpr int deepest_partial = 3;
 
@@ -157,7 +157,7 @@ double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side, do
             double share = 0;
             if (std::isfinite(last_margin) && std::isfinite(margin))
                 share = last_margin / (last_margin - margin);
-            return safety * std::abs(last_v + share * (v - last_v) - contact.place.v);
+            return used_width * std::abs(last_v + share * (v - last_v) - contact.place.v);
         }
         if (ends) return infinity;
         last_v = v;
@@ -340,6 +340,16 @@ double TiltedStepOver::partial_travel(const EstimatedPass& a, const EstimatedPas
     return travel;
 }
 
+double TiltedStepOver::partial_share(const EstimatedPass& a, const EstimatedPass& b,
+                                     const Bins& within) const {
+    double partial = 0, whole = 0;
+    for (const Bins& range : narrow_ranges(a, &b, within))
+        partial += double(range.last + 1 - range.first) * bin_ + 2 * range.beyond;
+    for (std::size_t i = within.first; i <= within.last; ++i)
+        if (a.comes[i] || b.comes[i]) whole += bin_;
+    return whole > 0 ? partial / whole : 0;
+}
+
 std::optional<EstimatedPass> TiltedStepOver::cheapest(const EstimatedPass& last, const EstimatedPass* limit,
                                                       const Bins& within, bool turns, double usual,
                                                       const Progress& progress) const {
@@ -349,21 +359,28 @@ std::optional<EstimatedPass> TiltedStepOver::cheapest(const EstimatedPass& last,
     const double rest = lines.v(end) - last.v;
     std::optional<EstimatedPass> best;
     double least = infinity;
-    const auto tried = [&](double step) {
-        const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
-        EstimatedPass p = estimate(std::min(plane, end - 1), travel, within, progress.part(0, 0));
+    // As far as nothing is asked for between.
+    Step whole = next(&last, travel, usual, limit, within, progress);
+    const auto better = [&](EstimatedPass&& p) {
         double travelled = partial_travel(last, &p, within);
         for (const SurfaceLine& line : p.lines)
             travelled +=
                 std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
         if (!(travelled < least * (p.v - last.v))) return false;
+        // Where most of the way asks for passes between, the last of them would come close to its neighbour.
+        if (whole.satisfied && partial_share(last, p, within) > most_partial) return false;
         least = travelled / (p.v - last.v);
         best = std::move(p);
         return true;
     };
+    const auto tried = [&](double step) {
+        const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
+        return better(estimate(std::min(plane, end - 1), travel, within, progress.part(0, 0)));
+    };
     const double most = std::max(std::min(largest_, rest), smallest_);
     const double start = std::clamp(usual, smallest_, most);
     tried(start);
+    if (whole.satisfied) better(std::move(whole.pass));
     // What is travelled per width falls and rises several times on the way.
     int worse = 0;
     for (double step = start * step_ratio; step < most * step_ratio && worse < tries_beyond;

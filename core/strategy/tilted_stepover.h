@@ -43,6 +43,9 @@ struct EstimatedPass {
 
 class TiltedStepOver {
 public:
+    /// Of a width: what is used of it, because postures are estimates.
+    static constexpr double used_width = 0.95;
+
     /// Strips narrower than `leave`, mm on the surface, do not ask for passes closer together: what stays
     /// between is left to others.
     explicit TiltedStepOver(const FiveAxisField& field, double leave = 0);
@@ -105,6 +108,8 @@ private:
     std::vector<Bins> narrow_ranges(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const;
     /// That two passes ask for between them; mm.
     double partial_travel(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const;
+    /// What of the way two passes ask for partial ones on, these as far as they go beyond it.
+    double partial_share(const EstimatedPass& a, const EstimatedPass& b, const Bins& within) const;
     /// The pass after `last` that makes least travel per width, itself and the partial ones; none: these
     /// alone up to `limit` are less.
     std::optional<EstimatedPass> cheapest(const EstimatedPass& last, const EstimatedPass* limit,
