@@ -131,6 +131,12 @@ public:
             if (e.info.key == key) e.info.stage = stage;
         return *this;
     }
+    /// Other words for what an operation reads in its own way.
+    ParameterTable& set_help(std::string_view key, std::string help) {
+        for (Entry& e : entries_)
+            if (e.info.key == key) e.info.help = std::move(help);
+        return *this;
+    }
 
     const std::vector<Entry>& entries() const { return entries_; }
     const Entry* find(std::string_view key) const {

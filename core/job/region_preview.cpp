@@ -28,6 +28,7 @@ RegionPreview::Result RegionPreview::find(const Project& project, std::size_t pl
     const GlobalLocalSettings none;
     same.name = none.name;
     same.lead_limit = none.lead_limit;
+    same.raise_lead_limit = none.raise_lead_limit;
     same.rework_offset = none.rework_offset;
     same.rework_tool = none.rework_tool;
     same.rework_cutting = none.rework_cutting;

@@ -28,9 +28,6 @@ constexpr double least_main_share = 0.02;
 constexpr double told_share = 1e-5;
 /// Of the main tool's diameter: a rework tool that is not known yet.
 constexpr double usual_rework_share = 0.25;
-/// Of the rework ball's strip on a level place: strips of the main path that are narrower than this are not
-/// worth passes of their own, each of which is turned at its ends and goes on beyond them.
-constexpr double leave_share = 2;
 /// Of the part: where more than this would be left for that, nothing is.
 constexpr double most_left_share = 0.1;
 /// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
@@ -38,6 +35,10 @@ constexpr double along_share = 0.1;
 
 std::string angle_text(double radians) {
     return format_number(degrees(radians), 3) + "°";
+}
+
+std::string minutes_text(double seconds) {
+    return format_number(seconds / 60, 3) + " min";
 }
 
 std::string percent_text(double share) {
@@ -92,29 +93,85 @@ std::string smaller_tool(const RegionSource& source, const GlobalLocalSettings& 
                : "use a smaller tool";
 }
 
+void check_rework_tool(const GlobalLocalSettings& settings, const PlanContext& context) {
+    if (settings.rework_tool == 0) return;
+    if (context.further_tools.size() != 1)
+        throw Error(ErrorCode::internal, "rework_tool", "the rework tool is not known", "report this");
+    const Tool& t = context.further_tools.front();
+    check_tool(t);
+    const bool ball = std::abs(t.corner_radius - 0.5 * t.diameter) <= tolerance::same_shape * t.diameter;
+    const bool wants_ball = settings.rework_cutting == GlobalLocalSettings::ReworkCutting::ball;
+    if (wants_ball && !ball)
+        throw Error(ErrorCode::out_of_range, "rework_tool",
+                    "tool " + std::to_string(t.number) + " has no ball end",
+                    "choose a ball, or rework_cutting cm2");
+    if (!wants_ball && ball)
+        throw Error(ErrorCode::out_of_range, "rework_tool",
+                    "tool " + std::to_string(t.number) + " is a ball, which matches no curvature by its lead",
+                    "choose a flat or bull-nosed tool, or rework_cutting ball");
+}
+
+/// What main and rework path take at feed, with the ways between passes.
+double seconds(const StrategyResult& plan, double feed, double clear_z) {
+    double length = 0;
+    for (const StrategyResult* path : {&plan, &plan.rework->path}) {
+        const Pass* last = nullptr;
+        for (const Pass& pass : path->passes) {
+            if (pass.cl.empty()) continue;
+            if (last) length += travel_between(last->cl.back().tip, pass.cl.front().tip, clear_z);
+            for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                length += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+            last = &pass;
+        }
+    }
+    return length / (feed / 60);
+}
+
 class GlobalLocalPlanner {
 public:
     GlobalLocalPlanner(const GlobalLocalSettings& settings, const PlanContext& context,
-                       const Progress& progress)
-        : settings_(settings), context_(context), progress_(progress), up_(*context.part, progress) {}
+                       std::shared_ptr<const RegionSource> source, const Progress& progress)
+        : settings_(settings), context_(context), progress_(progress), up_(*context.part, progress) {
+        plan_->source = std::move(source);
+        if (settings_.rework_tool != 0) plan_->tool = context_.further_tools.front();
+        radius_ = CutterProfile(context_.tool.cutter()).max_radius();
+    }
 
     StrategyResult run() {
-        check_rework_tool();
-        progress_.part(0, 0.1, "Following the assumed path").set(0);
-        plan_->source = region_source(context_, settings_, progress_.part(0, 0.1));
-        radius_ = CutterProfile(context_.tool.cutter()).max_radius();
-        find({}, progress_.part(0.1, 0.15, "Finding rework regions"));
+        find(*plan_->source, {}, progress_.part(0, 0.05, "Finding rework regions"));
         check_main();
-        StrategyResult result = main_path(leave(), progress_.part(0.15, 0.7));
+        StrategyResult result = main_path(leave(), progress_.part(0.05, 0.65));
         double left = look_at_main(result);
         if (left > most_left_share * plan_->part_area) {
             // Narrow everywhere: such strips are better than those of the rework tool.
             plan_->left_by_main.clear();
-            result = main_path(0, progress_.part(0.7, 0.7));
+            result = main_path(0, progress_.part(0.65, 0.65));
             look_at_main(result);
         }
         if (!plan_->left_by_main.empty())
-            find(plan_->left_by_main, progress_.part(0.72, 0.75, "Finding rework regions"));
+            find(*plan_->source, plan_->left_by_main, progress_.part(0.7, 0.72, "Finding rework regions"));
+        cut_regions(result);
+        look_at_rest(result);
+        report(result);
+        return result;
+    }
+
+    /// Nothing is taken out of the part for its leads: passes all along it, and regions where they leave
+    /// something.
+    StrategyResult run_whole() {
+        // What the assumed path's contacts ask for is asked of the passes themselves.
+        RegionSource whole = *plan_->source;
+        whole.assumed.contacts.clear();
+        find(whole, {}, progress_.part(0, 0));
+        Finish5Settings main = settings_;
+        main.lead_limits = {0, settings_.lead_limit};
+        main.direction = {plan_->source->assumed.direction, ""};
+        StrategyResult result =
+            Finish5(main).plan(context_, progress_.part(0, 0.65, settings_.name + ": main path"));
+        result.warnings.clear(); // what is left is looked for below
+        look_at_main(result);
+        if (!plan_->left_by_main.empty())
+            find(whole, plan_->left_by_main, progress_.part(0.7, 0.72, "Finding rework regions"));
         cut_regions(result);
         look_at_rest(result);
         report(result);
@@ -122,29 +179,9 @@ public:
     }
 
 private:
-    void check_rework_tool() {
-        if (settings_.rework_tool == 0) return;
-        if (context_.further_tools.size() != 1)
-            throw Error(ErrorCode::internal, "rework_tool", "the rework tool is not known", "report this");
-        plan_->tool = context_.further_tools.front();
-        check_tool(plan_->tool);
-        const Tool& t = plan_->tool;
-        const bool ball = std::abs(t.corner_radius - 0.5 * t.diameter) <= tolerance::same_shape * t.diameter;
-        const bool wants_ball = settings_.rework_cutting == GlobalLocalSettings::ReworkCutting::ball;
-        if (wants_ball && !ball)
-            throw Error(ErrorCode::out_of_range, "rework_tool",
-                        "tool " + std::to_string(t.number) + " has no ball end",
-                        "choose a ball, or rework_cutting cm2");
-        if (!wants_ball && ball)
-            throw Error(ErrorCode::out_of_range, "rework_tool",
-                        "tool " + std::to_string(t.number)
-                            + " is a ball, which matches no curvature by its "
-                              "lead",
-                        "choose a flat or bull-nosed tool, or rework_cutting ball");
-    }
-
-    void find(std::span<const ScreenedPath::Uncut> further, const Progress& progress) {
-        FoundRegions found = find_regions(*plan_->source, settings_, context_.unit, further, progress);
+    void find(const RegionSource& source, std::span<const ScreenedPath::Uncut> further,
+              const Progress& progress) {
+        FoundRegions found = find_regions(source, settings_, context_.unit, further, progress);
         plan_->pairs = std::move(found.pairs);
         if (further.empty()) outside_ = found.regions.outside;
         plan_->regions = std::move(found.regions);
@@ -186,14 +223,15 @@ private:
         return result;
     }
 
-    /// Narrower strips, mm, cost the main path more than the rework tool.
+    /// The rework ball's strip on a level place, mm: where those of the main path are narrower, the ball is
+    /// faster.
     double leave() const {
         const auto& edits = settings_.region_edits;
         // What is left next to a region that is switched off would stay.
         if (settings_.rework_tool == 0
             || std::any_of(edits.begin(), edits.end(), [](const RegionEdit& e) { return !e.enabled; }))
             return 0;
-        return leave_share * widest_strip(0.5 * plan_->tool.diameter, cusp_budget(settings_, context_));
+        return widest_strip(0.5 * plan_->tool.diameter, cusp_budget(settings_, context_));
     }
     double clear_z() const {
         return std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.clearance;
@@ -211,7 +249,7 @@ private:
             surface_samples(*outside_.mesh, outside_.geometry->vertex_normals, up_, sample_spacing()),
             raise());
         coverage.add(main.passes, CutterProfile(context_.tool.cutter()),
-                     progress_.part(0.7, 0.72, "Looking at what the main path clears"));
+                     progress_.part(0.65, 0.7, "Looking at what the main path clears"));
         for (std::size_t i = 0; i < coverage.samples().size(); ++i)
             if (!coverage.cleared(i)) {
                 const SurfaceSample& s = coverage.samples()[i];
@@ -226,7 +264,7 @@ private:
         PlanContext context = on(within);
         context.tool = plan_->tool;
         context.further_tools.clear();
-        const Progress progress = progress_.part(0.75, 0.97, settings_.name + ": rework path");
+        const Progress progress = progress_.part(0.72, 0.97, settings_.name + ": rework path");
         const NumberOrWord direction{machining_angle(settings_.machining_direction, main.direction), ""};
         if (settings_.rework_cutting == GlobalLocalSettings::ReworkCutting::cm2) {
             Finish5Settings rework = settings_;
@@ -303,7 +341,7 @@ private:
 
     const GlobalLocalSettings& settings_;
     const PlanContext& context_;
-    const Progress& progress_;
+    Progress progress_;
     UpSide up_;
     PartPiece outside_; ///< what the main path is planned over
     std::shared_ptr<ReworkPlan> plan_ = std::make_shared<ReworkPlan>();
@@ -413,15 +451,19 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
         ParameterTable<S> t;
         add_common_parameters(t);
         t.set_stage("feed", Stage::strategy); // postures are chosen by time
-        t.add(&S::lead_limit, {.key = "lead_limit",
-                               .label = "Lead limit",
-                               .help = "Largest inclination of the main path's tool axis, alpha_M. Smaller: "
-                                       "wider strips and more to rework.",
-                               .kind = K::number,
-                               .quantity = Quantity::angle,
-                               .minimum = 0,
-                               .maximum = radians(89),
-                               .open_minimum = true});
+        t.set_help("direction", "Direction of travel of the main path: auto follows the assumed path along x "
+                                "and y and takes the one with less estimated time of main path and rework; a "
+                                "number is an angle from X.");
+        t.add(&S::lead_limit,
+              {.key = "lead_limit",
+               .label = "Lead limit",
+               .help = "Largest inclination of the main path's tool axis, alpha_M, where it is not "
+                       "raised. Smaller: wider strips and more to rework.",
+               .kind = K::number,
+               .quantity = Quantity::angle,
+               .minimum = 0,
+               .maximum = radians(89),
+               .open_minimum = true});
         t.add(&S::assumed_lead_limit,
               {.key = "assumed_lead_limit",
                .label = "Assumed lead limit",
@@ -432,6 +474,14 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
                .minimum = 0,
                .maximum = radians(89),
                .open_minimum = true});
+        t.add(&S::raise_lead_limit,
+              {.key = "raise_lead_limit",
+               .label = "Raise lead limit",
+               .help =
+                   "Where leads up to the assumed limit on passes all over the part take less time than the "
+                   "lead limit and rework together, they are used. false: the lead limit is kept. Edited "
+                   "regions keep it too.",
+               .kind = K::boolean});
         t.add(&S::rework_offset,
               {.key = "rework_offset",
                .label = "Rework offset",
@@ -484,7 +534,36 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
 
 StrategyResult GlobalLocal::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return GlobalLocalPlanner(settings_, context, progress).run();
+    check_rework_tool(settings_, context);
+    const GlobalLocalSettings& s = settings_;
+    const auto source = region_source(context, s, progress.part(0, 0.1, "Following the assumed path"));
+    // Without a rework tool it is not known what rework takes; edited regions are wanted.
+    const bool may_raise = s.raise_lead_limit && s.rework_tool != 0 && s.lead_limit < s.assumed_lead_limit
+                           && s.region_edits.empty() && s.boundary_drags.empty();
+    StrategyResult capped =
+        GlobalLocalPlanner(s, context, source, progress.part(0.1, may_raise ? 0.6 : 1)).run();
+    if (!may_raise || capped.rework_regions == 0) return capped;
+    GlobalLocalSettings raised = s;
+    raised.lead_limit = s.assumed_lead_limit;
+    StrategyResult whole;
+    try {
+        whole = GlobalLocalPlanner(raised, context, source, progress.part(0.6, 1)).run_whole();
+    } catch (const Error& e) {
+        if (e.code() != ErrorCode::empty_result) throw;
+        return capped;
+    }
+    const double clear_z = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + s.clearance;
+    const double own = seconds(capped, s.feed, clear_z), other = seconds(whole, s.feed, clear_z);
+    if (!(other < own)
+        || whole.rework->remaining_area
+               > capped.rework->remaining_area + told_share * whole.rework->part_area)
+        return capped;
+    whole.warnings.insert(whole.warnings.begin(),
+                          "the lead limit is raised to " + angle_text(raised.lead_limit)
+                              + ": that takes about " + minutes_text(other) + ", " + angle_text(s.lead_limit)
+                              + " and rework of " + region_count(capped.rework_regions) + " "
+                              + minutes_text(own));
+    return whole;
 }
 
 } // namespace facetmill

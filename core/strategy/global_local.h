@@ -13,6 +13,11 @@
 //     own.
 //
 // What neither path clears is left to clean-up and said.
+//
+// Capping the lead need not pay: where the main tool reaches nearly everything, what limits its strips may be
+// the part's roundness, and rework only adds to it. So passes all over the part with leads up to the assumed
+// limit are planned too, with regions where those leave something, and the plan that takes less time is the
+// one given.
 #pragma once
 
 #include "core/strategy/finish5.h"
@@ -29,8 +34,11 @@ struct GlobalLocalSettings : Finish5Settings {
     }
     double lead_limit = radians(8);          ///< alpha_M
     double assumed_lead_limit = radians(45); ///< of the assumed previous path
-    double rework_offset = 2;                ///< mm
-    long rework_tool = 0;                    ///< 0: none, the regions are left to other operations
+    /// Where a main path all over the part with leads up to the assumed limit, and what it leaves reworked,
+    /// take less time, that is the plan.
+    bool raise_lead_limit = true;
+    double rework_offset = 2; ///< mm
+    long rework_tool = 0;     ///< 0: none, the regions are left to other operations
     ReworkCutting rework_cutting = ReworkCutting::ball;
     /// F of Wang (10), (11), and the rework path's travel; auto: the main path's.
     NumberOrWord machining_direction{0, "auto"};

@@ -5,19 +5,24 @@
 //
 //     bench_strategies [PART [LEAD_LIMIT [MACHINE [ROWS [RESOLUTION [DIRECTION]]]]]]
 //
-// LEAD_LIMIT in degrees; ROWS some of "b" (ball 25.4), "s" (ball 6.35), "f" (flat), "g" (global-local);
-// RESOLUTION of the verifier in mm, 0: not verified; DIRECTION auto, x or y. Default: shell 8 trunnion-ac
-// bsfg 0 auto.
+// PART is a sample, or "body": a body shell of the size and proportions of Wang's part B. LEAD_LIMIT in
+// degrees; ROWS some of "b" (ball 25.4), "s" (ball 6.35), "f" (flat), "g" (global-local), "c" (the same with
+// the lead limit kept in any case), "l" (least possible); RESOLUTION of the verifier in mm, 0: not verified;
+// DIRECTION auto, x or y. Default: shell 8 trunnion-ac bsfg 0 auto.
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
+#include "core/mesh/sample_tessellate.h"
 #include "core/strategy/finish3.h"
 #include "core/strategy/global_local.h"
+#include "core/strategy/least_time.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -51,6 +56,30 @@ void share(Settings& s, long number, double stays) {
     s.chord_tolerance = {0.4 * stays, ""};
 }
 
+/// A quarter-scale car body, 1000 by 450 mm, gently round, with six scoops that make up 3 % of it: walls of
+/// 45 degrees, tightest radius about 4 mm, which the rework ball fits and the flat end does not.
+Mesh body() {
+    constexpr double length = 1000, width = 450, long_radius = 2500, cross_radius = 640;
+    constexpr double half_length = 30, half_width = 18, depth = 6, floor = 0.4;
+    const PatchFunction patch = [=](double x, double y) {
+        double z = -(x - 0.5 * length) * (x - 0.5 * length) / (2 * long_radius)
+                   - (y - 0.5 * width) * (y - 0.5 * width) / (2 * cross_radius);
+        for (const double at : {210.0, 500.0, 790.0})
+            for (const double beside : {105.0, 345.0}) {
+                const double away = std::hypot((x - at) / half_length, (y - beside) / half_width);
+                const double w = std::clamp((1 - away) / (1 - floor), 0.0, 1.0);
+                z -= depth * w * w * w * (10 + w * (6 * w - 15));
+            }
+        return Vec3(x, y, z);
+    };
+    PatchGrid grid;
+    for (int i = 0; i <= 80; ++i)
+        grid.a.push_back(length * i / 80);
+    for (int i = 0; i <= 36; ++i)
+        grid.b.push_back(width * i / 36);
+    return tessellate_patch(patch, grid, 2 * mesh_tolerance, "body", Progress());
+}
+
 /// What the tool travels at feed: along passes, between them on the surface, and down and up.
 std::array<double, 3> metres_by_kind(const ToolMotions& program) {
     std::array<double, 3> metres{};
@@ -72,7 +101,8 @@ int main(int argc, char** argv) {
                  resolution = argc > 5 ? std::atof(argv[5]) : 0;
     const std::string direction = argc > 6 ? argv[6] : "auto";
     const auto file = std::filesystem::temp_directory_path() / ("bench_strategies_" + part + ".stl");
-    save_stl(*make_sample(part, mesh_tolerance, Progress()), file.string(), LengthUnit::mm, {});
+    save_stl(part == "body" ? body() : *make_sample(part, mesh_tolerance, Progress()), file.string(),
+             LengthUnit::mm, {});
 
     Project project;
     project.part.file = file.string();
@@ -143,14 +173,34 @@ int main(int argc, char** argv) {
             s.lead_limits = {0, radians(89)};
             s.posture = Finish5Settings::PostureChoice::cm2;
             row("flat CM2", std::make_unique<Finish5>(s));
-        } else if (r == 'g') {
+        } else if (r == 'g' || r == 'c') {
             GlobalLocalSettings s;
             share(s, 1, stays);
             s.lead_limit = lead;
+            s.raise_lead_limit = r == 'g';
+            s.assumed_lead_limit = radians(89); // as the row beside it
             s.rework_tool = 2;
             s.rework_offset = 0.5; // what must be cut lies within a region without it
             s.posture = Finish5Settings::PostureChoice::cm2;
             row("global-local", std::make_unique<GlobalLocal>(s));
+        } else if (r == 'l') {
+            Finish5Settings s;
+            share(s, 1, stays);
+            s.lead_limits = {0, radians(45)};
+            s.posture = Finish5Settings::PostureChoice::cm2;
+            project.operations.clear();
+            project.operations.push_back(std::make_unique<Finish5>(s));
+            const auto prepared = planner.prepare(project, Progress());
+            PlanContext context = preview_context(project, 0, *prepared, {});
+            context.geometry = prepared->geometry;
+            context.contact = std::make_shared<ContactIndex>(prepared->mesh, Progress());
+            const LeastTime least = least_time(context, s, 6.35, Progress());
+            std::printf(
+                "%-14s %51.0f   the ball cuts %.1f %% in %.0f s; travel along %.0f degrees %.0f s; the ball "
+                "alone %.0f s\n",
+                "least possible", least.seconds, 100 * least.ball_area / least.area, least.ball_seconds,
+                degrees(least.direction), least.straight_seconds, least.ball_alone_seconds);
+            std::fflush(stdout);
         }
     }
     std::filesystem::remove(file);

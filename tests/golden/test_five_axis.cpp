@@ -116,7 +116,7 @@ private slots:
              { "number": 7, "name": "Ball", "diameter": 3, "corner_radius": 1.5, "flute_length": 25, "shank_diameter": 3,
                "shank_length": 20 } ],
   "operations": [ { "kind": "global_local", "name": "GL", "tool": 1, "rework_tool": 7, "tolerance": 0.1, "direction": "x",
-                    "lead_limit": 6, "rework_offset": 1, "posture": "cm2" },
+                    "lead_limit": 6, "raise_lead_limit": false, "rework_offset": 1, "posture": "cm2" },
                   { "kind": "finish3", "name": "After", "tool": 7, "tolerance": 0.5 } ] })");
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
         QVERIFY2(run.status == 0, run.err);

@@ -63,6 +63,7 @@ GlobalLocalSettings settings() {
     GlobalLocalSettings s;
     s.tolerance = 0.08;
     s.lead_limit = radians(6);
+    s.raise_lead_limit = false;
     s.rework_offset = 1;
     s.rework_tool = 2;
     s.direction = {0, "x"};
@@ -180,6 +181,45 @@ private slots:
         QVERIFY(path.rework->path.passes.empty());
         QVERIFY(!path.warnings.empty() && path.warnings[0].find("nothing to rework") != std::string::npos);
         QCOMPARE(judged(context, op, path).figures.uncut_fraction, 0.0);
+    }
+
+    /// A shallow dent: passes all over it with larger leads are over sooner than passes with small ones and a
+    /// small ball in the dent. What is asked for by an edit of a region is kept.
+    void a_larger_lead_is_taken_where_it_takes_less_time() {
+        const Mesh part = height_field(
+            [](double x, double y) {
+                return -0.8 * std::exp(-0.02 * (x * x + y * y)) - 0.003 * (x * x + y * y);
+            },
+            Vec2(-20, -14), Vec2(20, 14), 80, 56);
+        const PlanContext context = context_for(part, with_holder(flat_tool(10)), with_holder(ball_tool(2)));
+        GlobalLocalSettings s = settings();
+        s.lead_limit = radians(1);
+        const auto length = [](const StrategyResult& plan) {
+            double sum = 0;
+            for (const StrategyResult* path : {&plan, &plan.rework->path})
+                for (const Pass& pass : path->passes)
+                    for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                        sum += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+            return sum;
+        };
+        const StrategyResult kept = GlobalLocal(s).plan(context, Progress());
+        QVERIFY2(kept.rework_regions > 0 && largest_lead(kept) <= s.lead_limit + 1e-6,
+                 qPrintable(QString("%1 %2").arg(kept.rework_regions).arg(degrees(largest_lead(kept)))));
+        s.raise_lead_limit = true;
+        const GlobalLocal op(s);
+        const StrategyResult raised = op.plan(context, Progress());
+        QVERIFY2(length(raised) < length(kept),
+                 qPrintable(QString("%1 %2").arg(length(raised)).arg(length(kept))));
+        QVERIFY(largest_lead(raised) > s.lead_limit);
+        QVERIFY2(raised.warnings[0].find("raised to 45") != std::string::npos, raised.warnings[0].c_str());
+        const Verification v = judged(context, op, raised);
+        QVERIFY(!v.gouged() && v.collisions.empty());
+        QCOMPARE(v.figures.uncut_fraction, 0.0);
+
+        const Vec3& place = kept.rework->regions.regions[0].place;
+        s.region_edits.push_back({{place.x(), place.y(), place.z()}, true, 1});
+        const StrategyResult edited = GlobalLocal(s).plan(context, Progress());
+        QVERIFY(edited.rework_regions > 0 && largest_lead(edited) <= s.lead_limit + 1e-6);
     }
 
     /// Regions that are switched off, or have no tool, are not cut, and that is said.

@@ -120,6 +120,7 @@ class TestWindowRegions : public QObject, public WindowFixture {
             o.set("rework_tool", 7L);
             o.set("direction", 0.0);
             o.set("lead_limit", radians(6));
+            o.set("raise_lead_limit", false);
             o.set("rework_offset", 1.0);
             o.set("posture", std::string("cm2"));
         });
