@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <mutex>
 
 #ifdef __linux__
@@ -19,9 +20,45 @@ namespace facetmill {
 namespace {
 std::atomic<int> configured_threads{0};
 thread_local bool low_priority = false;
+
+/// Arenas that no loop uses now. A worker lingers in the arena of its last loop, giving way again and again,
+/// before it looks for another; where cores are short that takes longer than many a loop. So a loop takes the
+/// arena that was used last, and its workers are there already. Loops within loops, and beside others, have
+/// arenas of their own.
+class SpareArenas {
+public:
+    std::unique_ptr<tbb::task_arena> take(int threads) {
+        {
+            std::lock_guard lock(mutex_);
+            for (auto it = spare_.rbegin(); it != spare_.rend(); ++it) {
+                if ((*it)->max_concurrency() != threads) continue;
+                std::unique_ptr<tbb::task_arena> arena = std::move(*it);
+                spare_.erase(std::next(it).base());
+                return arena;
+            }
+        }
+        return std::make_unique<tbb::task_arena>(threads);
+    }
+    void give_back(std::unique_ptr<tbb::task_arena> arena) {
+        std::lock_guard lock(mutex_);
+        spare_.push_back(std::move(arena));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<tbb::task_arena>> spare_;
+};
+
+SpareArenas& spare_arenas() {
+    // Never destroyed: threads may still run when the program ends.
+    static auto& arenas = *new SpareArenas;
+    return arenas;
+}
 } // namespace
 
-void set_thread_count(int threads) { configured_threads = threads < 0 ? 0 : threads; }
+void set_thread_count(int threads) {
+    configured_threads = threads < 0 ? 0 : threads;
+}
 
 int thread_count() {
     const int n = configured_threads;
@@ -32,8 +69,8 @@ void lower_thread_priority() {
     if (low_priority) return;
     low_priority = true;
 #ifdef __linux__
-    // Beside the program's first thread, the one with the window, half of its share where there is not enough for both.
-    // 0 is the calling thread alone.
+    // Beside the program's first thread, the one with the window, half of its share where there is not enough
+    // for both. 0 is the calling thread alone.
     const int nice = std::min(19, getpriority(PRIO_PROCESS, id_t(getpid())) + 3);
     if (getpriority(PRIO_PROCESS, 0) < nice) setpriority(PRIO_PROCESS, 0, nice);
 #endif
@@ -48,15 +85,16 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body
             body(b);
         return;
     }
-    // The exception is carried by hand: TBB would cancel the group, but which of several exceptions it rethrows is not
-    // defined, and Cancelled must not hide an Error that happened first.
+    // The exception is carried by hand: TBB would cancel the group, but which of several exceptions it
+    // rethrows is not defined, and Cancelled must not hide an Error that happened first.
     std::exception_ptr first;
     std::mutex first_mutex;
     std::atomic<bool> stop{false};
     const bool lower = low_priority;
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-        // As many loops as threads, each of which takes the next block that nobody has: blocks are begun in order.
+    auto arena = spare_arenas().take(threads);
+    arena->execute([&] {
+        // As many loops as threads, each of which takes the next block that nobody has: blocks are begun in
+        // order.
         std::atomic<std::size_t> next{0};
         tbb::parallel_for(
             tbb::blocked_range<int>(0, threads, 1),
@@ -74,6 +112,7 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body
             },
             tbb::simple_partitioner());
     });
+    spare_arenas().give_back(std::move(arena));
     if (first) std::rethrow_exception(first);
 }
 

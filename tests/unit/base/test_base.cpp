@@ -8,9 +8,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <clocale>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <thread>
 
@@ -219,6 +221,43 @@ private slots:
                      });
                  }),
                  std::string("not_stl"));
+    }
+
+    void loops_may_run_within_loops_and_beside_others() {
+        constexpr std::size_t outer = 37, inner = 53;
+        const auto sums = [&] {
+            std::vector<std::size_t> sum(outer);
+            parallel_for(outer, 1, Progress(), [&](std::size_t i) {
+                std::vector<std::size_t> part(inner);
+                parallel_for(inner, 5, Progress(), [&](std::size_t k) { part[k] = i * k; });
+                sum[i] = std::accumulate(part.begin(), part.end(), std::size_t(0));
+            });
+            return sum;
+        };
+        std::array<bool, 3> right{};
+        std::vector<std::thread> callers;
+        for (bool& r : right)
+            callers.emplace_back([&r, &sums] {
+                for (int round = 0; round < 20; ++round) {
+                    const auto sum = sums();
+                    for (std::size_t i = 0; i < outer; ++i)
+                        if (sum[i] != i * (inner * (inner - 1) / 2)) return;
+                }
+                r = true;
+            });
+        for (std::thread& c : callers)
+            c.join();
+        QVERIFY(std::all_of(right.begin(), right.end(), [](bool r) { return r; }));
+        // What fails within a loop within a loop comes out, and loops go on working after it.
+        QCOMPARE(code_of([&] {
+                     parallel_for(outer, 1, Progress(), [&](std::size_t) {
+                         parallel_for(inner, 1, Progress(), [](std::size_t k) {
+                             if (k == 50) throw Error(ErrorCode::not_stl, "", "x", "");
+                         });
+                     });
+                 }),
+                 std::string("not_stl"));
+        QCOMPARE(sums().size(), outer);
     }
 
     void outputs_appear_whole_or_not_at_all() {
