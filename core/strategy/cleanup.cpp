@@ -303,19 +303,21 @@ private:
         result_.stepover_min = infinity;
         std::vector<StripCut> cuts(found_.size());
         std::vector<BandCut> touched;
-        for (std::size_t i = 0; i < found_.size(); ++i) {
+        const Progress strips = progress.part(0, 0.7), within = progress.part(0, 0);
+        parallel_for(found_.size(), 1, strips, [&](std::size_t i) {
             const Found& f = found_[i];
-            const Progress here = progress.part(0.7 * double(i) / double(found_.size()),
-                                                0.7 * double(i + 1) / double(found_.size()));
+            if (!result_.strips[i].enabled) return;
+            cuts[i] = f.left.piece.mesh ? cut_around_places(f, within)
+                      : f.curve         ? cut_valley(with, *f.curve, f.band, within)
+                                        : cut_hollow(with, f.band, within);
+        });
+        for (std::size_t i = 0; i < found_.size(); ++i) {
             if (!result_.strips[i].enabled) continue;
             StripCut& c = cuts[i];
-            c = f.left.piece.mesh ? cut_around_places(f, here)
-                : f.curve         ? cut_valley(with, *f.curve, f.band, here)
-                                  : cut_hollow(with, f.band, here);
             result_.stepover_min = std::min(result_.stepover_min, c.stepover_min);
             result_.stepover_max = std::max(result_.stepover_max, c.stepover_max);
             blocked_ += c.blocked;
-            if (!f.left.piece.mesh) touched.push_back({&f.band, &c});
+            if (!found_[i].left.piece.mesh) touched.push_back({&found_[i].band, &c});
         }
         touch_up(with, touched, progress.part(0.7, 1));
         std::erase_if(cuts, [](const StripCut& c) { return c.passes.empty(); });

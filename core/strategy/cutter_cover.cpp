@@ -161,9 +161,14 @@ bool CutterCover::holds(const Vec3& rel) const {
 }
 
 double CutterCover::distance(const Vec3& rel) const {
-    const Vec2 q(std::hypot(rel.x(), rel.y()), rel.z());
+    const double square = rel.x() * rel.x() + rel.y() * rel.y();
+    if (ball_) {
+        // Beside the shaft the axis counts, below it the middle.
+        const double below = std::min(rel.z() - radius_, 0.0);
+        return std::max(std::sqrt(square + below * below) - radius_, 0.0);
+    }
+    const Vec2 q(std::sqrt(square), rel.z());
     if (q.y() >= shoulder_) return std::max(q.x() - radius_, 0.0); // beside the shaft
-    if (ball_) return std::max((q - Vec2(0, radius_)).norm() - radius_, 0.0);
     if (q.x() <= radius_ && q.y() >= profile_.height_at(q.x())) return 0;
     double best = (q - Vec2(radius_, shoulder_)).norm();
     for (const ProfilePiece& piece : profile_.lower_pieces())

@@ -194,16 +194,23 @@ private:
     }
 
     void measure(const Progress& progress) {
-        // The normals that each corner is seen with.
-        std::vector<std::array<Index, 2>> seen;
-        seen.reserve(3 * leaves_.size());
+        // The facets that each corner is seen with, of corner c facets[first[c]] and on, and the corners of
+        // any.
+        std::vector<std::uint32_t> first(points_.size() + 1, 0);
         for (const Leaf& l : leaves_)
             for (const Index c : l.corner)
-                seen.push_back({c, l.facet});
-        std::sort(seen.begin(), seen.end());
-        std::vector<std::size_t> start;
-        for (std::size_t i = 0; i < seen.size(); ++i)
-            if (i == 0 || seen[i][0] != seen[i - 1][0]) start.push_back(i);
+                ++first[c + 1];
+        std::vector<Index> asked;
+        for (std::size_t c = 0; c < points_.size(); ++c) {
+            if (first[c + 1] > 0) asked.push_back(Index(c));
+            first[c + 1] += first[c];
+        }
+        std::vector<Index> facets(first.back());
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        for (const Leaf& l : leaves_)
+            for (const Index c : l.corner)
+                facets[next[c]++] = l.facet;
+        progress.check();
         PointGrid tips(radius_);
         for (std::size_t i = 0; i < valleys_.tips.size(); ++i) {
             const Vec3& tip = valleys_.tips[i].tip;
@@ -211,21 +218,20 @@ private:
         }
         gap_.assign(points_.size(), 0);
         nearest_.assign(points_.size(), -1);
-        parallel_blocks(start.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
+        parallel_blocks(asked.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
             LiftHint hint;
             for (std::size_t s = begin; s < end; ++s) {
-                const Index v = seen[start[s]][0];
+                const Index v = asked[s];
                 const Vec3& p = points_[v];
-                const std::size_t stop = s + 1 < start.size() ? start[s + 1] : seen.size();
                 RestSample nearest;
                 nearest.gap = infinity;
                 Vec3 last = Vec3::Zero();
-                for (std::size_t i = start[s]; i < stop && nearest.gap > in_.tolerance; ++i) {
-                    const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(seen[i][1]));
+                for (std::uint32_t i = first[v]; i < first[v + 1] && nearest.gap > in_.tolerance; ++i) {
+                    const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(facets[i]));
                     if (n.dot(last) > same_normal) continue;
                     last = n;
-                    const RestSample asked = nearest_touch(in_, p, n, hint);
-                    if (asked.gap < nearest.gap) nearest = asked;
+                    const RestSample by = nearest_touch(in_, p, n, hint);
+                    if (by.gap < nearest.gap) nearest = by;
                 }
                 if (nearest.gap > in_.tolerance) {
                     double least = infinity;
@@ -268,10 +274,15 @@ private:
     /// The curve that a place of a band belongs to. Where two leave alike, as about the corner in which they
     /// meet, it is the one with the nearer centre; -1 where none comes near.
     int owner_of(const Vec3& p, const std::vector<std::pair<int, double>>& left, double least) const {
+        const auto is_alike = [&](const auto& by) { return by.second <= least + alike * in_.tolerance; };
+        // Mostly there is one, and nothing to compare.
+        if (std::count_if(left.begin(), left.end(), is_alike) == 1)
+            return std::find_if(left.begin(), left.end(), is_alike)->first;
         int owner = -1;
         double nearest = infinity;
-        for (const auto& [curve, d] : left) {
-            if (d > least + alike * in_.tolerance) continue;
+        for (const auto& by : left) {
+            if (!is_alike(by)) continue;
+            const int curve = by.first;
             const double away = curve >= 0 ? from_center(p, curve) : infinity;
             if (away > nearest || (away == nearest && owner >= 0 && (curve < 0 || owner < curve))) continue;
             owner = curve;
