@@ -47,6 +47,13 @@
 
 namespace facetmill::ui {
 
+namespace {
+
+/// Of the docks on the right: their tabs can be read whole.
+constexpr int right_width = 306;
+
+} // namespace
+
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setObjectName(QStringLiteral("main_window"));
     setWindowIcon(application_icon());
@@ -307,7 +314,7 @@ void MainWindow::restore_window() {
     const QSize screen = QApplication::primaryScreen()->availableSize();
     resize(std::min(1280, screen.width()), std::min(800, screen.height()));
     resizeDocks({project_dock_, properties_dock_}, {230, 420}, Qt::Vertical);
-    resizeDocks({project_dock_, report_dock_}, {280, 250}, Qt::Horizontal);
+    resizeDocks({project_dock_, report_dock_}, {280, right_width}, Qt::Horizontal);
     resizeDocks({log_dock_}, {96}, Qt::Vertical);
     restoreGeometry(settings::window_geometry());
     restoreState(settings::window_state());
@@ -344,7 +351,7 @@ void MainWindow::arrange_report() {
                 tabifyDockWidget(verification_dock_, unrolled_dock_);
             report_dock_->raise();
         }
-        resizeDocks({report_dock_}, {250}, Qt::Horizontal);
+        resizeDocks({report_dock_}, {right_width}, Qt::Horizontal);
     }
     if (!moved) return;
     // Qt leaves the bar of tabs that are gone standing, as a line; also after it has laid out the docks.

@@ -172,7 +172,9 @@ void PlotView::paint_axes(QPainter& p, const QRectF& in, const Look& look) const
     const QFontMetricsF fm(look.font);
     p.setRenderHint(QPainter::Antialiasing, false);
     // Upright.
-    const int most_y = std::max(3, int(in.height() / (1.6 * fm.height())));
+    // In a low chart closer together: one tick alone says nothing.
+    const int most_y = std::max(
+        {3, int(in.height() / (1.6 * fm.height())), std::min(5, int(in.height() / (1.1 * fm.height())))});
     const double step_y = round_step(view_.height(), most_y);
     for (const double v : round_ticks(view_.top(), view_.bottom(), most_y)) {
         const double y = std::round(place_of(view_.left(), v, in).y()) + 0.5;
