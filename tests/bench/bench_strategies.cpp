@@ -42,8 +42,8 @@ Tool tool(long number, double diameter, bool ball) {
     t.name = ball ? "Ball" : "Flat";
     t.diameter = t.shank_diameter = diameter;
     t.corner_radius = ball ? 0.5 * diameter : 0;
-    t.flute_length = 80;
-    t.shank_length = 60;
+    t.flute_length = 110; // longer than a block about any of the parts is deep: nothing was roughed before
+    t.shank_length = 30;
     return t;
 }
 
