@@ -22,8 +22,9 @@ constexpr double deep_share = 0.25;
 constexpr double most_samples = 2e6;
 /// Of what may be left: so much a pass leaves between two places that are asked about.
 constexpr double stand_share = 0.02;
-/// ... and in steps down to this the least that the cutter can leave is looked for.
-constexpr double finest_share = 0.2;
+/// ... and in steps down to this the least that the cutter can leave is looked for, unless it is less than
+/// enough.
+constexpr double finest_share = 0.1, enough_share = 0.25;
 /// Of the radius: places of the cutter are looked for by cells of this size; next on a pass is one within a
 /// reach.
 constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5, gap_share = 4;
@@ -43,9 +44,8 @@ struct Left {
 class TouchUp {
 public:
     TouchUp(const StripCutting& with, std::span<const BandCut> bands)
-        : with_(with), bands_(bands), in_(reach_of(with)), radius_(with.cover->radius()),
-          allowed_(with.cusp + 0.5 * with.chord),
-          ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
+        : with_(with), bands_(bands), in_(reach_of(with)), radius_(with.cover->radius()), allowed_(with.cusp),
+          enough_(enough_share * with.cusp), ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
           spacing_(std::sqrt(8 * ball_ * stand_share * with.cusp)), stands_(cell_share * radius_),
           tips_(cell_share * radius_) {}
 
@@ -166,14 +166,16 @@ private:
             Left& l = found[i];
             l.rest = rest(l.sample.point, allowed_);
             if (l.rest <= allowed_ || l.rest == infinity) return;
-            l.sample = nearest_about(in_, l.sample, 0.25 * allowed_, finest_share * allowed_, hint);
+            l.sample = nearest_about(in_, l.sample, enough_, finest_share * allowed_, hint);
         });
         std::erase_if(found, [&](const Left& l) { return l.rest <= allowed_ || l.rest == infinity; });
         std::erase_if(found, [&](const Left& l) { return !too_much(l); });
         left_ = std::move(found);
     }
 
-    bool too_much(const Left& l) const { return l.rest > l.sample.gap + allowed_; }
+    /// Where the search ended early the cutter can leave next to nothing.
+    double at_best(const Left& l) const { return l.sample.gap > enough_ ? l.sample.gap : 0; }
+    bool too_much(const Left& l) const { return l.rest > at_best(l) + allowed_; }
 
     /// Passes over what was found, from where most is left.
     void join(const Progress& progress) {
@@ -243,7 +245,7 @@ private:
         }
     }
 
-    double excess(std::size_t i) const { return left_[i].rest - left_[i].sample.gap; }
+    double excess(std::size_t i) const { return left_[i].rest - at_best(left_[i]); }
 
     /// The place where most is left of those that come next on a pass, or, where there is none, the first
     /// after a gap; the number of places where there is none either.
@@ -322,6 +324,7 @@ private:
     std::span<const BandCut> bands_;
     ValleyInput in_;
     double radius_, allowed_;
+    double enough_;    ///< where the cutter leaves no more, no better place is looked for
     double ball_;      ///< radius of the cutter's corner
     double spacing_;   ///< of places along passes
     PointGrid stands_; ///< places of the cutter: tips seen from above

@@ -266,7 +266,7 @@ private slots:
     /// From a full block: of what stands over any sample of the bands the cutter could remove nothing with
     /// more than the tolerance to spare, wherever it stood. Where it can touch, that is what stands there;
     /// where it cannot, it is how much more stands than the least that it must leave. Noise is part of the
-    /// surface.
+    /// surface. Not one sample may be over.
     void only_what_no_cutter_reaches_stays() {
         QFETCH(int, part);
         QFETCH(bool, noisy);
@@ -318,7 +318,7 @@ private slots:
                 }))
                 continue;
             ++in_band;
-            if (d.deviation[i] > 1.1 * tau) asked.push_back(i);
+            if (d.deviation[i] > tau) asked.push_back(i);
         }
         // A probe in a crease may run along the wall beside it: beyond a radius what it meets is another
         // place.
@@ -331,11 +331,22 @@ private slots:
             spare[k] =
                 places.deepest(point, point + std::min(double(d.deviation[asked[k]]), radius) * normal);
         });
+        // Beside a band, where the previous ball leaves no more than the tolerance, it need not be cut again.
+        if (std::any_of(spare.begin(), spare.end(), [](double s) { return s > tau; })) {
+            const Tool& previous = context.further_tools.front();
+            const AxialLift before(context.contact, CutterProfile(previous.cutter()));
+            const BallPlaces by_previous(before, 0.5 * previous.diameter, mesh.box());
+            for (std::size_t k = 0; k < asked.size(); ++k) {
+                const auto& p = d.points[asked[k]];
+                const Vec3 point(p[0], p[1], p[2]);
+                if (spare[k] > tau) spare[k] = std::min(spare[k], -by_previous.deepest(point, point));
+            }
+        }
         std::size_t over = 0;
         double most = 0;
         Vec3 where = Vec3::Zero(), facing = Vec3::Zero();
         for (std::size_t k = 0; k < asked.size(); ++k) {
-            over += spare[k] > 1.1 * tau;
+            over += spare[k] > tau;
             if (spare[k] <= most) continue;
             most = spare[k];
             const auto &p = d.points[asked[k]], &n = d.normals[asked[k]];
