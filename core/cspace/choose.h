@@ -41,8 +41,11 @@ struct ChooseInput {
     const CSpaceBuilder* builder = nullptr; ///< with the grid and, if any, the kinematics of its input
     double feed = 1000.0 / 60;              ///< of the tip, mm/s
     double turn_limit = radians(15);        ///< between neighbouring tool axes; more separates the pass there
-    bool accelerations = false;             ///< global: mind what axes take to change their speed
-    std::optional<ToolPose> before;         ///< where the tool comes from: the end of the pass before
+    /// Kept below the top where there is as much, mm: local lifts no higher, global avoids postures that have
+    /// less.
+    double room = 0;
+    bool accelerations = false;     ///< global: mind what axes take to change their speed
+    std::optional<ToolPose> before; ///< where the tool comes from: the end of the pass before
     /// Where it goes to: the first points of the next pass, `choose_horizon` of them or fewer.
     std::span<const PassPoint> next;
 };

@@ -23,6 +23,9 @@ namespace {
 constexpr int refinements = 3;
 /// Where moves take the same time, the one that lifts less is taken: seconds for a lift as high as the space.
 constexpr double lift_seconds = 1e-4;
+/// What a posture costs that has no room to the border of its space, s. Motions between postures on the
+/// border leave the space, where it is hollow.
+constexpr double crowded_seconds = 0.1;
 /// What being separated costs, s: about a retract, a rapid and an approach. So much that no smooth path is
 /// given up for it.
 constexpr double separation_seconds = 1000;
@@ -75,7 +78,9 @@ public:
 
 private:
     double own_cost(const PostureValue& p, double top) const {
-        return top > 0 && std::isfinite(top) ? lift_seconds * p.delta / top : 0;
+        if (!(top > 0 && std::isfinite(top))) return 0;
+        const double missing = input_.room > 0 ? std::max(0.0, 1 - (top - p.delta) / input_.room) : 0;
+        return lift_seconds * p.delta / top + crowded_seconds * missing * missing;
     }
 
     void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {

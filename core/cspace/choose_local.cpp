@@ -43,9 +43,9 @@ class LocalSearch {
 public:
     /// `from`: how the tool stands at the point before.
     LocalSearch(const PassPoint& point, const CSpaceBuilder& builder, const MoveClock& clock,
-                const Stand& from)
+                const Stand& from, double room)
         : point_(point), builder_(builder), grid_(*builder.input().grid), clock_(clock),
-          cutter_(builder.input().lift->cutter()), from_(from) {}
+          cutter_(builder.input().lift->cutter()), from_(from), room_(room) {}
 
     ChosenPosture run() const {
         // From CM2, as Lu does, and from the best node: the objective has valleys with flat floors, one for
@@ -156,7 +156,7 @@ private:
         const double bottom = builder_.bottom(point_.frame, p.lambda, p.omega, hint);
         const double top = builder_.top(point_.frame, p.lambda, p.omega, *point_.curves);
         if (!(bottom <= top)) return std::nullopt;
-        p.delta = std::clamp(p.delta, bottom, top);
+        p.delta = std::clamp(p.delta, bottom, std::max(bottom, top - room_));
         if (!builder_.holds(point_.frame, p)) return std::nullopt;
         return ChosenPosture{true, p};
     }
@@ -184,6 +184,7 @@ private:
     const MoveClock& clock_;
     const CutterProfile& cutter_;
     const Stand& from_;
+    double room_;
 };
 
 } // namespace
@@ -201,7 +202,7 @@ std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const
         progress.check();
         if (!last) last = clock.stand(posture_pose(cutter, point.frame, {point.cm2_lambda, 0, 0}), nullptr);
         chosen.push_back(point.kept ? ChosenPosture{true, *point.kept}
-                                    : LocalSearch(point, builder, clock, *last).run());
+                                    : LocalSearch(point, builder, clock, *last, input.room).run());
         if (chosen.back().free)
             last = clock.stand(posture_pose(cutter, point.frame, chosen.back().posture), &*last);
     }

@@ -211,8 +211,8 @@ private:
                     "choose a larger step-over or tolerance");
     }
 
-    /// How much farther than its own end the strip of a line reaches, along u; plus what the tool lags behind
-    /// at the strip's borders.
+    /// How much farther than its own end the strip of a line reaches, along u; plus, where the pass ends,
+    /// what the tool lags behind at the strip's borders. Where it begins that lies outside.
     double extension(const EstimatedPass& pass, const SurfaceLine& line, bool first, double v_lo,
                      double v_hi) const {
         const auto& lines = field_.lines();
@@ -224,7 +224,8 @@ private:
             for (const SurfaceSlice::End& other : lines.slice(k)->ends())
                 if (other.first == first && (other.point - end.point).norm() <= 2 * r)
                     farther = std::max(farther, first ? end.u - other.u : other.u - end.u);
-        const double aside = std::min(std::max(pass.v - v_lo, v_hi - pass.v), r);
+        const bool begins = first == (pass.travel > 0);
+        const double aside = begins ? 0 : std::min(std::max(pass.v - v_lo, v_hi - pass.v), r);
         const double lag = r - std::sqrt(r * r - aside * aside);
         return std::min(farther + lag, most_extension_share * r);
     }
@@ -240,11 +241,11 @@ private:
         std::vector<PlacedLine> lines;
         for (const std::size_t l : order) {
             lines.push_back(place_line(pass, l, [&](double u) {
-                // The border goes in steps, and what a pose clears lies beside and behind it: each pass takes
-                // the farther of the borders nearby, which its widths allow (TiltedStepOver).
+                // Where the tool reaches the strip's borders, beside and behind the contact, each pass takes
+                // the farthest, which its widths allow (TiltedStepOver).
                 std::array<double, 2> strip{part_lo, part_hi};
-                const double near = stepover_.spread();
-                const std::size_t first = stepover_.bin(u - near), last = stepover_.bin(u + near);
+                const auto [from, to] = stepover_.cleared(u, pass.travel);
+                const std::size_t first = stepover_.bin(from), last = stepover_.bin(to);
                 if (!border_lo.empty())
                     strip[0] = *std::min_element(border_lo.begin() + long(first),
                                                  border_lo.begin() + long(last) + 1);

@@ -101,6 +101,10 @@ bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCur
     return true;
 }
 
+bool FiveAxisField::own_line(const ContactPlace& place, RaisedCurve& curve) const {
+    return raised_line(place, lines_->beyond(place.v, place.v), curve, own_reach);
+}
+
 std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) const {
     const long own = lines_->beyond(place.v, place.v);
     const long lo = lines_->beyond(place.v_lo, place.v), hi = lines_->beyond(place.v_hi, place.v);
@@ -122,24 +126,20 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
         if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
     }
     std::vector<RaisedCurve> curves;
-    const auto add = [&](long plane, double along) {
-        RaisedCurve curve;
-        if (raised_line(place, plane, curve, along)) curves.push_back(std::move(curve));
-    };
     // Of its own line every pose holds a place near its contact point. Any place would not do: lifted off a
     // bend that is hollow along the travel, a flat end may hold one with its heel at one pose and with its
     // toe at the next, and what lies between is left.
-    add(own, own_reach);
+    RaisedCurve curve;
+    if (own_line(place, curve)) curves.push_back(curve);
     for (const long plane : planes)
-        add(plane, whole_reach);
+        if (raised_line(place, plane, curve)) curves.push_back(curve);
     return curves;
 }
 
-double FiveAxisField::hollowness(const ContactPlace& place) const {
+double FiveAxisField::hollowness(const ContactPlace& place, const Vec3& direction) const {
     double hollow = 0;
     if (place.facet != no_index) {
-        hollow =
-            facetmill::hollowness(*context_.part, *curvatures_, place.facet, place.surface, place.frame.left);
+        hollow = facetmill::hollowness(*context_.part, *curvatures_, place.facet, place.surface, direction);
         // Curvatures are signed by the winding, which need not face the tool.
         if (context_.part->facet_normal(place.facet).dot(place.frame.normal) < 0) hollow = -hollow;
     }

@@ -43,11 +43,15 @@ public:
     /// two planes. It goes `along` radii of the cutter to either side.
     bool raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
                      double along = whole_reach) const;
+    /// The place's own line, raised, as far as a posture there has to hold a point of it.
+    bool own_line(const ContactPlace& place, RaisedCurve& curve) const;
     /// All that a posture at this place has to clear: its own line, and those in the strip on either side.
     std::vector<RaisedCurve> strip_curves(const ContactPlace& place) const;
 
     /// Of the part across the travel, 1/mm; > 0 where it is hollow.
-    double hollowness(const ContactPlace& place) const;
+    double hollowness(const ContactPlace& place) const { return hollowness(place, place.frame.left); }
+    /// Along any unit direction across the normal.
+    double hollowness(const ContactPlace& place, const Vec3& direction) const;
     /// The lead that matches the curvature across the travel there (CM2), held to the lead limits.
     double cm2_lead(const ContactPlace& place) const;
 

@@ -2,6 +2,7 @@
 
 #include "core/strategy/coverage.h"
 #include "core/strategy/point_grid.h"
+#include "core/strategy/strip_width.h"
 #include "core/strategy/tilted_stepover.h"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ private:
         std::vector<Strips> best(samples_.size());
         for (long plane = 1; plane < end; plane += step)
             for (const int travel : {1, -1}) {
-                const EstimatedPass pass = widths.estimate(plane, travel, progress.part(0.2, 1));
+                const EstimatedPass pass = widths.widest(plane, travel, progress.part(0.2, 1));
                 for (const auto& contacts : pass.contacts)
                     for (const auto& c : contacts) {
                         const Strips here{c.usable ? flat_width(c, field, widths) : 0,
@@ -119,7 +120,7 @@ private:
     double flat_width(const EstimatedPass::Contact& c, const FiveAxisField& field,
                       const TiltedStepOver& widths) const {
         const double from_above =
-            std::min((c.width_lo + c.width_hi) / TiltedStepOver::used_width, widths.largest_step());
+            std::min((c.width_lo + c.width_hi) / StripWidth::used_width, widths.largest_step());
         const double slope = std::abs(field.drive().v(c.place.frame.left));
         return std::min(from_above / std::max(slope, steepest), 2 * radius_);
     }

@@ -57,9 +57,10 @@ public:
         // So near to each other, what the two do not hold between them is narrower than a hair.
         if (divisions == most_divisions) return turns_little && clear;
         Stop at;
-        if (!halfway(a, b, middle, at)) return turns_little && clear && clears(a, b, field_.chord());
         std::vector<Stop> first, second;
-        if (!between(a, at, divisions + 1, first) || !between(at, b, divisions + 1, second)) return false;
+        if (!halfway(a, b, middle, at) || !between(a, at, divisions + 1, first)
+            || !between(at, b, divisions + 1, second))
+            return turns_little && clear && clears(a, b, field_.chord());
         way.insert(way.end(), first.begin(), first.end());
         way.push_back(at);
         way.insert(way.end(), second.begin(), second.end());

@@ -7,6 +7,8 @@ namespace facetmill {
 
 namespace {
 constexpr std::size_t places_per_block = 8;
+/// Chord tolerances: what motions between postures may miss their strip by, and as much again.
+constexpr double room_chords = 3;
 
 /// As low as nothing is cut, if that is free.
 std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
@@ -57,6 +59,7 @@ std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const Pos
     input.before = before;
     input.next = next;
     input.accelerations = field.settings().accelerations;
+    input.room = room_chords * field.chord();
     input.turn_limit = field.settings().turn_limit;
     using Method = Finish5Settings::PostureChoice;
     switch (method) {

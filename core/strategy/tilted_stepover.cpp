@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/strip_width.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,24 @@ namespace facetmill {
 namespace {
 
 /// Shares of the cutter's radius.
-constexpr double bin_share = 0.25, spread_share = 0.5, beyond_share = 2, look_share = 1.0 / 16,
-                 least_width_share = 1.0 / 40;
-constexpr double most_width_share = 0.97;
+constexpr double bin_share = 0.25, beyond_share = 1.5, look_share = 1.0 / 16, least_width_share = 1.0 / 40;
 /// Of the tolerance: an estimated posture may be lifted by this.
 constexpr double lifted_share = 0.1;
+/// Postures with a yaw may be lifted by this: a flat end that stands on both flanks of a hollow clears a wide
+/// strip.
+constexpr double yawed_share = 0.5;
+/// Of the radius: so far beyond its ends a pass goes on, about, and has to clear its strip there too.
+constexpr double further_share = 0.3;
+/// Of the gap to the pass before: a strip that is so wide to either side needs no other posture.
+constexpr double wanted_share = 0.75;
+const double yaw_step = radians(15);
 /// Of a step: to this it is the largest.
 constexpr double step_accuracy = 0.01;
+/// Of the radius. A flat end that touches with its rim reaches the borders of its strip a radius behind the
+/// contact, a ball beside it.
+constexpr double behind_share = 1, ahead_share = 0.25;
+/// Of the radius: contacts farther apart than this are looked at half-way too.
+constexpr double far_apart_share = 0.25;
 constexpr std::size_t contacts_per_block = 16;
 /// Steps with partial passes between are tried in this ratio; what a partial pass costs besides its length,
 /// in radii of the cutter.
@@ -73,12 +85,27 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field
     bin_ = bin_share * r;
     bins_ = std::size_t((u_hi - u_lo_) / bin_) + 1;
     smallest_ = 2 * least_width_share * r;
-    largest_ = 2 * most_width_share * r;
+    largest_ = 2 * StripWidth::most(field);
+    if (field.settings().posture != Finish5Settings::PostureChoice::cm2) {
+        // From yaw 0 outward.
+        const auto& nodes = field.grid().omega;
+        const std::size_t step =
+            nodes.size() > 1 ? std::size_t(std::ceil(yaw_step / (nodes[1] - nodes[0]) - 0.5)) : 1;
+        const auto middle =
+            std::size_t(std::min_element(nodes.begin(), nodes.end(),
+                                         [](double a, double b) { return std::abs(a) < std::abs(b); })
+                        - nodes.begin());
+        for (std::size_t away = 0; away < nodes.size(); away += std::max<std::size_t>(step, 1)) {
+            if (middle + away < nodes.size()) yaws_.push_back(nodes[middle + away]);
+            if (away > 0 && away <= middle) yaws_.push_back(nodes[middle - away]);
+        }
+    }
     look_ = std::max(1L, std::lround(look_share * r / field.lines().spacing()));
 }
 
-double TiltedStepOver::spread() const {
-    return spread_share * field_.radius();
+std::array<double, 2> TiltedStepOver::cleared(double u, int travel) const {
+    const double behind = behind_share * field_.radius(), ahead = ahead_share * field_.radius();
+    return travel > 0 ? std::array{u - behind, u + ahead} : std::array{u - ahead, u + behind};
 }
 
 std::size_t TiltedStepOver::bin(double u) const {
@@ -119,53 +146,76 @@ void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lambda, T
                 }
             }
     }
-    contact.lambda = lambda = best;
-    contact.delta = best_delta;
+    lambda = best;
+    contact.posture = {best, 0, best_delta};
     contact.usable = best_delta <= field_.cusp();
 }
 
-double TiltedStepOver::width(const EstimatedPass::Contact& contact, int side, double& end) const {
-    const auto& lines = field_.lines();
-    const double r = field_.radius();
-    const long own = lines.beyond(contact.place.v, contact.place.v);
-    // Looks at planes that are multiples of look_, so that passes share their slices.
-    long plane = own + side;
-    while (plane % look_ != 0)
-        plane += side;
-    double last_v = contact.place.v, last_margin = infinity;
-    RaisedCurve curve;
-    long inside = own;
-    for (;; inside = plane, plane += side * look_) {
-        double v = lines.v(plane);
-        const double away = std::abs(v - contact.place.v);
-        if (away > most_width_share * r + look_share * r) return most_width_share * r;
-        const bool ends = !field_.raised_line(contact.place, plane, curve);
-        if (ends) {
-            // Up to the very last plane that the surface has.
-            for (long outside = plane; std::abs(outside - inside) > 1;) {
-                const long middle = inside + (outside - inside) / 2;
-                (field_.raised_line(contact.place, middle, curve) ? inside : outside) = middle;
+void TiltedStepOver::find_widths(EstimatedPass::Contact& contact, double gap, ToolLift::Hint& hint) const {
+    const double wanted = wanted_share * gap;
+    const ContactPlace& place = contact.place;
+    const CSpaceBuilder& builder = field_.builder();
+    StripWidth width(field_, place, look_);
+    const auto value = [&](const StripWidth::Width& lo, const StripWidth::Width& hi) {
+        return std::min(lo.width, wanted) * std::min(hi.width, wanted);
+    };
+    StripWidth::Width lo = width(contact.posture, -1), hi = width(contact.posture, +1);
+    double most = value(lo, hi);
+    const double enough = wanted * wanted;
+    const double hollow = std::max(field_.hollowness(place, place.frame.feed), 0.0), r = field_.radius();
+    // Nodes of the grid: what is free there the choice of postures finds.
+    for (const double omega : yaws_) {
+        if (most >= enough) break;
+        // Leaning to a side a flat end lies over the strip's border there with its whole width, and in a
+        // hollow along the travel holds it with heel or toe only: what lies between them stays.
+        const double aside = std::abs(std::sin(omega));
+        const double arched = 0.5 * hollow * r * r * aside * (2 - aside);
+        for (const double lambda : field_.grid().lambda) {
+            const PostureValue posture{lambda, omega, builder.bottom(place.frame, lambda, omega, hint)};
+            if (!(posture.delta <= yawed_share * field_.cusp())) continue;
+            if (builder.holds(place.frame, posture) && width.clears_own_line(posture)) {
+                const PostureValue arching{lambda, omega, posture.delta + arched};
+                const StripWidth::Width l = width(arching, -1), h = width(arching, +1);
+                if (value(l, h) > most) {
+                    most = value(l, h);
+                    contact.posture = posture;
+                    lo = l;
+                    hi = h;
+                }
             }
-            v = lines.v(inside);
-            end = std::abs(v - contact.place.v);
-            if (!field_.raised_line(contact.place, inside, curve)) return infinity;
+            // Inclined further its strip is narrower.
+            if (posture.delta <= lifted_share * field_.cusp() || most >= enough) break;
         }
-        const double margin =
-            field_.builder().top(contact.place.frame, contact.lambda, 0, {&curve, 1}) - contact.delta;
-        if (!(margin >= 0)) {
-            // The margin falls ever faster: the straight line between two looks is on the safe side.
-            double share = 0;
-            if (std::isfinite(last_margin) && std::isfinite(margin))
-                share = last_margin / (last_margin - margin);
-            return used_width * std::abs(last_v + share * (v - last_v) - contact.place.v);
-        }
-        if (ends) return infinity;
-        last_v = v;
-        last_margin = margin;
     }
+    // Strips end in planes of the lattice.
+    const double spacing = field_.lines().spacing();
+    const auto whole = [&](double w) { return std::floor(w / spacing + tolerance::level_angle) * spacing; };
+    contact.width_lo = whole(lo.width);
+    contact.width_hi = whole(hi.width);
+    contact.end_lo = lo.end;
+    contact.end_hi = hi.end;
 }
 
-EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Bins& within,
+void TiltedStepOver::answer_beyond_ends(EstimatedPass& pass, double gap) const {
+    const double further = further_share * field_.radius();
+    ToolLift::Hint hint;
+    for (std::size_t l = 0; l < pass.lines.size(); ++l)
+        for (const bool first : {true, false}) {
+            auto& contacts = pass.contacts[l];
+            EstimatedPass::Contact& end = first ? contacts.front() : contacts.back();
+            if (pass.cut_short[l][first ? 0 : 1] || !end.usable) continue;
+            const double s = first ? -further : pass.lines[l].length() + further;
+            EstimatedPass::Contact beyond{.place = field_.place(pass.lines[l], s, pass.v, pass.travel)};
+            double lambda = end.posture.lambda;
+            estimate(beyond, lambda, hint);
+            if (!beyond.usable) continue;
+            find_widths(beyond, gap, hint);
+            end.width_lo = std::min(end.width_lo, beyond.width_lo);
+            end.width_hi = std::min(end.width_hi, beyond.width_hi);
+        }
+}
+
+EstimatedPass TiltedStepOver::estimate(long plane, int travel, double gap, const Bins& within,
                                        const Progress& progress) const {
     EstimatedPass pass;
     pass.plane = plane;
@@ -181,70 +231,86 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, const Bins& withi
         pass.lines.push_back(std::move(line));
         pass.cut_short.push_back(cut_short);
     }
+    // Between contacts that are far apart the strip has to be as wide.
+    std::vector<EstimatedPass::Contact> between;
     for (const SurfaceLine& line : pass.lines) {
         auto& contacts = pass.contacts.emplace_back();
-        for (const double s : field_.samples(line))
-            contacts.push_back({field_.place(line, s, pass.v, travel), 0, 0, false, 0, 0});
-        // Blocks have their own hints: the same bits for every thread count.
-        parallel_blocks(contacts.size(), contacts_per_block, progress,
-                        [&](std::size_t begin, std::size_t end) {
-                            double lambda = field_.settings().lead_limits[0];
-                            ToolLift::Hint hint;
-                            for (std::size_t i = begin; i < end; ++i) {
-                                progress.check();
-                                auto& c = contacts[i];
-                                estimate(c, lambda, hint);
-                                if (!c.usable) continue;
-                                // Strips end in planes of the lattice.
-                                const double spacing = field_.lines().spacing();
-                                const auto whole = [&](double w) {
-                                    return std::floor(w / spacing + tolerance::level_angle) * spacing;
-                                };
-                                c.width_lo = whole(width(c, -1, c.end_lo));
-                                c.width_hi = whole(width(c, +1, c.end_hi));
-                                const double slope = std::abs(field_.drive().v(c.place.frame.left));
-                                c.left = c.width_lo + c.width_hi < leave_ * slope;
-                            }
-                        });
+        const std::vector<double> samples = field_.samples(line);
+        for (const double s : samples)
+            contacts.push_back({.place = field_.place(line, s, pass.v, travel)});
+        find_widths(contacts, gap, progress);
+        std::vector<EstimatedPass::Contact> middles;
+        for (std::size_t i = 1; i < samples.size(); ++i)
+            if (samples[i] - samples[i - 1] > far_apart_share * field_.radius())
+                middles.push_back(
+                    {.place = field_.place(line, 0.5 * (samples[i] + samples[i - 1]), pass.v, travel)});
+        find_widths(middles, gap, progress);
+        between.insert(between.end(), middles.begin(), middles.end());
     }
+    answer_beyond_ends(pass, gap);
     pass.width_lo.assign(bins_, 0);
     pass.width_hi.assign(bins_, 0);
     pass.end_lo.assign(bins_, 0);
     pass.end_hi.assign(bins_, 0);
     pass.comes.assign(bins_, false);
-    const double least = least_width_share * field_.radius();
+    const double least = least_width_share * field_.radius(), most = StripWidth::most(field_);
+    const auto count = [&](const EstimatedPass::Contact& c, double beyond_lo, double beyond_hi) {
+        const auto [from, to] = cleared(c.place.u, travel);
+        for (std::size_t b = bin(from - beyond_lo); b <= bin(to + beyond_hi); ++b) {
+            if (!pass.comes[b]) pass.width_lo[b] = pass.width_hi[b] = infinity;
+            pass.comes[b] = true;
+            // What no posture serves is no fault of the step: it is left to clean-up, as far as a pass can
+            // answer for.
+            const bool counts = c.usable && !c.left;
+            pass.end_lo[b] = std::max(pass.end_lo[b], counts ? c.end_lo : most);
+            pass.end_hi[b] = std::max(pass.end_hi[b], counts ? c.end_hi : most);
+            if (!counts) continue;
+            pass.width_lo[b] = std::min(pass.width_lo[b], std::max(c.width_lo, least));
+            pass.width_hi[b] = std::min(pass.width_hi[b], std::max(c.width_hi, least));
+        }
+    };
+    const double beyond = beyond_share * field_.radius();
     for (std::size_t l = 0; l < pass.contacts.size(); ++l)
         for (const auto& c : pass.contacts[l]) {
             // Beyond its ends a pass goes on as far as its strip does.
             const auto& contacts = pass.contacts[l];
             const bool first = &c == &contacts.front() && !pass.cut_short[l][0],
-                       at_end = &c == &contacts.back() && !pass.cut_short[l][1];
-            const double back = first ? beyond_share : spread_share;
-            const double ahead = at_end ? beyond_share : spread_share;
-            const std::size_t last = bin(c.place.u + ahead * field_.radius());
-            for (std::size_t b = bin(c.place.u - back * field_.radius()); b <= last; ++b) {
-                if (!pass.comes[b]) pass.width_lo[b] = pass.width_hi[b] = infinity;
-                pass.comes[b] = true;
-                // What no posture serves is no fault of the step: it is left to clean-up, as far as a pass
-                // can answer for.
-                const double most = most_width_share * field_.radius();
-                const bool counts = c.usable && !c.left;
-                pass.end_lo[b] = std::max(pass.end_lo[b], counts ? c.end_lo : most);
-                pass.end_hi[b] = std::max(pass.end_hi[b], counts ? c.end_hi : most);
-                if (!counts) continue;
-                pass.width_lo[b] = std::min(pass.width_lo[b], std::max(c.width_lo, least));
-                pass.width_hi[b] = std::min(pass.width_hi[b], std::max(c.width_hi, least));
-            }
+                       last = &c == &contacts.back() && !pass.cut_short[l][1];
+            count(c, first ? beyond : 0, last ? beyond : 0);
         }
+    for (const auto& c : between)
+        if (c.usable) count(c, 0, 0);
     return pass;
+}
+
+void TiltedStepOver::find_widths(std::vector<EstimatedPass::Contact>& contacts, double gap,
+                                 const Progress& progress) const {
+    // Blocks have their own hints: the same bits for every thread count.
+    parallel_blocks(contacts.size(), contacts_per_block, progress, [&](std::size_t begin, std::size_t end) {
+        double lambda = field_.settings().lead_limits[0];
+        ToolLift::Hint hint;
+        for (std::size_t i = begin; i < end; ++i) {
+            progress.check();
+            auto& c = contacts[i];
+            estimate(c, lambda, hint);
+            if (!c.usable) continue;
+            find_widths(c, gap, hint);
+            const double slope = std::abs(field_.drive().v(c.place.frame.left));
+            c.left = c.width_lo + c.width_hi < leave_ * slope;
+        }
+    });
 }
 
 bool TiltedStepOver::surface_between(double v0, double v1, std::size_t bin) const {
     const auto& lines = field_.lines();
     const double u0 = u_lo_ + double(bin) * bin_;
+    const auto covers = [&](long k) {
+        return lines.v(k) > v0 && lines.v(k) < v1 && lines.slice(k)->covers(u0, u0 + bin_);
+    };
     for (long k = lines.beyond(v0, v1) / look_ * look_; lines.v(k) < v1; k += look_)
-        if (lines.v(k) > v0 && lines.slice(k)->covers(u0, u0 + bin_)) return true;
-    return false;
+        if (covers(k)) return true;
+    // Beside the two passes it is there most likely.
+    return covers(lines.beyond(v0, v0) + 1) || covers(lines.beyond(v1, v0) - 1);
 }
 
 bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b, std::size_t i) const {
@@ -254,7 +320,10 @@ bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b, std::s
     const double from = v0 + (std::isfinite(wa) ? wa : a->end_hi[i]),
                  to = v1 - (std::isfinite(wb) ? wb : b->end_lo[i]);
     if (from >= to) return true;
-    if (std::isfinite(wa) && std::isfinite(wb) && ((a && a->comes[i]) || (b && b->comes[i]))) return false;
+    const bool asked = (a && a->comes[i]) || (b && b->comes[i]),
+               ends = (a && !a->comes[i]) || (b && !b->comes[i]);
+    if (std::isfinite(wa) && std::isfinite(wb) && asked && !ends) return false;
+    // Where the border slants one of the two may end before: what lies between has to be part at all.
     return !surface_between(from, to, i);
 }
 
@@ -275,7 +344,8 @@ TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel,
     const long most = std::max(least, std::min(steps(last ? largest_ : 0.5 * largest_), end - 1 - from));
     const auto tried = [&](long step) {
         progress.check();
-        return estimate(from + step, travel, within, progress.part(0, 0));
+        const double gap = double(step) * lines.spacing();
+        return estimate(from + step, travel, last ? gap : 2 * gap, within, progress.part(0, 0));
     };
     long good = 0, bad = most + 1;
     EstimatedPass best;
@@ -307,8 +377,8 @@ std::vector<TiltedStepOver::Bins>
 TiltedStepOver::narrow_ranges(const EstimatedPass& a, const EstimatedPass* b, const Bins& within) const {
     const double r = field_.radius(), gap = (b ? b->v : field_.lines().hi()) - a.v;
     // A pose clears what lies beside and behind it.
-    const double aside = std::min(0.5 * gap, most_width_share * r);
-    const double beyond = spread() + r - std::sqrt(r * r - aside * aside);
+    const double aside = std::min(0.5 * gap, StripWidth::most(field_));
+    const double beyond = behind_share * r + r - std::sqrt(r * r - aside * aside);
     std::vector<Bins> ranges;
     for (std::size_t i = within.first; i <= within.last; ++i) {
         if (fits(&a, b, i)) continue;
@@ -375,7 +445,7 @@ std::optional<EstimatedPass> TiltedStepOver::cheapest(const EstimatedPass& last,
     };
     const auto tried = [&](double step) {
         const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
-        return better(estimate(std::min(plane, end - 1), travel, within, progress.part(0, 0)));
+        return better(estimate(std::min(plane, end - 1), travel, step, within, progress.part(0, 0)));
     };
     const double most = std::max(std::min(largest_, rest), smallest_);
     const double start = std::clamp(usual, smallest_, most);
@@ -443,7 +513,10 @@ double TiltedStepOver::border(const EstimatedPass& a, const EstimatedPass& b, st
     const double gap = b.v - a.v;
     const double wa = a.width_hi[i], wb = b.width_lo[i];
     double at = 0.5 * gap;
-    if (std::isfinite(wa) && std::isfinite(wb))
+    // Where one of them does not come, the other answers for what it can: the rest is no part (fits).
+    if (a.comes[i] != b.comes[i] && std::isfinite(wa) && std::isfinite(wb))
+        at = a.comes[i] ? std::min(wa, gap) : std::max(gap - wb, 0.0);
+    else if (std::isfinite(wa) && std::isfinite(wb))
         at = wa + wb > 0 ? gap * wa / (wa + wb) : at;
     else if (std::isfinite(wa))
         at = std::min(at, wa);

@@ -23,8 +23,8 @@ namespace facetmill {
 struct EstimatedPass {
     struct Contact {
         ContactPlace place;
-        double lambda = 0, delta = 0;
-        bool usable = false;               ///< some posture at yaw 0 stays within the tolerance
+        PostureValue posture;
+        bool usable = false;               ///< some posture stays within the tolerance
         bool left = false;                 ///< its strip is too narrow to be worth it (`leave`)
         double width_lo = 0, width_hi = 0; ///< towards smaller and larger v; +inf: the surface ends before
         double end_lo = 0, end_hi = 0;     ///< where it ends, if it does
@@ -43,9 +43,6 @@ struct EstimatedPass {
 
 class TiltedStepOver {
 public:
-    /// Of a width: what is used of it, because postures are estimates.
-    static constexpr double used_width = 0.95;
-
     /// Strips narrower than `leave`, mm on the surface, do not ask for passes closer together: what stays
     /// between is left to others.
     explicit TiltedStepOver(const FiveAxisField& field, double leave = 0);
@@ -57,7 +54,11 @@ public:
     };
 
     EstimatedPass estimate(long plane, int travel, const Progress& progress) const {
-        return estimate(plane, travel, all(), progress);
+        return estimate(plane, travel, 0, all(), progress);
+    }
+    /// With the postures that clear the widest strips, whatever the neighbours need.
+    EstimatedPass widest(long plane, int travel, const Progress& progress) const {
+        return estimate(plane, travel, largest_, all(), progress);
     }
 
     struct Step {
@@ -92,15 +93,17 @@ public:
     double border(const EstimatedPass& a, const EstimatedPass& b, std::size_t bin) const;
     std::size_t bin(double u) const;
 
-    /// A contact point's widths count for all bins within this of its u, mm.
-    double spread() const;
+    /// From and to which u a pose that touches at `u` reaches the borders of its strip: there its widths
+    /// count.
+    std::array<double, 2> cleared(double u, int travel) const;
     double smallest_step() const { return smallest_; }
     double largest_step() const { return largest_; }
 
 private:
     Bins all() const { return {0, bins_ - 1, 0}; }
-    /// Of the surface within some bins.
-    EstimatedPass estimate(long plane, int travel, const Bins& within, const Progress& progress) const;
+    /// Of the surface within some bins, where the pass before is `gap` (mm) away.
+    EstimatedPass estimate(long plane, int travel, double gap, const Bins& within,
+                           const Progress& progress) const;
     /// Before `limit` (nullptr: the part's border).
     Step next(const EstimatedPass* last, int travel, double usual, const EstimatedPass* limit,
               const Bins& within, const Progress& progress) const;
@@ -118,8 +121,14 @@ private:
     void fill(const EstimatedPass& a, const EstimatedPass* b, bool turns, const Bins& within, int depth,
               Gap& gap, const Progress& progress) const;
     void estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const;
-    /// `end`: how far off the surface ends, where the width is +inf.
-    double width(const EstimatedPass::Contact& contact, int side, double& end) const;
+    /// Widths of its posture; where they are not enough for a gap (mm), of the one that comes nearest to
+    /// that.
+    void find_widths(EstimatedPass::Contact& contact, double gap, ToolLift::Hint& hint) const;
+    /// Of neighbours on a line; postures and all.
+    void find_widths(std::vector<EstimatedPass::Contact>& contacts, double gap,
+                     const Progress& progress) const;
+    /// Takes down the widths at the ends of a pass to those it has where it goes on beyond them.
+    void answer_beyond_ends(EstimatedPass& pass, double gap) const;
     /// `a` or `b` may be nullptr: the part's border.
     bool fits(const EstimatedPass* a, const EstimatedPass* b, const Bins& within) const;
     bool fits(const EstimatedPass* a, const EstimatedPass* b, std::size_t bin) const;
@@ -128,7 +137,8 @@ private:
     const FiveAxisField& field_;
     double leave_, u_lo_, bin_, smallest_, largest_;
     std::size_t bins_;
-    long look_; ///< planes between two looks at a width
+    std::vector<double> yaws_; ///< that are tried where strips are narrow; none where postures have none
+    long look_;                ///< planes between two looks at a width
 };
 
 } // namespace facetmill

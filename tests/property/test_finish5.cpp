@@ -233,6 +233,56 @@ private slots:
         QVERIFY2(v.border.excess_p999 <= 1.1 * tolerance, qPrintable(QString::number(v.border.excess_p999)));
     }
 
+    /// A twisted sheet rises on one side before the contact point and on the other behind it. A flat end that
+    /// leans to the side that falls clears a wider strip than one that leans along the travel far enough to
+    /// pass over the side that rises: postures that may lean so have the step-over that this allows.
+    void free_postures_make_wide_strips() {
+        const Mesh part = height_field([](double x, double y) { return 0.02 * x * y; }, low, high, 48, 32);
+        const PlanContext context = five_axis_context(part, cutter("flat"));
+        const double tolerance = 0.02;
+        const int with_cm2 = Finish5(settings(tolerance, Choice::cm2)).plan(context, Progress()).drive_planes;
+        for (const Choice choice : {Choice::local, Choice::global}) {
+            const Finish5 op(settings(tolerance, choice));
+            const StrategyResult path = op.plan(context, Progress());
+            QVERIFY2(path.drive_planes < 0.9 * with_cm2,
+                     qPrintable(QString("%1 passes, CM2 %2").arg(path.drive_planes).arg(with_cm2)));
+            QCOMPARE(path.cleanup_points, std::size_t(0));
+            const Verification v =
+                judged(part, context, linked(path, context, op), tolerance, path.chord_tolerance);
+            QVERIFY(!v.gouged() && v.collisions.empty());
+            QVERIFY2(v.figures.excess_p999 <= 1.05 * tolerance,
+                     qPrintable(QString::number(v.figures.excess_p999)));
+            QCOMPARE(v.figures.uncut_fraction, 0.0);
+        }
+        // Held to yaw 0 there is less to choose from.
+        Finish5Settings s = settings(tolerance);
+        const int free = Finish5(s).plan(context, Progress()).drive_planes;
+        s.yaw_limits = {0, 0};
+        QVERIFY(Finish5(s).plan(context, Progress()).drive_planes > free);
+    }
+
+    /// Where the border slants every pass ends elsewhere than its neighbours. That is no place the step-over
+    /// has to mind: nothing of the part lies between.
+    void slanted_borders_ask_for_no_closer_passes() {
+        const Mesh straight = height_field([](double, double) { return 0.0; }, low, high, 24, 16);
+        Mesh slanted = straight;
+        for (Vec3& p : slanted.vertices)
+            p.x() *= 1 + 0.015 * p.y();
+        for (const Choice choice : {Choice::cm2, Choice::global}) {
+            const Finish5 op(settings(0.1, choice));
+            const int planes = op.plan(five_axis_context(straight, cutter("flat")), Progress()).drive_planes;
+            const PlanContext context = five_axis_context(slanted, cutter("flat"));
+            const StrategyResult path = op.plan(context, Progress());
+            QCOMPARE(path.drive_planes, planes);
+            QCOMPARE(path.cleanup_points, std::size_t(0));
+            const Verification v =
+                judged(slanted, context, linked(path, context, op), 0.1, path.chord_tolerance);
+            QVERIFY(!v.gouged() && v.collisions.empty());
+            for (const DeviationFigures& f : {v.figures, v.border})
+                QVERIFY2(f.excess_p999 <= 1.05 * 0.1, qPrintable(QString::number(f.excess_p999)));
+        }
+    }
+
     /// A hump on a plain: its strips are narrow, those of the plain beside it wide. As a piece it is cut by
     /// partial passes, to the same tolerance and with less travel.
     void partial_passes_stand_where_strips_are_narrow() {
