@@ -156,8 +156,8 @@ public:
         return result;
     }
 
-    /// Nothing is taken out of the part for its leads: passes all along it, and regions where they leave
-    /// something.
+    /// Nothing is taken out of the part for its leads: passes all along it as five-axis finishing makes them,
+    /// in the direction that it takes by itself, and regions where they leave something.
     StrategyResult run_whole() {
         // What the assumed path's contacts ask for is asked of the passes themselves.
         RegionSource whole = *plan_->source;
@@ -165,7 +165,6 @@ public:
         find(whole, {}, progress_.part(0, 0));
         Finish5Settings main = settings_;
         main.lead_limits = {0, settings_.lead_limit};
-        main.direction = {plan_->source->assumed.direction, ""};
         StrategyResult result =
             Finish5(main).plan(context_, progress_.part(0, 0.65, settings_.name + ": main path"));
         result.warnings.clear(); // what is left is looked for below
