@@ -16,6 +16,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -93,6 +94,10 @@ StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
     list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     list_->header()->setSectionsMovable(false);
     list_->header()->setStretchLastSection(true);
+    // Over right-aligned numbers, right-aligned headings.
+    for (const Column c : {width_column, length_column})
+        list_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    connect(list_->header(), &QHeaderView::sortIndicatorChanged, this, [this] { fit_columns(); });
     column->addWidget(list_, 1);
     touch_ = new QCheckBox(tr("Previous tool at the picked point"), page);
     touch_->setObjectName(QStringLiteral("strip_touch"));
@@ -116,6 +121,18 @@ StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
     readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
     column->addWidget(readout_);
+}
+
+void StripPanel::fit_columns() {
+    QHeaderView* header = list_->header();
+    const QStyle* style = list_->style();
+    const int mark = style->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, header)
+                     + style->pixelMetric(QStyle::PM_HeaderMargin, nullptr, header);
+    const QAbstractItemView* cells = list_; // the tree hides what the view offers
+    for (int c = name_column; c < reason_column; ++c)
+        header->resizeSection(
+            c, std::max(cells->sizeHintForColumn(c),
+                        header->sectionSizeHint(c) - (c == header->sortIndicatorSection() ? 0 : mark)));
 }
 
 void StripPanel::set_empty_text(const QString& text) {
@@ -241,6 +258,8 @@ void StripDesk::fill() {
     list->clear();
     if (!listed_) return;
     const double per = mm_per(listed_unit_);
+    // The same for all, so that points stand one below the other.
+    const int decimals = listed_unit_ == LengthUnit::inch ? 2 : 1;
     const auto& strips = listed_->path.strips;
     for (std::size_t i = 0; i < strips.size(); ++i) {
         const Strip& s = strips[i];
@@ -256,7 +275,7 @@ void StripDesk::fill() {
         item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
         item->setText(type_column, type_text(s));
         const auto number = [&](int column, double mm) {
-            item->setText(column, mm > 0 ? text(format_number(mm / per, 3)) : QStringLiteral("–"));
+            item->setText(column, mm > 0 ? QString::number(mm / per, 'f', decimals) : QStringLiteral("–"));
             item->setData(column, SortedItem::sort_role, mm);
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         };
@@ -277,8 +296,7 @@ void StripDesk::fill() {
     list->headerItem()->setText(length_column, tr("Length, %1").arg(unit));
     list->setSortingEnabled(true);
     list->sortByColumn(name_column, Qt::AscendingOrder);
-    for (int c = name_column; c < reason_column; ++c)
-        list->resizeColumnToContents(c);
+    panel_->fit_columns();
 }
 
 /// Check marks and colours as the operation's settings stand now, planned with them or not.

@@ -44,6 +44,8 @@ public:
     /// What stands instead of the list; empty: the list itself.
     void set_empty_text(const QString& text);
     QString empty_text() const;
+    /// All columns but the last as wide as they need, with room for the mark of sorting where it is.
+    void fit_columns();
     QSize sizeHint() const override { return {300, 380}; }
     QSize minimumSizeHint() const override { return {170, 120}; }
 

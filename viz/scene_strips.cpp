@@ -14,7 +14,7 @@ namespace {
 
 constexpr double band_opacity = 0.45, off_opacity = 0.22;
 /// Regions with a line of their own in the legend, and with a label.
-constexpr std::size_t most_entries = 8, most_labels = 10;
+constexpr std::size_t most_entries = 10, most_labels = 10;
 /// Layout pixels: between two lines of a label, and around it.
 constexpr double label_line = 16, label_room = 6;
 

@@ -161,6 +161,12 @@ private slots:
             QVERIFY2(std::abs(item->text(3).toDouble() - 40) < 1, qPrintable(item->text(3)));
             QVERIFY2(item->text(4).contains(QStringLiteral("both flanks")), qPrintable(item->text(4)));
         }
+        // Type, width and length are there to read, whatever the list is sorted by.
+        for (const int sorted : {3, 0}) {
+            list()->sortByColumn(sorted, Qt::AscendingOrder);
+            QVERIFY2(list()->columnViewportPosition(4) <= list()->viewport()->width(),
+                     qPrintable(QString::number(list()->columnViewportPosition(4))));
+        }
         QVERIFY(w().viewport().scene().has(Layer::strips));
         QVERIFY2(desk().panel()->note()->text().contains(QStringLiteral("2 strips")),
                  qPrintable(desk().panel()->note()->text()));
