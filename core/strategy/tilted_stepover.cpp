@@ -25,9 +25,10 @@ constexpr double wanted_share = 0.75;
 const double yaw_step = radians(15);
 /// Of a step: to this it is the largest.
 constexpr double step_accuracy = 0.01;
-/// Of the radius. A flat end that touches with its rim reaches the borders of its strip a radius behind the
-/// contact, a ball beside it.
-constexpr double behind_share = 1, ahead_share = 0.25;
+/// Of the radius: where along the travel a pose reaches the borders of its strip. A flat end that leans along
+/// the travel does so the farther behind its contact the wider its strip is, a ball beside it; one with a yaw
+/// up to a radius behind.
+constexpr double behind_share = 0.5, ahead_share = 0.5, yawed_behind_share = 1, yawed_ahead_share = 0.25;
 /// Of the radius: contacts farther apart than this are looked at half-way too.
 constexpr double far_apart_share = 0.25;
 constexpr std::size_t contacts_per_block = 16;
@@ -86,7 +87,11 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field
     bins_ = std::size_t((u_hi - u_lo_) / bin_) + 1;
     smallest_ = 2 * least_width_share * r;
     largest_ = 2 * StripWidth::most(field);
+    behind_ = behind_share * r;
+    ahead_ = ahead_share * r;
     if (field.settings().posture != Finish5Settings::PostureChoice::cm2) {
+        behind_ = yawed_behind_share * r;
+        ahead_ = yawed_ahead_share * r;
         // From yaw 0 outward.
         const auto& nodes = field.grid().omega;
         const std::size_t step =
@@ -104,8 +109,7 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field
 }
 
 std::array<double, 2> TiltedStepOver::cleared(double u, int travel) const {
-    const double behind = behind_share * field_.radius(), ahead = ahead_share * field_.radius();
-    return travel > 0 ? std::array{u - behind, u + ahead} : std::array{u - ahead, u + behind};
+    return travel > 0 ? std::array{u - behind_, u + ahead_} : std::array{u - ahead_, u + behind_};
 }
 
 std::size_t TiltedStepOver::bin(double u) const {
@@ -247,7 +251,8 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, double gap, const
         find_widths(middles, gap, progress);
         between.insert(between.end(), middles.begin(), middles.end());
     }
-    answer_beyond_ends(pass, gap);
+    // Postures with a yaw may be free at the last contact and not where the pass goes on.
+    if (!yaws_.empty()) answer_beyond_ends(pass, gap);
     pass.width_lo.assign(bins_, 0);
     pass.width_hi.assign(bins_, 0);
     pass.end_lo.assign(bins_, 0);
@@ -378,7 +383,7 @@ TiltedStepOver::narrow_ranges(const EstimatedPass& a, const EstimatedPass* b, co
     const double r = field_.radius(), gap = (b ? b->v : field_.lines().hi()) - a.v;
     // A pose clears what lies beside and behind it.
     const double aside = std::min(0.5 * gap, StripWidth::most(field_));
-    const double beyond = behind_share * r + r - std::sqrt(r * r - aside * aside);
+    const double beyond = behind_ + r - std::sqrt(r * r - aside * aside);
     std::vector<Bins> ranges;
     for (std::size_t i = within.first; i <= within.last; ++i) {
         if (fits(&a, b, i)) continue;

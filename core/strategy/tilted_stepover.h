@@ -136,6 +136,7 @@ private:
 
     const FiveAxisField& field_;
     double leave_, u_lo_, bin_, smallest_, largest_;
+    double behind_, ahead_; ///< of a contact, along the travel, a pose clears its strip; mm
     std::size_t bins_;
     std::vector<double> yaws_; ///< that are tried where strips are narrow; none where postures have none
     long look_;                ///< planes between two looks at a width
