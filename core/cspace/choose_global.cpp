@@ -2,8 +2,8 @@
 // shortest path: the free nodes of each point's grid, in either way the machine can hold them, are the stops;
 // a move between two of neighbouring points costs the time it takes, feed or joints, whichever is longer.
 // The path begins where the pass before ended and goes on into the next one, so that the tool ends as the
-// next pass is best begun. Between nodes it is then refined: around every stop a smaller grid, the same
-// search, three times.
+// next pass is best begun. Between nodes it is then refined: around every stop a smaller grid and the same
+// search, with three steps, each as often as it makes the path faster.
 //
 // With accelerations a move costs besides what its joints take to come from the speeds of the move before it
 // and to those of the move after it, as core/output/motion_time counts it. Those speeds are not known while
@@ -21,6 +21,10 @@ namespace facetmill {
 namespace {
 
 constexpr int refinements = 3;
+/// Rounds with each step at most: the path may lie farther than one step from the nodes it was found at.
+constexpr int rounds_per_step = 5;
+/// The part of its time by which a round has to make the path faster for another one with the same step.
+constexpr double worth_a_round = 2e-3;
 /// Where moves take the same time, the one that lifts less is taken: seconds for a lift as high as the space.
 constexpr double lift_seconds = 1e-4;
 /// What a posture costs that has no room to the border of its space, s. Motions between postures on the
@@ -274,18 +278,25 @@ private:
         double step = grid.lambda.size() > 1  ? grid.lambda[1] - grid.lambda[0]
                       : grid.omega.size() > 1 ? grid.omega[1] - grid.omega[0]
                                               : 0;
-        for (int round = 0; round < refinements && step > 0; ++round) {
+        double seconds = seconds_of(path);
+        for (int refinement = 0; refinement < refinements && step > 0; ++refinement) {
             step *= 0.5;
-            std::vector<Stops> finer(stops.size());
-            parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
-                finer[begin + k] = around(begin + k, path[k].posture, step);
-                // The middle is free by construction; should rounding say otherwise it is kept as it was.
-                if (finer[begin + k].empty()) finer[begin + k].all.push_back(path[k]);
-            });
-            std::vector<JointClock::Times> speeds;
-            if (input_.accelerations) speeds = speeds_of(path);
-            std::vector<Stop> better = taken(finer, begin, cheapest(finer, begin, end, speeds, progress));
-            if (!input_.accelerations || seconds_of(better) < seconds_of(path)) path = std::move(better);
+            for (int round = 0; round < rounds_per_step; ++round) {
+                std::vector<Stops> finer(stops.size());
+                parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
+                    finer[begin + k] = around(begin + k, path[k].posture, step);
+                    // The middle is free by construction; should rounding say otherwise it is kept as it was.
+                    if (finer[begin + k].empty()) finer[begin + k].all.push_back(path[k]);
+                });
+                std::vector<JointClock::Times> speeds;
+                if (input_.accelerations) speeds = speeds_of(path);
+                std::vector<Stop> better = taken(finer, begin, cheapest(finer, begin, end, speeds, progress));
+                const double now = seconds_of(better);
+                if (!input_.accelerations || now < seconds) path = std::move(better);
+                if (!(now < seconds * (1 - worth_a_round))) break;
+                seconds = now;
+            }
+            seconds = seconds_of(path);
         }
         for (std::size_t i = begin; i < end; ++i)
             chosen[i] = {true, path[i - begin].posture};
