@@ -27,7 +27,8 @@ public:
     /// Appends what stands between a and b; false where there is no such way.
     bool between(const CutterLocation& a, const CutterLocation& b, int divisions,
                  std::vector<CutterLocation>& way) {
-        if (deepest_between(lift_, a, b, looking_step(lift_.cutter().max_radius(), chord_), hint_) <= chord_)
+        if (keeps_clear_between(lift_, a, b, looking_step(lift_.cutter().max_radius(), chord_), chord_,
+                                hint_))
             return true;
         if (divisions == most_divisions) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);

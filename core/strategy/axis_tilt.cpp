@@ -193,8 +193,8 @@ private:
     /// Puts in what stands between two locations; false where the way is not free.
     bool between(const CutterLocation& a, const CutterLocation& b, const CutterContact& cc, int divisions,
                  Pass& run) {
-        if (deepest_between(*in_.whole, a, b, looking_step(radius_, in_.chord), hint_)
-            <= chord_share * in_.chord)
+        if (keeps_clear_between(*in_.whole, a, b, looking_step(radius_, in_.chord), chord_share * in_.chord,
+                                hint_))
             return true;
         if (divisions == most_divisions) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);

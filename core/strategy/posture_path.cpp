@@ -43,8 +43,8 @@ public:
     }
 
     bool keeps_clear(const CutterLocation& a, const CutterLocation& b) {
-        return deepest_between(field_.lift(), a, b, looking_step(field_.radius(), field_.chord()), hint_)
-               <= chord_share * field_.chord();
+        return keeps_clear_between(field_.lift(), a, b, looking_step(field_.radius(), field_.chord()),
+                                   chord_share * field_.chord(), hint_);
     }
 
     /// Appends what stands between a and b; false where the way is not free.
@@ -156,18 +156,35 @@ double looking_step(double radius, double chord) {
     return std::sqrt(chord * radius);
 }
 
-double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
-                       ToolLift::Hint& hint) {
+bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
+                         double limit, ToolLift::Hint& hint) {
     const double turned = (b.axis - a.axis).norm() * lift.cutter().max_radius();
     const double way = (b.tip - a.tip).norm() + turned;
-    constexpr int least = 4, most = 256;
+    constexpr int least = 4, most = 256, most_halvings = 6;
+    // A lift that grows faster than this belongs to a wall, which the rim does not pass within a step unless
+    // one of the step's ends is in it.
+    constexpr double steepest = 2;
     const int pieces = way < most * step ? std::max(least, int(std::ceil(way / step))) : most;
-    double deepest = -infinity;
-    for (int k = 1; k < pieces; ++k) {
-        const CutterLocation at = location_on_way(a, b, double(k) / pieces);
-        deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
+    const auto lift_at = [&](double t) {
+        const CutterLocation at = location_on_way(a, b, t);
+        return lift.lift({at.tip, at.axis}, hint);
+    };
+    const auto between = [&](const auto& self, double t0, double l0, double t1, double l1,
+                             int halvings) -> bool {
+        // Alike: in touch with the same all the way, and round, or clear.
+        if (halvings == 0 || std::abs(l1 - l0) <= 0.5 * limit) return true;
+        if (std::max(l0, l1) < -steepest * way * (t1 - t0)) return true;
+        const double t = 0.5 * (t0 + t1), l = lift_at(t);
+        return l <= limit && self(self, t0, l0, t, l, halvings - 1) && self(self, t, l, t1, l1, halvings - 1);
+    };
+    double last = lift_at(0);
+    for (int k = 1; k <= pieces; ++k) {
+        const double t = double(k) / pieces, here = lift_at(t);
+        if (k < pieces && here > limit) return false;
+        if (!between(between, double(k - 1) / pieces, last, t, here, most_halvings)) return false;
+        last = here;
     }
-    return deepest;
+    return true;
 }
 
 double posture_cusp(const FiveAxisField& field, const ContactPlace& place, const PostureValue& posture) {

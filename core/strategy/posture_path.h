@@ -33,10 +33,12 @@ struct JoinedPasses {
 /// Tip and axis between two locations, as they move.
 CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t);
 
-/// Deepest that the tool cuts between two locations, along its axis; below 0: clear. Looked at every `step`
-/// (mm) that the tip or the cutter's rim moves, and at three places at least.
-double deepest_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
-                       ToolLift::Hint& hint);
+/// Whether the tool, on its way between two locations, cuts no deeper than `limit` along its axis; the
+/// locations themselves are the caller's. Looked at every `step` (mm) that the tip or the cutter's rim moves
+/// and at three places at least, and more closely where it comes into touch or leaves it: over the border of
+/// a part or an edge the depth grows in proportion to the way, not to its square.
+bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
+                         double limit, ToolLift::Hint& hint);
 /// The step for a chord tolerance: over that way a cutter of this radius and a part as round as it part by no
 /// more than a quarter of it.
 double looking_step(double radius, double chord);

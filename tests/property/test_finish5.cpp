@@ -5,6 +5,7 @@
 #include "core/link/motion.h"
 #include "core/strategy/finish5.h"
 #include "core/strategy/five_axis_record.h"
+#include "core/strategy/posture_path.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/brute_lift.h"
@@ -16,6 +17,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -451,6 +453,47 @@ private slots:
                 QVERIFY2(most <= s.turn_limit + 1e-6,
                          qPrintable(QString("%1 of %2").arg(degrees(most)).arg(limit)));
             }
+    }
+
+    /// The rim comes down towards the open border of a plate and leaves it: deepest at the border, and clear
+    /// of everything right behind it.
+    void a_rim_that_leaves_a_border_is_looked_at_closely() {
+        const Mesh plate =
+            height_field([](double, double) { return 0.0; }, Vec2(-40, -20), Vec2(0, 20), 4, 4);
+        const Tool tool = flat_tool(12.7);
+        const PlanContext context = context_of(plate, tool);
+        const ToolLift lift(context.contact, tool);
+        const double radius = lift.cutter().max_radius(), chord = 0.01, limit = 0.6 * chord;
+        std::mt19937 engine(77);
+        const auto uniform = [&](double lo, double hi) {
+            return std::uniform_real_distribution(lo, hi)(engine);
+        };
+        ToolLift::Hint hint;
+        int cuts = 0, clear = 0;
+        for (int trial = 0; trial < trials(400); ++trial) {
+            const double lean = radians(uniform(1, 20)), slope = uniform(0.02, 0.5),
+                         at_border = uniform(-0.05, 0.03), from = -uniform(1, 12),
+                         beyond = uniform(0.001, 0.3), y = uniform(-5, 5);
+            const Vec3 axis(-std::sin(lean), 0, std::cos(lean));
+            const auto with_rim_at = [&](double x) {
+                return CutterLocation{Vec3(x, y, at_border - slope * x)
+                                          + radius * Vec3(std::cos(lean), 0, std::sin(lean)),
+                                      axis};
+            };
+            const CutterLocation a = with_rim_at(from), b = with_rim_at(beyond);
+            double most = -infinity;
+            const double leaves = from / (from - beyond);
+            for (int k = 1; k < 2000; ++k)
+                for (const double t : {k / 2000.0, leaves * (1 - 1e-7 * k * k)}) {
+                    const CutterLocation at = on_way(a, b, t);
+                    if (t > 0 && t < 1) most = std::max(most, lift.lift({at.tip, at.axis}));
+                }
+            const bool kept = keeps_clear_between(lift, a, b, looking_step(radius, chord), limit, hint);
+            QVERIFY2(kept ? most <= 1.5 * limit : most > limit,
+                     qPrintable(QString("trial %1: %2, deepest %3").arg(trial).arg(kept).arg(most)));
+            ++(kept ? clear : cuts);
+        }
+        QVERIFY(cuts > trials(50) && clear > trials(50));
     }
 
     void no_tool_lies_down() {
