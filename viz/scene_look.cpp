@@ -75,7 +75,6 @@ Scene::Impl::Impl() {
 
     axes_renderer->SetLayer(1);
     axes_renderer->InteractiveOff();
-    axes_renderer->EraseOff();
     axes_renderer->UseFXAAOff();
     add_lights(axes_renderer);
     axes_renderer->GetActiveCamera()->ParallelProjectionOn();
