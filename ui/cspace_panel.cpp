@@ -64,6 +64,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     heading_ = new ElidedLabel(this);
     heading_->setObjectName(QStringLiteral("cspace_heading"));
     heading_->setMinimumWidth(40);
+    heading_->set_elide_mode(Qt::ElideRight); // the point first, the operation's name after it
     row->addWidget(heading_, 1);
     const auto add = [&](Icon which, const QString& tip, const char* name) {
         auto* b = button(int(which), tip, name);

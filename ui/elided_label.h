@@ -1,4 +1,5 @@
-// A label of one line that is shortened in the middle to the width it has; the whole text is its tool tip.
+// A label of one line that is shortened to the width it has, in the middle if not told otherwise; the whole
+// text is its tool tip.
 #pragma once
 
 #include <QLabel>
@@ -10,10 +11,15 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent = nullptr);
     void set_text(const QString& text);
+    /// Where the text is shortened.
+    void set_elide_mode(Qt::TextElideMode mode);
     QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+
+private:
+    Qt::TextElideMode mode_ = Qt::ElideMiddle;
 };
 
 } // namespace facetmill::ui

@@ -364,20 +364,36 @@ struct CSpaceScene::Impl {
             c.spots.push_back({at, colors_of(palette).marker_ring});
             labels.push_back({at, "tried"});
         }
-        // Labels that would run into each other go down a line, from the upper one on.
+        // A label stands beside its marker where it covers neither another marker nor another label; else on
+        // a line below or above. From the upper one on.
         std::sort(labels.begin(), labels.end(),
                   [](const Label& a, const Label& b) { return a.at.y() < b.at.y(); });
+        constexpr double half = 8, line = 2 * half + 1, beside = 13;
         std::vector<LayoutRect> taken;
+        for (const auto& spot : c.spots)
+            taken.push_back({spot.at.x() - 7, spot.at.y() - 7, spot.at.x() + 7, spot.at.y() + 7});
         const double width = c.width / ratio;
         for (const Label& l : labels) {
             const double w = overlay->note_width(l.text, true);
-            const bool left = l.at.x() + 14 + w > width - margin;
-            const double x0 = std::max(4.0, left ? l.at.x() - 13 - w : l.at.x() + 13);
-            double y = l.at.y();
-            for (const LayoutRect& r : taken)
-                if (x0 < r.x1 && x0 + w > r.x0 && y - 8 < r.y1 && y + 8 > r.y0) y = r.y1 + 9;
-            taken.push_back({x0 - 3, y - 8, x0 + w + 3, y + 8});
-            c.notes.push_back({{x0, y}, -1, l.text, true, true});
+            const double right = l.at.x() + beside, left = l.at.x() - beside - w;
+            Vec2 place(right + w > width - margin ? std::max(4.0, left) : right, l.at.y());
+            const auto free = [&](double x, double y) {
+                if (x < 4 || x + w > width - margin) return false;
+                return std::none_of(taken.begin(), taken.end(), [&](const LayoutRect& r) {
+                    return x < r.x1 && x + w > r.x0 && y - half < r.y1 && y + half > r.y0;
+                });
+            };
+            const auto find = [&] {
+                for (const double down : {0.0, line, -line, 2 * line, -2 * line, 3 * line})
+                    for (const double x : {right, left})
+                        if (free(x, l.at.y() + down)) {
+                            place = {x, l.at.y() + down};
+                            return;
+                        }
+            };
+            find();
+            taken.push_back({place.x() - 3, place.y() - half, place.x() + w + 3, place.y() + half});
+            c.notes.push_back({place, -1, l.text, true, true});
         }
     }
 
