@@ -12,6 +12,7 @@ Command simulate_command();
 Command cspace_command();
 Command drop_command();
 Command render_command();
+Command report_command();
 Command reference_command();
 
 /// All, in the order of the help.

@@ -219,6 +219,20 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
     return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
 }
 
+/// Of the operation that a program belongs to: where it stands in the project.
+static std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
+    const std::string& owner = result.operations[result.owner(program)]->name;
+    std::size_t place = 0;
+    while (place < project.operations.size() && project.operations[place]->common().name != owner)
+        ++place;
+    return place;
+}
+
+std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program) {
+    return program_file_name(place_in_project(project, result, program) + 1,
+                             result.operations[program]->name);
+}
+
 std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass) {
     std::string name = program_file_name(place, operation_name);
     name.resize(name.size() - 4);
@@ -236,11 +250,8 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
     const double n = double(result.operations.size());
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
         const OperationResult& o = *result.operations[i];
-        const std::string& owner = result.operations[result.owner(i)]->name;
-        std::size_t place = 0;
-        while (place < project.operations.size() && project.operations[place]->common().name != owner)
-            ++place;
-        paths.push_back(folder / program_file_name(place + 1, o.name));
+        const std::size_t place = place_in_project(project, result, i);
+        paths.push_back(folder / program_file_name(project, result, i));
         const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
         write_apt(o.program, files.add(paths.back()), part);
         if (o.path.turned) {

@@ -357,6 +357,8 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QStringList>("outputs"); // of a run that was faster than the signal
         QTest::newRow("plan") << QStringList{"plan", "job.facetmill", "-o", "out"} << QStringList{"out"};
+        QTest::newRow("report") << QStringList{"report", "job.facetmill", "-o", "sheet.html"}
+                                << QStringList{"sheet.html"};
         QTest::newRow("drop") << QStringList{"drop",   "part.stl",  "--cutter", "bull:1,0.2",
                                              "--grid", "1500x1500", "-o",       "z.txt"}
                               << QStringList{"z.txt"};

@@ -64,6 +64,11 @@ QByteArray cl(int n = 0, double tip_z = 0,
     return text + "FINI\n";
 }
 
+QByteArray file(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 QJsonObject json(const QByteArray& text) {
     return QJsonDocument::fromJson(text).object();
 }
@@ -83,6 +88,71 @@ const QStringList simulate = {"simulate",     "job.facetmill", "--cl", "path.apt
 class TestSimulate : public QObject {
     Q_OBJECT
 private slots:
+    void the_setup_sheet_tells_all() {
+        Sandbox s;
+        QByteArray text = project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 20");
+        text.replace("\"name\": \"Ball\"", "\"name\": \"<b>Ball & co\"");
+        text.replace("\"name\": \"Finish\"", "\"name\": \"Top \\\"A\\\" <i>\"");
+        prepared(s, {}, text);
+        const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
+        QVERIFY2(run.status == 0, run.err.constData());
+        QCOMPARE(json(run.out)["verdict"].toString(), QString("verified"));
+        const QByteArray sheet = file(s.path() + "/sheet.html");
+        QVERIFY(sheet.startsWith("<!DOCTYPE html>") && sheet.endsWith("</html>\n"));
+        for (const char* said : {"Verified: no gouge, no collision.", "&lt;b&gt;Ball &amp; co",
+                                 "Top &quot;A&quot; &lt;i&gt;", "01-Top-A-i.apt", "42 × 32 × 12 mm",
+                                 "Deepest gouge", "part.stl", "\u00d8 30 \u00d7 20", "1 program ·"})
+            QVERIFY2(sheet.contains(said), said);
+        QVERIFY(!sheet.contains("<b>Ball") && !sheet.contains("do not run"));
+        // Complete in itself.
+        QVERIFY(!sheet.contains("http") && !sheet.contains("<script") && !sheet.contains("<link"));
+#ifdef FACETMILL_HAS_PICTURES
+        // Setup, path and deviation, each a picture that can be read.
+        int pictures = 0;
+        for (qsizetype at = 0; (at = sheet.indexOf("base64,", at)) >= 0; ++pictures) {
+            at += 7;
+            const QByteArray png = QByteArray::fromBase64(sheet.mid(at, sheet.indexOf('"', at) - at));
+            QVERIFY(png.startsWith("\x89PNG\r\n\x1a\n") && png.contains("IEND"));
+            QCOMPARE(png.mid(16, 8), QByteArray("\0\0\x03\x20\0\0\x02\x30", 8)); // 800 by 560
+        }
+        QCOMPARE(pictures, 3);
+        QCOMPARE(json(run.out)["pictures"].toInt(), pictures);
+#endif
+    }
+
+    /// A short tool whose shank runs into the stock: there is a sheet, and it says so.
+    void the_setup_sheet_warns() {
+        Sandbox s;
+        prepared(s, {}, QByteArray(project).replace("\"flute_length\": 6", "\"flute_length\": 1"));
+        const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
+        QCOMPARE(run.status, 1);
+        QVERIFY(run.err.contains("not verified: "));
+        const QByteArray sheet = file(s.path() + "/sheet.html");
+        QVERIFY(sheet.contains("Not verified, do not run: "));
+        QVERIFY(sheet.contains("in the stock</td>"));
+        QVERIFY(!sheet.contains("no gouge, no collision"));
+    }
+
+    void no_setup_sheet_of_bad_input() {
+        Sandbox s;
+        prepared(s, {});
+        const QStringList before = s.files();
+        QCOMPARE(run_cli({"report", "job.facetmill"}, s.path()).status, 2);
+        QCOMPARE(run_cli({"report", "-o", "sheet.html"}, s.path()).status, 2);
+        for (const QStringList& words : {QStringList{"report", "none.facetmill", "-o", "sheet.html"},
+                                         QStringList{"report", "part.stl", "-o", "sheet.html"},
+                                         QStringList{"report", "job.facetmill", "-o", "part.stl"},
+                                         QStringList{"report", "job.facetmill", "-o", "job.facetmill"},
+                                         QStringList{"report", "job.facetmill", "-o", "none/sheet.html"}}) {
+            const CliRun run = run_cli(words, s.path());
+            QCOMPARE(run.status, 1);
+            QCOMPARE(run.err_lines(), 1);
+            QVERIFY(run.out.isEmpty());
+            QCOMPARE(s.files(), before);
+        }
+    }
+
     void a_plan_is_verified() {
         Sandbox s;
         QByteArray text = project;

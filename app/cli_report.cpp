@@ -1,0 +1,104 @@
+// facetmill-cli report: the setup sheet of a project, with pictures, tools, times and verification.
+#include "app/cli_commands.h"
+#include "app/cli_project.h"
+#include "app/cli_session.h"
+#include "core/base/file.h"
+#include "core/base/strict_json.h"
+#include "core/job/setup_sheet.h"
+
+#ifdef FACETMILL_HAS_PICTURES
+#include "viz/render_picture.h"
+#endif
+
+#include <cstdio>
+
+namespace facetmill::cli {
+
+namespace {
+
+/// Part in its stock, every program's path, and what is left.
+std::vector<SheetPicture> pictures(const Project& project, const PlanResult& plan,
+                                   const Verification& verification, const Progress& progress) {
+    std::vector<SheetPicture> all;
+#ifdef FACETMILL_HAS_PICTURES
+    const double n = double(plan.operations.size() + 2);
+    const auto add = [&](RenderRequest& request, const std::string& caption) {
+        request.width = 800;
+        request.height = 560;
+        const double done = double(all.size());
+        const Progress part = progress.part(done / n, (done + 1) / n, "Drawing");
+        all.push_back({caption, encode_png(render_picture(request, part))});
+        part.check();
+    };
+    const auto request = [&](std::vector<Layer> layers) {
+        RenderRequest r;
+        take_plan(r, project, plan);
+        r.layers = std::move(layers);
+        return r;
+    };
+    RenderRequest setup = request({Layer::part, Layer::stock});
+    add(setup, "Part in its stock");
+    for (const auto& operation : plan.operations) {
+        PlanResult one = plan;
+        one.operations = {operation};
+        RenderRequest r;
+        take_plan(r, project, one);
+        r.layers = {Layer::part, Layer::strips, Layer::cl};
+        add(r, operation->name + ", tool " + std::to_string(operation->program.tool_number));
+    }
+    if (verification.surface) {
+        RenderRequest r = request({Layer::deviation, Layer::findings});
+        r.verification = std::make_shared<const Verification>(verification);
+        add(r, "What is left on the part, by removal of material");
+    }
+#else
+    (void)project, (void)plan, (void)verification, (void)progress;
+#endif
+    return all;
+}
+
+void run(const Arguments& arguments, Session& session) {
+    use_threads(arguments);
+    const std::string file = arguments.operand(0);
+    const Project project = load_project(file);
+    const std::string target = arguments.value("-o");
+    keep_inputs(project, file, target);
+    OutputFile output(target); // before the work: a place that cannot be written to is said at once
+    const Progress progress = session.progress();
+    Planner planner;
+    const auto plan = plan_project(planner, project, file, "", progress.part(0.0, 0.35));
+    const auto programs = verify_programs(project, plan);
+    const Verification verification = verify(*plan->part->mesh, plan->stock, programs,
+                                             verify_settings(project, plan.get()), progress.part(0.35, 0.85));
+    const auto drawn = pictures(project, *plan, verification, progress.part(0.85, 1.0));
+    output.write(setup_sheet(project, *plan, programs, verification, drawn));
+    progress.check();
+    output.commit();
+    Json out;
+    out["file"] = printable(target, 400);
+    out["programs"] = plan->operations.size();
+    out["pictures"] = drawn.size();
+    out["verdict"] = verification.passed() ? "verified" : "failed";
+    const std::string findings = findings_line(project, programs, verification);
+    session.print(pretty_json(out));
+    if (findings.empty()) return;
+    std::fprintf(stderr, "facetmill-cli: not verified: %s\n", findings.c_str());
+    session.fail();
+}
+
+} // namespace
+
+Command report_command() {
+    return {
+        .name = "report",
+        .operands = {"PROJECT"},
+        .summary = "Writes the setup sheet: pictures, stock, tools, programs, times, verification (HTML).",
+        .help = "Plans and verifies the project first. The file is complete in itself and prints on paper. "
+                "A project\n"
+                "that is not verified has its sheet too, which says so first; the exit status is 1 then.",
+        .options = {threads_option(),
+                    {.name = "-o", .value = "FILE.html", .help = "the file to write", .required = true}},
+        .run = run};
+}
+
+} // namespace facetmill::cli

@@ -1,0 +1,328 @@
+#include "core/job/setup_sheet.h"
+
+#include "core/base/error.h"
+#include "core/mesh/mesh_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace facetmill {
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { font: 14px/1.45 system-ui, "DejaVu Sans", Arial, sans-serif; color: #1d2733; background: #fff;
+       max-width: 1040px; margin: 24px auto; padding: 0 20px; }
+h1 { font-size: 24px; margin: 0 0 4px; overflow-wrap: anywhere; }
+h2 { font-size: 16px; margin: 28px 0 8px; border-bottom: 1px solid #c9d2dc; padding-bottom: 3px; }
+.quiet { color: #5b6875; }
+.verdict { margin: 16px 0; padding: 10px 14px; border-left: 5px solid; font-weight: 600; overflow-wrap: anywhere; }
+.good { border-color: #1a7f4b; background: #e8f5ee; color: #125c36; }
+.bad { border-color: #b3261e; background: #fcebea; color: #8c1d18; }
+.warning { margin: 4px 0; padding-left: 14px; border-left: 3px solid #b26a00; color: #7a4a00; overflow-wrap: anywhere; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; }
+th { text-align: left; font-weight: 600; color: #5b6875; vertical-align: bottom; }
+th, td { padding: 4px 12px 4px 0; border-bottom: 1px solid #e4e9ee; }
+td { vertical-align: top; overflow-wrap: anywhere; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.file { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
+tr.sum td { font-weight: 600; border-bottom: none; }
+table.facts { width: auto; }
+table.facts th { padding-right: 24px; font-weight: normal; white-space: nowrap; vertical-align: top; }
+.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 14px; }
+figure { margin: 0; break-inside: avoid; }
+figure img { width: 100%; display: block; border: 1px solid #c9d2dc; }
+figcaption { color: #5b6875; font-size: 12px; padding-top: 3px; }
+tr, .verdict { break-inside: avoid; }
+@media (max-width: 640px) { .pictures { grid-template-columns: 1fr; } }
+@media print { body { margin: 0; max-width: none; font-size: 11px; } .scroll { overflow: visible; } }
+)";
+
+/// Text as HTML shows it; what cannot be shown is replaced as in messages.
+std::string html(std::string_view text) {
+    std::string out;
+    for (const char c : printable(text, 4000)) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string base64(std::string_view bytes) {
+    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t v = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            v = v << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += k <= n ? digits[v >> (18 - 6 * k) & 63] : '=';
+    }
+    return out;
+}
+
+std::string duration(double seconds) {
+    if (!(seconds >= 0) || !std::isfinite(seconds)) return "\u2013";
+    const auto whole = static_cast<long long>(std::llround(seconds));
+    const auto two = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
+/// Lengths, angles and figures in the project's units.
+class Sheet {
+public:
+    Sheet(const Project& project, const PlanResult& plan) : project_(project), plan_(plan) {}
+
+    std::string number(double mm, int digits = 5) const {
+        return format_number(mm / mm_per(project_.unit), digits);
+    }
+    std::string length(double mm, int digits = 5) const { return length_text(mm, project_.unit, digits); }
+    std::string unit() const { return std::string(unit_name(project_.unit)); }
+    std::string point(const Vec3& p) const {
+        return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + " " + unit();
+    }
+    std::string size(const Box3& box) const {
+        const Vec3 s = box.size();
+        return number(s.x()) + " \u00d7 " + number(s.y()) + " \u00d7 " + number(s.z()) + " " + unit();
+    }
+
+    /// That a program belongs to.
+    const Operation& operation_of(std::size_t program) const {
+        const std::string& name = plan_.operations[plan_.owner(program)]->name;
+        for (const auto& operation : project_.operations)
+            if (operation->common().name == name) return *operation;
+        throw Error(ErrorCode::internal, "setup sheet", "a program has no operation", "report this");
+    }
+
+    std::string text;
+
+    void heading(const std::string& title) { text += "<h2>" + html(title) + "</h2>\n"; }
+    void begin_facts() { text += "<table class=\"facts\">\n"; }
+    void fact(const std::string& name, const std::string& value) {
+        text += "<tr><th>" + html(name) + "</th><td>" + html(value) + "</td></tr>\n";
+    }
+    void end_table() { text += "</table>\n"; }
+    void warning(const std::string& line) { text += "<p class=\"warning\">" + html(line) + "</p>\n"; }
+
+    /// Columns whose name begins with '#' hold numbers, '/' names of files.
+    void begin_table(std::initializer_list<std::string> columns) {
+        columns_.clear();
+        text += "<div class=\"scroll\"><table>\n<tr>";
+        for (const std::string& c : columns) {
+            const char kind = c.empty() ? ' ' : c.front();
+            columns_ += kind;
+            const bool marked = kind == '#' || kind == '/';
+            text += std::string("<th") + (kind == '#' ? " class=\"n\"" : "") + ">"
+                    + html(marked ? std::string_view(c).substr(1) : c) + "</th>";
+        }
+        text += "</tr>\n";
+    }
+    void row(const std::vector<std::string>& cells, bool sum = false) {
+        text += sum ? "<tr class=\"sum\">" : "<tr>";
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            text += std::string("<td")
+                    + (columns_[k] == '#'   ? " class=\"n\""
+                       : columns_[k] == '/' ? " class=\"file\""
+                                            : "")
+                    + ">" + html(cells[k]) + "</td>";
+        text += "</tr>\n";
+    }
+    void end_wide_table() { text += "</table></div>\n"; }
+
+    void part_and_stock();
+    void tools();
+    void operations();
+    void verification(std::span<const VerifyProgram> programs, const Verification& v);
+
+private:
+    const Project& project_;
+    const PlanResult& plan_;
+    std::string columns_;
+};
+
+void Sheet::part_and_stock() {
+    heading("Part, stock and machine");
+    begin_facts();
+    const Box3& part = plan_.part->box;
+    fact("Part", project_.part.file);
+    fact("Part's size", size(part));
+    fact("Part from", point(part.lo));
+    fact("Part to", point(part.hi));
+    const StockSolid& stock = plan_.stock;
+    std::string kind = stock_kind_name(project_.stock.kind);
+    if (stock.kind == StockSolid::Kind::cylinder)
+        kind += ", diameter " + length(2 * stock.radius) + ", along " + std::string(1, "XYZ"[stock.axis]);
+    if (!project_.stock_path().empty()) kind += ", " + project_.stock_path().filename().string();
+    fact("Stock", kind);
+    fact("Stock's size", size(stock.box));
+    fact("Stock from", point(stock.box.lo));
+    fact("Stock to", point(stock.box.hi));
+    fact("Origin", "0, 0, 0 of the part's coordinates, in which the programs are written; it is "
+                       + length(-stock.box.lo.x()) + ", " + length(-stock.box.lo.y()) + ", "
+                       + length(-stock.box.lo.z()) + " (X, Y, Z) from the stock's lowest corner");
+    const Machine machine = project_machine(project_);
+    fact("Machine", machine.label);
+    end_table();
+    for (const std::string& w : plan_.stock_warnings)
+        warning(w);
+    for (const std::string& w : plan_.part->report.warnings)
+        warning(explain_warning(w));
+}
+
+void Sheet::tools() {
+    heading("Tools");
+    std::set<long> used;
+    for (const auto& o : plan_.operations)
+        used.insert(o->program.tool_number);
+    begin_table({"#T", "Name", "Shape", "#Diameter, " + unit(), "#Corner radius", "#Flutes", "Shank",
+                 "Holder", "#Out of holder"});
+    for (const Tool& t : project_.tools) {
+        if (!used.count(t.number)) continue;
+        std::string shape = t.shape_name();
+        if (t.bottom_angle != 0) shape += ", bottom " + format_number(degrees(t.bottom_angle), 4) + "\u00b0";
+        if (t.taper_angle != 0) shape += ", taper " + format_number(degrees(t.taper_angle), 4) + "\u00b0";
+        std::string holder;
+        for (const HolderSection& h : t.holder)
+            holder += (holder.empty() ? "" : ", ")
+                      + ("\u00d8 " + number(h.diameter) + " \u00d7 " + number(h.length));
+        row({std::to_string(t.number), t.name, shape, number(t.diameter), number(t.corner_radius),
+             number(t.flute_length),
+             "\u00d8 " + number(t.shank_diameter) + " \u00d7 " + number(t.shank_length),
+             holder.empty() ? "\u2013" : holder, number(t.flute_length + t.shank_length)});
+    }
+    end_wide_table();
+}
+
+void Sheet::operations() {
+    heading("Operations");
+    begin_table({"#", "Operation", "#T", "/Program", "#Tolerance", "#Passes", "#Feed, " + unit() + "/min",
+                 "#Spindle, rpm", "#Cut, " + unit(), "#Rapid, " + unit(), "#Time"});
+    double cut = 0, rapid = 0, time = 0;
+    std::size_t n = 0;
+    long tool = -1;
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < plan_.operations.size(); ++i) {
+        const OperationResult& o = *plan_.operations[i];
+        const ClProgram& p = o.program;
+        if (tool != -1 && tool != p.tool_number) ++changes;
+        tool = p.tool_number;
+        cut += o.totals.cut_length;
+        rapid += o.totals.rapid_length;
+        time += o.totals.time_seconds;
+        row({std::to_string(++n), o.name, std::to_string(p.tool_number),
+             program_file_name(project_, plan_, i), number(operation_of(i).common().tolerance),
+             std::to_string(std::max(0, o.path.drive_planes)), number(p.feed_mm_per_min),
+             format_number(p.spindle_rpm, 6), number(o.totals.cut_length), number(o.totals.rapid_length),
+             duration(o.totals.time_seconds)});
+    }
+    row({"", "Together", "", "", "", "", "", "", number(cut), number(rapid), duration(time)}, true);
+    end_wide_table();
+    if (changes > 0)
+        text += "<p class=\"quiet\">" + std::to_string(changes) + (changes == 1 ? " change" : " changes")
+                + " of tools, not in the time.</p>\n";
+    for (const auto& o : plan_.operations)
+        for (const std::string& w : o->warnings())
+            warning(o->name + ": " + w);
+}
+
+void Sheet::verification(std::span<const VerifyProgram> programs, const Verification& v) {
+    heading("Verification by removal of material");
+    begin_facts();
+    const DeviationFigures& f = v.figures;
+    const auto percent = [](double share) {
+        return share > 0 && share < 1e-4 ? "less than 0.01 %" : format_number(100 * share, 3) + " %";
+    };
+    fact("Deepest gouge",
+         length(std::max(f.gouge_max, v.border.gouge_max), 3) + ", allowed " + length(v.used.gouge_limit, 3));
+    fact("Collisions", std::to_string(v.collisions.size()));
+    if (v.used.tolerance > 0) {
+        fact("Tolerance", length(v.used.tolerance));
+        fact("Over the tolerance", percent(f.over_fraction) + " of the surface");
+        fact("Uncut (over twice the tolerance)", percent(f.uncut_fraction) + " of the surface");
+    }
+    fact("What is left, 95 % below", length(f.excess_p95, 3));
+    fact("What is left, 99 % below", length(f.excess_p99, 3));
+    fact("What is left, largest", length(f.excess_max, 3));
+    fact("Places looked at", std::to_string(f.samples));
+    fact("Resolution", length(v.used.resolution, 3));
+    end_table();
+    const auto where = [&](const MotionPlace& at) {
+        return at.known() ? programs[at.program].name + ", GOTO " + std::to_string(at.motion + 1) : "nowhere";
+    };
+    if (!v.gouges.empty() || !v.collisions.empty()) {
+        constexpr std::size_t most_listed = 20;
+        begin_table({"Found", "#Depth, " + unit(), "Where", "Place"});
+        for (const DeviationExtreme& e : v.gouges)
+            row({"Gouge", number(-e.deviation, 4), where(e.by), point(e.point)});
+        for (std::size_t i = 0; i < std::min(most_listed, v.collisions.size()); ++i) {
+            const Collision& c = v.collisions[i];
+            const char* body = c.kind == Collision::Kind::shank    ? "Shank"
+                               : c.kind == Collision::Kind::holder ? "Holder"
+                                                                   : "Rapid";
+            row({std::string(body) + (c.with_part ? " in the part" : " in the stock"), number(c.depth, 4),
+                 where(c.at), point(c.place)});
+        }
+        end_wide_table();
+        if (v.collisions.size() > most_listed)
+            text += "<p class=\"quiet\">" + std::to_string(v.collisions.size() - most_listed)
+                    + " more collisions are in verify.json.</p>\n";
+    }
+    for (const std::string& remark : v.remarks)
+        text += "<p class=\"quiet\">" + html(remark) + "</p>\n";
+}
+
+} // namespace
+
+std::string setup_sheet(const Project& project, const PlanResult& plan,
+                        std::span<const VerifyProgram> programs, const Verification& verification,
+                        std::span<const SheetPicture> pictures) {
+    const std::string title =
+        project.path.empty() ? project.part_path().stem().string() : project.path.stem().string();
+    Sheet sheet(project, plan);
+    sheet.text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                 "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+                 + html(title) + " \u00b7 Setup sheet</title>\n<style>" + style
+                 + "</style>\n</head>\n<body>\n";
+    double time = 0;
+    for (const auto& o : plan.operations)
+        time += o->totals.time_seconds;
+    sheet.text += "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">Setup sheet \u00b7 "
+                  + std::to_string(plan.operations.size())
+                  + (plan.operations.size() == 1 ? " program" : " programs") + " \u00b7 " + duration(time)
+                  + " \u00b7 lengths in " + sheet.unit() + "</p>\n";
+    if (verification.passed())
+        sheet.text += "<p class=\"verdict good\">Verified: no gouge, no collision.</p>\n";
+    else
+        sheet.text += "<p class=\"verdict bad\">Not verified, do not run: "
+                      + html(findings_line(project, programs, verification)) + "</p>\n";
+    if (!pictures.empty()) {
+        sheet.text += "<div class=\"pictures\">\n";
+        for (const SheetPicture& p : pictures)
+            sheet.text += "<figure><img alt=\"" + html(p.caption) + "\" src=\"data:image/png;base64,"
+                          + base64(p.png) + "\"><figcaption>" + html(p.caption) + "</figcaption></figure>\n";
+        sheet.text += "</div>\n";
+    }
+    sheet.part_and_stock();
+    sheet.tools();
+    sheet.operations();
+    sheet.verification(programs, verification);
+    sheet.text += "</body>\n</html>\n";
+    return std::move(sheet.text);
+}
+
+} // namespace facetmill

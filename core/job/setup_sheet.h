@@ -1,0 +1,26 @@
+// The setup sheet: what the person at the machine has to know of a planned project, as one HTML file that is
+// complete in itself and prints on paper.
+#pragma once
+
+#include "core/job/planner.h"
+#include "core/job/verification.h"
+
+#include <span>
+#include <string>
+
+namespace facetmill {
+
+/// A PNG file's bytes, and what stands below it.
+struct SheetPicture {
+    std::string caption, png;
+};
+
+/// Verdict, pictures, part and stock with their places, machine, tools, operations with their programs' files
+/// and times, warnings, and the figures of the verification; lengths in the project's units. Text from the
+/// project is escaped. The same text for the same input; no time of day. `programs` are those that were
+/// verified.
+std::string setup_sheet(const Project& project, const PlanResult& plan,
+                        std::span<const VerifyProgram> programs, const Verification& verification,
+                        std::span<const SheetPicture> pictures);
+
+} // namespace facetmill
