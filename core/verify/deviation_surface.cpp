@@ -101,15 +101,45 @@ double spacing_of(Division::Kind kind, double spacing) {
     return kind == Division::own_fine ? 0.5 * spacing : spacing;
 }
 
-bool is_creased(const Mesh& part, std::size_t facet, const std::vector<Vec3>& vertex_normals,
-                const Vec3& normal) {
-    const double crease = std::cos(radians(crease_degrees));
-    const Facet& f = part.facets[facet];
-    return std::any_of(f.begin(), f.end(), [&](Index v) { return vertex_normals[v].dot(normal) < crease; });
+std::vector<std::array<Index, 2>> open_edges(const Mesh& part, const Progress& progress) {
+    std::vector<std::array<Index, 2>> edges;
+    edges.reserve(3 * part.facet_count());
+    for (const Facet& f : part.facets)
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
+    progress.check();
+    std::sort(edges.begin(), edges.end());
+    progress.check();
+    std::vector<std::array<Index, 2>> open;
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t next = i + 1;
+        while (next < edges.size() && edges[next] == edges[i])
+            ++next;
+        if (next == i + 1) open.push_back(edges[i]);
+        i = next;
+    }
+    return open;
 }
 
-Division divide(const Mesh& part, const std::vector<Vec3>& normals, double spacing,
-                const Progress& progress) {
+/// Facets on whose edges a probe may run in the plane of the facet beyond, and those at the part's open
+/// border: a tool that comes by there in touch with the edge alone may have the direction of the probe.
+std::vector<char> edged_facets(const Mesh& part, const std::vector<Vec3>& vertex_normals,
+                               const Progress& progress) {
+    const double crease = std::cos(radians(crease_degrees));
+    std::vector<char> on_border(part.vertices.size(), 0), edged(part.facet_count(), 0);
+    for (const auto& edge : open_edges(part, progress))
+        for (Index v : edge)
+            on_border[v] = 1;
+    parallel_for(part.facet_count(), facets_per_block, progress, [&](std::size_t f) {
+        const Vec3 normal = part.facet_normal(f);
+        for (Index v : part.facets[f])
+            if (on_border[v] || vertex_normals[v].dot(normal) < crease) edged[f] = 1;
+    });
+    return edged;
+}
+
+Division divide(const Mesh& part, const std::vector<Vec3>& normals, const std::vector<char>& edged,
+                double spacing, const Progress& progress) {
     const double curved = std::cos(radians(curved_degrees));
     const std::size_t n = part.facet_count();
     Division d;
@@ -120,7 +150,7 @@ Division divide(const Mesh& part, const std::vector<Vec3>& normals, double spaci
         const Vec3 normal = part.facet_normal(f);
         if (normal.isZero(0)) return;
         double turn = 1, edge = 0;
-        const bool creased = is_creased(part, f, normals, normal);
+        const bool creased = edged[f] != 0;
         for (int k = 0; k < 3; ++k) {
             const Vec3 &a = normals[part.facets[f][std::size_t(k)]],
                        &b = normals[part.facets[f][std::size_t((k + 1) % 3)]];
@@ -224,7 +254,8 @@ private:
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset) {
     const std::vector<Vec3> normals = vertex_normals(part, NormalWeight::angle, progress.part(0.0, 0.2));
-    Division division = divide(part, normals, spacing, progress.part(0.2, 0.3));
+    const std::vector<char> edged = edged_facets(part, normals, progress.part(0.2, 0.22));
+    Division division = divide(part, normals, edged, spacing, progress.part(0.22, 0.3));
     std::size_t own = 0;
     // What is saved grows with the square of the spacing, of what is divided.
     for (int round = 0; round < 60 && division.points() > most && division.first_point.back() != own;
@@ -232,7 +263,7 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
         own = division.first_point.back();
         const double room = std::max(double(most) - double(division.shared_points), 0.25 * double(most));
         spacing *= std::clamp(std::sqrt(double(own) / room), 1.02, 8.0);
-        division = divide(part, normals, spacing, progress.part(0.3, 0.4));
+        division = divide(part, normals, edged, spacing, progress.part(0.3, 0.4));
     }
 
     SurfaceSamples s;
@@ -266,7 +297,7 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
         if (kind == Division::none || kind == Division::shared) return;
         const Rows rows(part, f, spacing_of(kind, spacing));
         const Vec3 normal = part.facet_normal(f);
-        const bool inset = edge_inset > 0 && is_creased(part, f, normals, normal);
+        const bool inset = edge_inset > 0 && edged[f] != 0;
         const EdgeInset off_edges(part, f, normal, edge_inset);
         std::size_t at = first_point + division.first_point[f],
                     triangle = first_triangle + division.first_triangle[f];
@@ -344,26 +375,6 @@ double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
     const double square = way.squaredNorm();
     const double t = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
     return (p - a - t * way).norm();
-}
-
-std::vector<std::array<Index, 2>> open_edges(const Mesh& part, const Progress& progress) {
-    std::vector<std::array<Index, 2>> edges;
-    edges.reserve(3 * part.facet_count());
-    for (const Facet& f : part.facets)
-        for (std::size_t k = 0; k < 3; ++k)
-            edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
-    progress.check();
-    std::sort(edges.begin(), edges.end());
-    progress.check();
-    std::vector<std::array<Index, 2>> open;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t next = i + 1;
-        while (next < edges.size() && edges[next] == edges[i])
-            ++next;
-        if (next == i + 1) open.push_back(edges[i]);
-        i = next;
-    }
-    return open;
 }
 
 } // namespace
