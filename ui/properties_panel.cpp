@@ -214,7 +214,10 @@ void PropertiesPanel::refresh() {
         }
         form_->set_pickable(axis_points);
         show(operation,
-             {{"tool", tool_choices(project, false)}, {"rework_tool", tool_choices(project, true)}}, hidden);
+             {{"tool", tool_choices(project, false)},
+              {"previous_tool", tool_choices(project, false)},
+              {"rework_tool", tool_choices(project, true)}},
+             hidden);
         regions = dynamic_cast<const GlobalLocal*>(&operation) != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));

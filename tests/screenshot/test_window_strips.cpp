@@ -5,12 +5,15 @@
 #include "core/strategy/cleanup.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/elided_label.h"
+#include "ui/parameter_form.h"
 #include "ui/project_tree.h"
+#include "ui/properties_panel.h"
 #include "ui/strip_desk.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QSlider>
@@ -215,6 +218,16 @@ private slots:
         row("Valley 2")->setCheckState(0, Qt::Checked);
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(off(), std::string());
+    }
+
+    void the_previous_tool_is_chosen_by_its_name() {
+        QVERIFY(open_grooves());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
+        auto* tools = w().properties().form()->findChild<QComboBox*>(QStringLiteral("previous_tool"));
+        QVERIFY(tools != nullptr);
+        QCOMPARE(tools->count(), 2);
+        QVERIFY2(tools->currentText().startsWith(QStringLiteral("T1 ")), qPrintable(tools->currentText()));
     }
 
     void a_strip_chosen_in_the_list_is_flown_to_and_shows_the_previous_tool() {
