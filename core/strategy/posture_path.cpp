@@ -160,7 +160,7 @@ bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const Cu
                          double limit, ToolLift::Hint& hint) {
     const double turned = (b.axis - a.axis).norm() * lift.cutter().max_radius();
     const double way = (b.tip - a.tip).norm() + turned;
-    constexpr int least = 4, most = 256, most_halvings = 6;
+    constexpr int least = 4, most = 256, most_halvings = 6, sure_halvings = 2;
     // A lift that grows faster than this belongs to a wall, which the rim does not pass within a step unless
     // one of the step's ends is in it.
     constexpr double steepest = 2;
@@ -171,8 +171,10 @@ bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const Cu
     };
     const auto between = [&](const auto& self, double t0, double l0, double t1, double l1,
                              int halvings) -> bool {
-        // Alike: in touch with the same all the way, and round, or clear.
-        if (halvings == 0 || std::abs(l1 - l0) <= 0.5 * limit) return true;
+        // Alike: in touch with the same all the way, and round, or clear; but for edges between, which the
+        // rim passes within a part of a step.
+        const bool alike = halvings <= most_halvings - sure_halvings && std::abs(l1 - l0) <= 0.5 * limit;
+        if (halvings == 0 || alike) return true;
         if (std::max(l0, l1) < -steepest * way * (t1 - t0)) return true;
         const double t = 0.5 * (t0 + t1), l = lift_at(t);
         return l <= limit && self(self, t0, l0, t, l, halvings - 1) && self(self, t, l, t1, l1, halvings - 1);
