@@ -18,11 +18,12 @@ namespace {
 
 /// Part in its stock, every program's path, and what is left.
 std::vector<SheetPicture> pictures(const Project& project, const PlanResult& plan,
-                                   const Verification& verification, const Progress& progress) {
+                                   const std::shared_ptr<const Verification>& verification,
+                                   const Progress& progress) {
     std::vector<SheetPicture> all;
 #ifdef FACETMILL_HAS_PICTURES
     const double n = double(plan.operations.size() + 2);
-    const auto add = [&](RenderRequest& request, const std::string& caption) {
+    const auto add = [&](RenderRequest request, const std::string& caption) {
         request.width = 800;
         request.height = 560;
         const double done = double(all.size());
@@ -30,26 +31,23 @@ std::vector<SheetPicture> pictures(const Project& project, const PlanResult& pla
         all.push_back({caption, encode_png(render_picture(request, part))});
         part.check();
     };
-    const auto request = [&](std::vector<Layer> layers) {
+    const auto request = [&](const PlanResult& of, std::vector<Layer> layers) {
         RenderRequest r;
-        take_plan(r, project, plan);
+        take_plan(r, project, of);
         r.layers = std::move(layers);
         return r;
     };
-    RenderRequest setup = request({Layer::part, Layer::stock});
-    add(setup, "Part in its stock");
+    add(request(plan, {Layer::part, Layer::stock}), "Part in its stock");
     for (const auto& operation : plan.operations) {
         PlanResult one = plan;
         one.operations = {operation};
-        RenderRequest r;
-        take_plan(r, project, one);
-        r.layers = {Layer::part, Layer::strips, Layer::cl};
-        add(r, operation->name + ", tool " + std::to_string(operation->program.tool_number));
+        add(request(one, {Layer::part, Layer::strips, Layer::cl}),
+            operation->name + ", tool " + std::to_string(operation->program.tool_number));
     }
-    if (verification.surface) {
-        RenderRequest r = request({Layer::deviation, Layer::findings});
-        r.verification = std::make_shared<const Verification>(verification);
-        add(r, "What is left on the part, by removal of material");
+    if (verification->surface) {
+        RenderRequest r = request(plan, {Layer::deviation, Layer::findings});
+        r.verification = verification;
+        add(std::move(r), "What is left on the part, by removal of material");
     }
 #else
     (void)project, (void)plan, (void)verification, (void)progress;
@@ -68,18 +66,19 @@ void run(const Arguments& arguments, Session& session) {
     Planner planner;
     const auto plan = plan_project(planner, project, file, "", progress.part(0.0, 0.35));
     const auto programs = verify_programs(project, plan);
-    const Verification verification = verify(*plan->part->mesh, plan->stock, programs,
-                                             verify_settings(project, plan.get()), progress.part(0.35, 0.85));
+    const auto verification = std::make_shared<const Verification>(
+        verify(*plan->part->mesh, plan->stock, programs, verify_settings(project, plan.get()),
+               progress.part(0.35, 0.85)));
     const auto drawn = pictures(project, *plan, verification, progress.part(0.85, 1.0));
-    output.write(setup_sheet(project, *plan, programs, verification, drawn));
+    output.write(setup_sheet(project, *plan, programs, *verification, drawn));
     progress.check();
     output.commit();
     Json out;
     out["file"] = printable(target, 400);
     out["programs"] = plan->operations.size();
     out["pictures"] = drawn.size();
-    out["verdict"] = verification.passed() ? "verified" : "failed";
-    const std::string findings = findings_line(project, programs, verification);
+    out["verdict"] = verification->passed() ? "verified" : "failed";
+    const std::string findings = findings_line(project, programs, *verification);
     session.print(pretty_json(out));
     if (findings.empty()) return;
     std::fprintf(stderr, "facetmill-cli: not verified: %s\n", findings.c_str());

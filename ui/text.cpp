@@ -32,12 +32,7 @@ QString count_text(std::size_t n) {
 }
 
 QString duration_text(double seconds) {
-    if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
-    if (seconds < 9.95) return QString::number(seconds, 'f', 1) + QStringLiteral(" s");
-    const auto whole = qint64(std::llround(seconds));
-    if (whole < 60) return QStringLiteral("%1 s").arg(whole);
-    if (whole < 3600) return QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
-    return QStringLiteral("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60, 2, 10, QChar('0'));
+    return text(facetmill::duration_text(seconds));
 }
 
 QString elided(const QString& text, int characters) {

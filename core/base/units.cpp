@@ -69,6 +69,21 @@ std::string length_text(double mm, LengthUnit unit, int digits) {
     return format_number(mm / mm_per(unit), digits) + " " + std::string(unit_name(unit));
 }
 
+std::string duration_text(double seconds) {
+    if (!std::isfinite(seconds) || seconds < 0) return "\u2013";
+    if (seconds < 9.95) {
+        char digits[8];
+        const auto end =
+            std::to_chars(digits, digits + sizeof digits, seconds, std::chars_format::fixed, 1).ptr;
+        return std::string(digits, end) + " s";
+    }
+    const auto whole = std::llround(seconds);
+    const auto two = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
 bool parse_number(std::string_view text, double& value) {
     if (!text.empty() && text.front() == '+') {
         text.remove_prefix(1);

@@ -111,7 +111,9 @@ std::string report_json(const Project& project, const PlanResult& result);
 /// "01-Finish.apt": the operation's place in the project and its name, in which '-' stands for what file
 /// systems or shells might stumble over.
 std::string program_file_name(std::size_t place, const std::string& operation_name);
-/// The same of a program of a plan.
+/// The operation that a program of a plan belongs to; the project is the one that was planned.
+const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program);
+/// The file of a program of a plan.
 std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program);
 
 /// "01-Rough-pass-01.txt", "02-Finish.txt" (pass -1): the table of positions of a turning part.

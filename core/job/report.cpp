@@ -219,13 +219,16 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
     return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
 }
 
-/// Of the operation that a program belongs to: where it stands in the project.
 static std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
     const std::string& owner = result.operations[result.owner(program)]->name;
     std::size_t place = 0;
     while (place < project.operations.size() && project.operations[place]->common().name != owner)
         ++place;
     return place;
+}
+
+const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program) {
+    return *project.operations.at(place_in_project(project, result, program));
 }
 
 std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program) {

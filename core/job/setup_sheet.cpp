@@ -74,15 +74,6 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-std::string duration(double seconds) {
-    if (!(seconds >= 0) || !std::isfinite(seconds)) return "\u2013";
-    const auto whole = static_cast<long long>(std::llround(seconds));
-    const auto two = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
-    if (whole < 60) return std::to_string(whole) + " s";
-    if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
-    return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
-}
-
 /// Lengths, angles and figures in the project's units.
 class Sheet {
 public:
@@ -99,14 +90,6 @@ public:
     std::string size(const Box3& box) const {
         const Vec3 s = box.size();
         return number(s.x()) + " \u00d7 " + number(s.y()) + " \u00d7 " + number(s.z()) + " " + unit();
-    }
-
-    /// That a program belongs to.
-    const Operation& operation_of(std::size_t program) const {
-        const std::string& name = plan_.operations[plan_.owner(program)]->name;
-        for (const auto& operation : project_.operations)
-            if (operation->common().name == name) return *operation;
-        throw Error(ErrorCode::internal, "setup sheet", "a program has no operation", "report this");
     }
 
     std::string text;
@@ -225,12 +208,13 @@ void Sheet::operations() {
         rapid += o.totals.rapid_length;
         time += o.totals.time_seconds;
         row({std::to_string(++n), o.name, std::to_string(p.tool_number),
-             program_file_name(project_, plan_, i), number(operation_of(i).common().tolerance),
+             program_file_name(project_, plan_, i),
+             number(operation_of(project_, plan_, i).common().tolerance),
              std::to_string(std::max(0, o.path.drive_planes)), number(p.feed_mm_per_min),
              format_number(p.spindle_rpm, 6), number(o.totals.cut_length), number(o.totals.rapid_length),
-             duration(o.totals.time_seconds)});
+             duration_text(o.totals.time_seconds)});
     }
-    row({"", "Together", "", "", "", "", "", "", number(cut), number(rapid), duration(time)}, true);
+    row({"", "Together", "", "", "", "", "", "", number(cut), number(rapid), duration_text(time)}, true);
     end_wide_table();
     if (changes > 0)
         text += "<p class=\"quiet\">" + std::to_string(changes) + (changes == 1 ? " change" : " changes")
@@ -303,8 +287,8 @@ std::string setup_sheet(const Project& project, const PlanResult& plan,
         time += o->totals.time_seconds;
     sheet.text += "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">Setup sheet \u00b7 "
                   + std::to_string(plan.operations.size())
-                  + (plan.operations.size() == 1 ? " program" : " programs") + " \u00b7 " + duration(time)
-                  + " \u00b7 lengths in " + sheet.unit() + "</p>\n";
+                  + (plan.operations.size() == 1 ? " program" : " programs") + " \u00b7 "
+                  + duration_text(time) + " \u00b7 lengths in " + sheet.unit() + "</p>\n";
     if (verification.passed())
         sheet.text += "<p class=\"verdict good\">Verified: no gouge, no collision.</p>\n";
     else

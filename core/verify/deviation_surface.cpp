@@ -124,10 +124,10 @@ std::vector<std::array<Index, 2>> open_edges(const Mesh& part, const Progress& p
 /// Facets on whose edges a probe may run in the plane of the facet beyond, and those at the part's open
 /// border: a tool that comes by there in touch with the edge alone may have the direction of the probe.
 std::vector<char> edged_facets(const Mesh& part, const std::vector<Vec3>& vertex_normals,
-                               const Progress& progress) {
+                               const std::vector<std::array<Index, 2>>& open, const Progress& progress) {
     const double crease = std::cos(radians(crease_degrees));
     std::vector<char> on_border(part.vertices.size(), 0), edged(part.facet_count(), 0);
-    for (const auto& edge : open_edges(part, progress))
+    for (const auto& edge : open)
         for (Index v : edge)
             on_border[v] = 1;
     parallel_for(part.facet_count(), facets_per_block, progress, [&](std::size_t f) {
@@ -254,7 +254,8 @@ private:
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset) {
     const std::vector<Vec3> normals = vertex_normals(part, NormalWeight::angle, progress.part(0.0, 0.2));
-    const std::vector<char> edged = edged_facets(part, normals, progress.part(0.2, 0.22));
+    auto open = open_edges(part, progress);
+    const std::vector<char> edged = edged_facets(part, normals, open, progress.part(0.2, 0.22));
     Division division = divide(part, normals, edged, spacing, progress.part(0.22, 0.3));
     std::size_t own = 0;
     // What is saved grows with the square of the spacing, of what is divided.
@@ -267,6 +268,7 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
     }
 
     SurfaceSamples s;
+    s.open_edges = std::move(open);
     s.spacing = spacing;
     const std::size_t n = part.facet_count();
     s.points.reserve(division.points());
@@ -381,7 +383,7 @@ double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 void flag_samples(SurfaceSamples& s, const Mesh& part, double cutter_radius, const std::vector<Vec3>& axes,
                   const Progress& progress) {
-    const auto open = open_edges(part, progress);
+    const auto& open = s.open_edges;
     std::vector<Box3> boxes(open.size());
     for (std::size_t i = 0; i < open.size(); ++i)
         for (Index v : open[i])

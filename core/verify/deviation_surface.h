@@ -15,7 +15,8 @@ struct SurfaceSamples {
     std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
     std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    double spacing = 0; ///< that was used
+    std::vector<std::array<Index, 2>> open_edges; ///< of the part: those that only one facet has
+    double spacing = 0;                           ///< that was used
 };
 
 /// Along edges neighbours are no farther apart than `spacing`, or half of it where the surface curves; none
@@ -25,8 +26,9 @@ struct SurfaceSamples {
 /// the mesh's own vertices are never thinned out. Facets without area have no points. Cancellation within 20
 /// ms.
 /// A probe on a sharp edge would run in the plane of the facet beyond it, where a tool that is flush with
-/// that facet, or too deep by a rounding, is met over its whole width. So probes start `edge_inset` from the
-/// edges of facets at creases, or a quarter of the facet's height where that is less.
+/// that facet, or too deep by a rounding, is met over its whole width; one on an open border may run along a
+/// tool that touches the border alone. So probes start `edge_inset` from the edges of facets at creases and
+/// at open borders, or a quarter of the facet's height where that is less.
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset = 0);
 
