@@ -14,6 +14,9 @@ constexpr int most_divisions = 9;
 constexpr double most_lift_share = 1.5;
 /// Of the chord tolerance, as for passes.
 constexpr double chord_share = 0.6;
+/// Where the axis turns by more, a tool goes up between places that are no neighbours: rotary axes take their
+/// time, and near their pole they swing.
+const double most_turn = radians(45);
 /// How far a tool comes off that turns over, in what it has to be clear by.
 constexpr double off_share = 2;
 
@@ -21,11 +24,17 @@ constexpr double off_share = 2;
 /// tool axis where it has to be.
 class SurfaceLink {
 public:
-    SurfaceLink(const ToolLift& lift, double chord, double most_lift)
-        : lift_(lift), chord_(chord), most_lift_(most_lift) {}
+    SurfaceLink(const ToolLift& lift, double chord) : lift_(lift), chord_(chord) {}
 
-    /// Appends what stands between a and b; false where there is no such way.
-    bool between(const CutterLocation& a, const CutterLocation& b, int divisions,
+    /// Appends what stands between a and b; false where there is no such way that is lifted by no more than
+    /// `most_lift`.
+    bool between(const CutterLocation& a, const CutterLocation& b, double most_lift,
+                 std::vector<CutterLocation>& way) {
+        return between(a, b, most_lift, 0, way);
+    }
+
+private:
+    bool between(const CutterLocation& a, const CutterLocation& b, double most_lift, int divisions,
                  std::vector<CutterLocation>& way) {
         if (keeps_clear_between(lift_, a, b, looking_step(lift_.cutter().max_radius(), chord_), chord_,
                                 hint_))
@@ -33,19 +42,19 @@ public:
         if (divisions == most_divisions) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);
         const double lift = lift_.lift({middle.tip, middle.axis}, hint_);
-        if (lift > most_lift_) return false;
+        if (lift > most_lift) return false;
         if (lift > 0) middle.tip += lift * middle.axis;
         std::vector<CutterLocation> second;
-        if (!between(a, middle, divisions + 1, way) || !between(middle, b, divisions + 1, second))
+        if (!between(a, middle, most_lift, divisions + 1, way)
+            || !between(middle, b, most_lift, divisions + 1, second))
             return false;
         way.push_back(middle);
         way.insert(way.end(), second.begin(), second.end());
         return true;
     }
 
-private:
     const ToolLift& lift_;
-    double chord_, most_lift_;
+    double chord_;
     ToolLift::Hint hint_;
 };
 
@@ -92,7 +101,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
     };
 
     const double chord = chord_share * options.chord_tolerance, most_lift = most_lift_share * diameter;
-    SurfaceLink on_surface(lift, chord, most_lift);
+    SurfaceLink on_surface(lift, chord);
     // Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact, and
     // the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and goes
     // in along its axis. The rim sweeps inclined over borders of the part: clear by as much as it is looked
@@ -100,19 +109,38 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
     const double apart = looking_step(0.5 * diameter, chord);
     const ToolLift clear_lift(context.contact, context.tool,
                               {clearance.cutter + apart, clearance.shank, clearance.holder});
-    SurfaceLink over_surface(clear_lift, chord, most_lift);
+    SurfaceLink over_surface(clear_lift, chord);
+    const auto off = [&](const CutterLocation& c) {
+        return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
+    };
     const auto turned_over = [&](const Pass& from, const Pass& to, std::vector<CutterLocation>& way) {
         if (from.cc.empty() || to.cc.empty()
             || (to.cc.front().point - from.cc.back().point).norm() > options.link_distance)
             return false;
-        const auto off = [&](const CutterLocation& c) {
-            return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
-        };
         const CutterLocation up = off(from.cl.back()), down = off(to.cl.front());
         way.assign(1, up);
-        if (!over_surface.between(up, down, 0, way)) return false;
+        if (!over_surface.between(up, down, most_lift, way)) return false;
         way.push_back(down);
         return true;
+    };
+    // Farther apart, where that is less than up to the clearance and down again, which is at feed, too.
+    const auto over = [&](const CutterLocation& from, const CutterLocation& to,
+                          std::vector<CutterLocation>& way) {
+        const double detour =
+            (at_clearance(from).tip - from.tip).norm() + (at_clearance(to).tip - to.tip).norm();
+        if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(most_turn))
+            return false;
+        const CutterLocation up = off(from), down = off(to);
+        way.assign(1, up);
+        if (!over_surface.between(up, down, 0.5 * detour, way)) return false;
+        way.push_back(down);
+        double length = 0;
+        const CutterLocation* at = &from;
+        for (const CutterLocation& c : way) {
+            length += (c.tip - at->tip).norm();
+            at = &c;
+        }
+        return length + (to.tip - at->tip).norm() < detour;
     };
     const Pass* last_pass = nullptr;
     const CutterLocation* last = nullptr;
@@ -125,10 +153,11 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         bool linked = false;
         std::vector<CutterLocation> way;
         if (last && (start.tip - last->tip).norm() <= options.link_distance) {
-            linked = on_surface.between(*last, start, 0, way);
+            linked = on_surface.between(*last, start, most_lift, way);
         } else if (last) {
             linked = turned_over(*last_pass, pass, way);
         }
+        if (last && !linked) linked = over(*last, start, way);
         if (linked) {
             for (const CutterLocation& c : way)
                 result.motions.push_back({MotionKind::link, c, no_index, no_index});

@@ -1,5 +1,6 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
 #include "core/link/motion.h"
+#include "core/strategy/posture_path.h"
 #include "tests/property/shapes.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
@@ -129,6 +130,54 @@ private slots:
         path.passes[1].cc.front().point.y() = path.passes[1].cl.front().tip.y() = 15;
         QVERIFY(kinds_of(link_five_axis(path, context, {}, near_options(2), Progress())).find("^r")
                 != std::string::npos);
+    }
+
+    /// Deep in a block the way over the part is less than up and down again.
+    void a_tilted_tool_goes_over_the_part_where_that_is_shorter() {
+        const auto ridge = [](double, double y) { return 6 * std::max(0.0, 1 - std::abs(y - 10) / 6); };
+        const Mesh m = height_field(ridge, Vec2(-30, -30), Vec2(30, 90), 60, 240);
+        const auto path = [&](double from, double to, double turn) {
+            StrategyResult result;
+            for (const auto& [y, lean] : {std::pair(from, -0.5 * turn), std::pair(to, 0.5 * turn)}) {
+                Pass p;
+                const Vec3 axis(std::sin(lean), 0, std::cos(lean));
+                for (const double x : {-10.0, 10.0}) {
+                    const double at = y == from ? x : -x;
+                    p.cc.push_back({Vec3(at, y, 0), Vec3::UnitZ()});
+                    p.cl.push_back({Vec3(at, y, 3) - 3 * axis, axis});
+                }
+                result.passes.push_back(std::move(p));
+            }
+            return result;
+        };
+        PlanContext context = context_of(m, ball_tool(6));
+        const auto linked = [&](const StrategyResult& passes) {
+            return link_five_axis(passes, context, {}, near_options(2), Progress());
+        };
+        const auto goes_up = [&](const StrategyResult& passes) {
+            return kinds_of(linked(passes)).find("^r") != std::string::npos;
+        };
+        // Hardly any way up: up.
+        QVERIFY(goes_up(path(0, 20, radians(20))));
+        context.stock_box.hi.z() = 40;
+        QVERIFY(goes_up(path(-20, 80, radians(20)))); // far
+        QVERIFY(goes_up(path(0, 20, radians(60))));   // the axes would turn far
+        const ToolMotions over = linked(path(0, 20, radians(20)));
+        QVERIFY2(kinds_of(over).find("^r") == std::string::npos, kinds_of(over).c_str());
+        const ToolLift lift(context.contact, context.tool, ToolClearance{});
+        ToolLift::Hint hint;
+        double deepest = -infinity, highest = 0;
+        for (std::size_t i = 1; i < over.motions.size(); ++i) {
+            if (over.motions[i].kind != MotionKind::link) continue;
+            for (int k = 0; k <= 200; ++k) {
+                const CutterLocation at =
+                    location_on_way(over.motions[i - 1].to, over.motions[i].to, k / 200.0);
+                deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
+                highest = std::max(highest, at.tip.z());
+            }
+        }
+        QVERIFY2(deepest <= near_options(2).chord_tolerance, qPrintable(QString::number(deepest)));
+        QVERIFY2(highest > 6 && highest < 9, qPrintable(QString::number(highest)));
     }
 
     void an_allowance_stays_under_links() {
