@@ -24,7 +24,7 @@ constexpr int refinements = 3;
 /// Rounds with each step at most: the path may lie farther than one step from the nodes it was found at.
 constexpr int rounds_per_step = 5;
 /// The part of its time by which a round has to make the path faster for another one with the same step.
-constexpr double worth_a_round = 2e-3;
+constexpr double worth_a_round = 5e-4;
 /// Where moves take the same time, the one that lifts less is taken: seconds for a lift as high as the space.
 constexpr double lift_seconds = 1e-4;
 /// What a posture costs that has no room to the border of its space, s. Motions between postures on the
