@@ -28,7 +28,7 @@ th { text-align: left; font-weight: 600; color: #5b6875; vertical-align: bottom;
 th, td { padding: 4px 12px 4px 0; border-bottom: 1px solid #e4e9ee; }
 td { vertical-align: top; overflow-wrap: anywhere; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-td.file { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
+td.file { white-space: nowrap; font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 tr.sum td { font-weight: 600; border-bottom: none; }
 table.facts { width: auto; }
 table.facts th { padding-right: 24px; font-weight: normal; white-space: nowrap; vertical-align: top; }
