@@ -148,6 +148,10 @@ private:
                 window_.plan();
             break;
         case 2:
+            // What comes of all operations is what one wants to see.
+            if (options_.plan) window_.select_last_operation();
+            break;
+        case 3:
             // Layout and drawing take a few turns of the event loop.
             if (!options_.screenshot.isEmpty()) QTimer::singleShot(400, this, &Script::take_picture);
             return;

@@ -43,6 +43,8 @@ constexpr Entry entries[] = {
      QT_TRANSLATE_NOOP("LayerBar", "Clearance moves at rapid speed"), true},
     {ViewLayer::tool, "tool", QT_TRANSLATE_NOOP("LayerBar", "Tool"),
      QT_TRANSLATE_NOOP("LayerBar", "The tool at the picked point of the path"), true},
+    {ViewLayer::others, "others", QT_TRANSLATE_NOOP("LayerBar", "Others"),
+     QT_TRANSLATE_NOOP("LayerBar", "The paths of all operations, not that of the chosen one alone"), false},
 };
 
 } // namespace
@@ -102,6 +104,7 @@ LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
         box->setFocusPolicy(Qt::TabFocus);
         connect(box, &QCheckBox::toggled, this, &LayerBar::toggled);
         flow->addWidget(box);
+        if (e.layer == ViewLayer::others) box->hide(); // until there are any
         boxes_.push_back(box);
     }
     auto* colours = new QWidget(this);

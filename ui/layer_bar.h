@@ -16,8 +16,9 @@ class Scene;
 
 namespace facetmill::ui {
 
-/// What a user tells apart: the scene's layers, with the motions of a path split by kind.
-enum class ViewLayer { part, edges, stock, deviation, regions, cc, cuts, links, rapids, tool };
+/// What a user tells apart: the scene's layers, with the motions of a path split by kind; `others`: paths of
+/// operations beside the chosen one.
+enum class ViewLayer { part, edges, stock, deviation, regions, cc, cuts, links, rapids, tool, others };
 
 class ScaleStrip;
 

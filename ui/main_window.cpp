@@ -193,6 +193,7 @@ void MainWindow::connect_parts() {
         regions_->show_node(tree_->selected());
         if (const auto node = tree_->selected(); node && node->kind == TreeNode::Kind::stock_after)
             desk_->show_stock_after(node->index);
+        if (shown_alone() != drawn_alone_) draw_paths(true);
         update_actions();
     });
     connect(tree_, &ProjectTree::refused, this,
@@ -211,7 +212,7 @@ void MainWindow::connect_parts() {
     connect(regions_, &RegionDesk::wanted, this, [this] { layers_->set_shown(ViewLayer::regions, true); });
     connect(regions_, &RegionDesk::failed, this, &MainWindow::fail);
     connect(regions_, &RegionDesk::settled, this, &MainWindow::check_settled);
-    connect(rough_, &RoughDesk::layer_changed, this, &MainWindow::draw_paths);
+    connect(rough_, &RoughDesk::layer_changed, this, [this] { draw_paths(); });
     connect(rough_, &RoughDesk::settled, this, &MainWindow::check_settled);
     connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
     connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);
@@ -229,6 +230,7 @@ void MainWindow::connect_parts() {
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());
         desk_->layers_changed();
+        if (shown_alone() != drawn_alone_) draw_paths(true);
         viewport_->refresh();
     });
 
@@ -385,6 +387,7 @@ void MainWindow::update_actions() {
     verify_->setEnabled(plan_->isEnabled());
     desk_->panel()->set_ready(verify_->isEnabled());
     export_->setEnabled(idle && has_part);
+    sheet_->setEnabled(idle && has_part);
     picture_->setEnabled(has_part);
     cancel_->setEnabled(!idle && !job_.cancelling());
     for (QAction* a : view_actions_)

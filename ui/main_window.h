@@ -58,12 +58,15 @@ public:
     /// Verifies the plan; what is not planned as it stands is planned first.
     void verify();
     void cancel();
+    void select_last_operation();
     /// Makes a mesh the stock, as a step of the history; it is read in the background.
     void set_stock_file(const QString& path);
     /// Writes to `path`; false when that failed, with the reason in the window.
     bool save_to(const QString& path);
     /// Writes APT programs and report.json into `folder`, in the background.
     void export_to(const QString& folder);
+    /// Writes the setup sheet of the plan as it was verified, with the view as it is, in the background.
+    void save_sheet(const QString& path);
     bool save_picture(const QString& path);
     void set_theme(Theme theme);
     void set_unit(LengthUnit unit);
@@ -147,6 +150,9 @@ private:
     bool save_as();
     void export_with_dialog();
     bool may_export();
+    void sheet_with_dialog();
+    /// Says why not.
+    bool may_write_sheet();
     void picture_with_dialog();
 
     // main_window_plan.cpp
@@ -157,7 +163,10 @@ private:
     void planned(const std::shared_ptr<PlanWork>& work, const JobEnd& end);
     void refresh_paths();
     std::vector<PathSource> path_sources() const;
-    void draw_paths();
+    /// Of the operation whose path is seen alone: the chosen one, if it has a path and others are not wanted.
+    std::optional<int> shown_alone() const;
+    /// `keep_tool`: where it is, if that is seen; else it goes to the start of what is drawn.
+    void draw_paths(bool keep_tool = false);
     void show_tool_at(const PathPick& pick);
     void show_start_of_path();
     void hide_tool();
@@ -227,8 +236,8 @@ private:
     QComboBox* unit_box_ = nullptr;
     QMenu *recent_menu_ = nullptr, *sample_menu_ = nullptr, *view_menu_ = nullptr;
     QAction *new_ = nullptr, *open_ = nullptr, *save_ = nullptr, *save_as_ = nullptr, *export_ = nullptr,
-            *picture_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *verify_ = nullptr,
-            *cancel_ = nullptr, *fit_ = nullptr;
+            *sheet_ = nullptr, *picture_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr,
+            *verify_ = nullptr, *cancel_ = nullptr, *fit_ = nullptr;
     std::vector<QAction*> theme_actions_, unit_actions_, view_actions_;
 
     QString last_failure_, sample_folder_, readout_text_;
@@ -236,6 +245,7 @@ private:
     /// Programs of the operations in the order of the scene's path sources, and their operations.
     std::vector<std::shared_ptr<const OperationResult>> shown_results_;
     std::vector<int> shown_ids_;
+    std::optional<int> drawn_alone_; ///< shown_alone when the paths were drawn
     std::vector<std::shared_ptr<const OperationResult>> drawn_results_; ///< the ones in the view already
     std::optional<PathPick> tool_at_;
     StockShapePtr stock_mesh_;      ///< as read with the part

@@ -44,6 +44,7 @@ void MainWindow::build_actions() {
                           [this] { save_as(); });
     export_ = add_action(Icon::export_program, tr("&Export APT…"), QKeySequence(Qt::CTRL | Qt::Key_E),
                          "export", [this] { export_with_dialog(); });
+    sheet_ = add_action({}, tr("Export set&up sheet…"), {}, "setup_sheet", [this] { sheet_with_dialog(); });
     picture_ =
         add_action(Icon::picture, tr("Export &picture…"), {}, "picture", [this] { picture_with_dialog(); });
 
@@ -103,6 +104,7 @@ void MainWindow::build_menus() {
     file->addAction(save_as_);
     file->addSeparator();
     file->addAction(export_);
+    file->addAction(sheet_);
     file->addAction(picture_);
     file->addSeparator();
     file->addAction(add_action({}, tr("&Quit"), QKeySequence::Quit, "quit", [this] { close(); }));

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "core/base/file.h"
+#include "core/job/setup_sheet.h"
 #include "core/mesh/sample.h"
 #include "ui/export.h"
 #include "ui/part_dialog.h"
@@ -12,6 +13,7 @@
 #include "ui/verification_desk.h"
 #include "ui/viewport.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -357,6 +359,60 @@ void MainWindow::export_to(const QString& folder) {
                 message_->show_message(MessageBar::Kind::information, wrote);
             else
                 tell(MessageBar::Kind::warning, wrote + QChar(' ') + doubt);
+        });
+}
+
+void MainWindow::sheet_with_dialog() {
+    if (!may_write_sheet()) return;
+    QFileDialog dialog(this, tr("Export setup sheet"), settings::last_folder(), tr("Web pages (*.html)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("html"));
+    dialog.selectFile(QFileInfo(document_.name()).completeBaseName() + QStringLiteral(".html"));
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+    save_sheet(dialog.selectedFiles().front());
+}
+
+bool MainWindow::may_write_sheet() {
+    if (!document_.complete_plan()) {
+        tell(MessageBar::Kind::warning, tr("There is nothing to tell yet: not every operation is planned as "
+                                           "it stands. Press Plan (F5) first."));
+        return false;
+    }
+    if (desk_->model().current()) return true;
+    tell(MessageBar::Kind::warning, tr("A setup sheet begins with the verdict of the verification. Press "
+                                       "Verify (F6) first."));
+    return false;
+}
+
+void MainWindow::save_sheet(const QString& path) {
+    if (!properties_->commit()) {
+        tell(MessageBar::Kind::warning,
+             tr("A parameter is not valid: correct it before the setup sheet is written."));
+        return;
+    }
+    if (!may_write_sheet()) return;
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    viewport_->full_picture().save(&buffer, "PNG");
+    auto project = std::make_shared<Project>(document_.project());
+    const auto plan = desk_->model().outcome().plan;
+    const auto verification = desk_->model().outcome().verification;
+    const std::filesystem::path target = path_of(path);
+    job_.start(
+        tr("Writing the setup sheet"),
+        [=](const Progress& p) {
+            const SheetPicture picture{"As the workbench showed it", png.toStdString()};
+            OutputFile file(target);
+            file.write(
+                setup_sheet(*project, *plan, verify_programs(*project, plan), *verification, {&picture, 1}));
+            p.check();
+            file.commit();
+        },
+        [this, path](const JobEnd& end) {
+            if (!end.done()) return;
+            last_failure_.clear();
+            tell(MessageBar::Kind::information, tr("Wrote %1.").arg(path));
         });
 }
 

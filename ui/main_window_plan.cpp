@@ -5,6 +5,7 @@
 #include "ui/cspace_desk.h"
 #include "ui/elided_label.h"
 #include "ui/inspection_desk.h"
+#include "ui/layer_bar.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/region_desk.h"
@@ -204,6 +205,11 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
     if (verify_now) desk_->verify(); // unless an operation failed: then that is what was said
 }
 
+void MainWindow::select_last_operation() {
+    if (const std::size_t n = document_.operation_count(); n > 0)
+        tree_->select({TreeNode::Kind::operation, n - 1});
+}
+
 void MainWindow::refresh_paths() {
     std::vector<std::shared_ptr<const OperationResult>> results;
     std::vector<int> ids;
@@ -213,6 +219,7 @@ void MainWindow::refresh_paths() {
                 results.push_back(program);
                 ids.push_back(document_.operation_id(i));
             }
+    layers_->box(ViewLayer::others)->setVisible(results.size() > 1);
     if (results == shown_results_) {
         shown_ids_ = ids;
         return;
@@ -233,10 +240,24 @@ void MainWindow::refresh_paths() {
     draw_paths();
 }
 
+std::optional<int> MainWindow::shown_alone() const {
+    const auto node = tree_->selected();
+    if (layers_->shown(ViewLayer::others) || !node
+        || (node->kind != TreeNode::Kind::operation && node->kind != TreeNode::Kind::stock_after)
+        || node->index >= document_.operation_count())
+        return std::nullopt;
+    const int id = document_.operation_id(node->index);
+    if (std::find(shown_ids_.begin(), shown_ids_.end(), id) == shown_ids_.end()) return std::nullopt;
+    return id;
+}
+
 std::vector<PathSource> MainWindow::path_sources() const {
     std::vector<PathSource> sources;
     for (std::size_t i = 0; i < shown_results_.size(); ++i)
         sources.push_back(path_source(shown_results_[i], rough_->layer_of(shown_ids_[i])));
+    const std::optional<int> alone = shown_alone();
+    for (std::size_t i = 0; alone && i < sources.size(); ++i)
+        sources[i].hidden = shown_ids_[i] != *alone;
     // Beside a layer alone nothing of the others.
     if (std::any_of(sources.begin(), sources.end(), [](const PathSource& s) { return s.layer >= 0; }))
         for (PathSource& s : sources)
@@ -245,7 +266,8 @@ std::vector<PathSource> MainWindow::path_sources() const {
 }
 
 /// Draws the paths, of the layers that are chosen, in the background; what lists and charts them follows.
-void MainWindow::draw_paths() {
+void MainWindow::draw_paths(bool keep_tool) {
+    drawn_alone_ = shown_alone();
     if (shown_results_.empty()) return;
     auto display = std::make_shared<PathDisplayPtr>();
     display_job_.start(
@@ -253,7 +275,7 @@ void MainWindow::draw_paths() {
         [display, sources = path_sources()](const Progress& p) {
             *display = prepare_path_display(sources, p);
         },
-        [this, display, results = shown_results_](const JobEnd& end) {
+        [this, display, keep_tool, results = shown_results_](const JobEnd& end) {
             if (!end.done() || results != shown_results_) return;
             viewport_->scene().set_path(*display);
             viewport_->content_changed();
@@ -261,10 +283,15 @@ void MainWindow::draw_paths() {
             drawn_results_ = results;
             if (other_layers) {
                 inspection_->set_shown((*display)->sources);
-                show_start_of_path();
+                if (!keep_tool
+                    || (!desk_->engaged()
+                        && !(tool_at_
+                             && (*display)->sources[tool_at_->source].shows_motion(tool_at_->motion))))
+                    show_start_of_path();
                 return;
             }
             inspection_->set_paths(results);
+            if (drawn_alone_) inspection_->set_shown((*display)->sources);
             unrolled_->set_paths(results);
             offer_unrolled();
             show_start_of_path();

@@ -200,11 +200,13 @@ void RoughDesk::take(std::vector<double> heights, const Box3& box, const QString
 }
 
 void RoughDesk::show_levels() {
-    LevelMarks marks{box_, heights_, std::nullopt};
+    // The path tells where its layers are.
+    LevelMarks marks{box_, planned_ ? std::vector<double>() : heights_, std::nullopt};
     QString line = all_;
     if (chosen_ >= 0 && std::size_t(chosen_) < heights_.size()) {
         const auto k = std::size_t(chosen_);
-        marks.chosen = k;
+        if (planned_) marks.heights.assign(1, heights_[k]);
+        marks.chosen = planned_ ? 0 : k;
         line = tr("Layer %1 of %2, z %3")
                    .arg(k + 1)
                    .arg(heights_.size())
@@ -214,7 +216,7 @@ void RoughDesk::show_levels() {
         if (!planned_) line += tr(" (preview)");
     }
     bar_->readout()->set_text(line);
-    viewport_.scene().set_levels(heights_.empty() ? std::nullopt : std::optional(marks));
+    viewport_.scene().set_levels(marks.heights.empty() ? std::nullopt : std::optional(marks));
     viewport_.refresh();
 }
 

@@ -88,6 +88,8 @@ private slots:
         QVERIFY2(!readout().contains(QStringLiteral("Preview")), qPrintable(readout()));
         w().layers().set_shown(ViewLayer::part, false);
         emit w().layers().toggled();
+        w().layers().set_shown(ViewLayer::others, true);
+        QVERIFY(wait_until_settled(w()));
         const QImage all = view_picture(w());
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));
@@ -118,6 +120,22 @@ private slots:
         slider()->setValue(0);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(picked() & 2);
+        // Nor beside the chosen operation, unless others are wanted.
+        w().layers().set_shown(ViewLayer::others, false);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(picked(), 1);
+        w().tree().select({TreeNode::Kind::operation, 1});
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(picked(), 2);
+        const auto& motions = w().document().result(1)->program.motions.motions;
+        const auto cut = std::find_if(motions.begin(), motions.end(),
+                                      [](const Motion& m) { return m.kind == MotionKind::cut; });
+        QCOMPARE(w().viewport().scene().tool_pose()->tip, cut->to.tip);
+        w().tree().select({TreeNode::Kind::part, 0});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(picked() & 2);
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
         w().document().remove_operation(1);
         QVERIFY(wait_until_settled(w()));
         w().tree().select({TreeNode::Kind::operation, 0});

@@ -394,6 +394,44 @@ private slots:
         QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote 2 file")));
         QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
     }
+
+    void the_setup_sheet_wants_a_verdict() {
+        const QString file = scratch_folder(QStringLiteral("sheet")) + QStringLiteral("/part.html");
+        const auto refused = [&](const char* why) {
+            w().message_bar().dismiss();
+            action(w(), "setup_sheet")->trigger(); // says why not instead of asking for a name
+            w().save_sheet(file);
+            return wait_until_settled(w()) && w().message_bar().message().contains(QLatin1String(why))
+                   && !QFileInfo::exists(file);
+        };
+        QVERIFY(open_and_plan());
+        QVERIFY(refused("Press Verify"));
+        QVERIFY(verify());
+        w().save_sheet(file);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote ")));
+        QFile sheet(file);
+        QVERIFY(sheet.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(sheet.readAll());
+        QVERIFY(text.contains(QStringLiteral("Verified: no gouge, no collision.")));
+        QVERIFY(text.contains(QStringLiteral("01-Finish.apt")));
+        const QString mark = QStringLiteral("data:image/png;base64,");
+        const auto at = text.indexOf(mark) + mark.size();
+        QImage picture;
+        QVERIFY(picture.loadFromData(
+            QByteArray::fromBase64(text.mid(at, text.indexOf(QChar('"'), at) - at).toLatin1())));
+        QVERIFY(picture.width() > 300 && picture.height() > 200);
+        sheet.close();
+        QVERIFY(sheet.remove());
+        w().save_sheet(QStringLiteral("/nowhere/at/all.html"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().contains(QStringLiteral("/nowhere/at/all.html")),
+                 qPrintable(w().last_failure()));
+        // A sheet of what was is none of what is.
+        enter(w(), "feed", QStringLiteral("77"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(refused("Press Plan"));
+    }
 };
 
 FACETMILL_TEST(TestWindowVerify)
