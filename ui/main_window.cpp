@@ -227,6 +227,14 @@ void MainWindow::connect_parts() {
         hide_touch();
         check_settled();
     });
+    // What a finding is by is to be seen beside it.
+    connect(desk_->panel(), &VerificationPanel::finding_chosen, this, [this](const Finding& finding) {
+        if (!drawn_alone_ || !finding.by.known() || !desk_->model().any()) return;
+        const VerificationOutcome& judged = desk_->model().outcome();
+        if (finding.by.program < judged.program_operations.size()
+            && judged.ids[judged.program_operations[finding.by.program]] != *drawn_alone_)
+            layers_->set_shown(ViewLayer::others, true);
+    });
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());
         desk_->layers_changed();

@@ -396,7 +396,7 @@ void MainWindow::save_sheet(const QString& path) {
     buffer.open(QIODevice::WriteOnly);
     viewport_->full_picture().save(&buffer, "PNG");
     auto project = std::make_shared<Project>(document_.project());
-    const auto plan = desk_->model().outcome().plan;
+    const auto plan = document_.complete_plan(); // what was verified, with what is said of the stock
     const auto verification = desk_->model().outcome().verification;
     const std::filesystem::path target = path_of(path);
     job_.start(

@@ -219,7 +219,7 @@ void MainWindow::refresh_paths() {
                 results.push_back(program);
                 ids.push_back(document_.operation_id(i));
             }
-    layers_->box(ViewLayer::others)->setVisible(results.size() > 1);
+    layers_->box(ViewLayer::others)->setVisible(!ids.empty() && ids.front() != ids.back());
     if (results == shown_results_) {
         shown_ids_ = ids;
         return;
@@ -286,7 +286,7 @@ void MainWindow::draw_paths(bool keep_tool) {
                 if (!keep_tool
                     || (!desk_->engaged()
                         && !(tool_at_
-                             && (*display)->sources[tool_at_->source].shows_motion(tool_at_->motion))))
+                             && (*display)->sources[tool_at_->source].shows_motion(motion_of(*tool_at_)))))
                     show_start_of_path();
                 return;
             }

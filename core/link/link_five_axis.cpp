@@ -10,6 +10,8 @@ namespace {
 
 /// A link on the surface is halved this often at most before it is given up for a clearance move.
 constexpr int most_divisions = 9;
+/// ... with those of ways too long or turning too far to be looked at in one piece.
+constexpr int most_depth = 16;
 /// Of the cutter's diameter: a link on the surface is lifted by no more.
 constexpr double most_lift_share = 1.5;
 /// Of the chord tolerance, as for passes.
@@ -17,6 +19,10 @@ constexpr double chord_share = 0.6;
 /// Where the axis turns by more, a tool goes up between places that are no neighbours: rotary axes take their
 /// time, and near their pole they swing.
 const double most_turn = radians(45);
+/// ... and on the way turns by no more than this with a motion.
+const double turn_at_once = radians(5);
+/// A straight piece of a link is no longer than so many steps at which it is looked at.
+constexpr double longest_steps = 200;
 /// How far a tool comes off that turns over, in what it has to be clear by.
 constexpr double off_share = 2;
 
@@ -24,29 +30,37 @@ constexpr double off_share = 2;
 /// tool axis where it has to be.
 class SurfaceLink {
 public:
-    SurfaceLink(const ToolLift& lift, double chord) : lift_(lift), chord_(chord) {}
+    SurfaceLink(const ToolLift& lift, double chord, const Progress& progress)
+        : lift_(lift), step_(looking_step(lift.cutter().max_radius(), chord)), chord_(chord),
+          progress_(progress) {}
 
-    /// Appends what stands between a and b; false where there is no such way that is lifted by no more than
-    /// `most_lift`.
-    bool between(const CutterLocation& a, const CutterLocation& b, double most_lift,
+    struct Limits {
+        double lift = 0;  ///< of a place between, at most
+        double turn = pi; ///< of the axis in one motion
+    };
+    /// Appends what stands between a and b; false where there is no such way.
+    bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits,
                  std::vector<CutterLocation>& way) {
-        return between(a, b, most_lift, 0, way);
+        return between(a, b, limits, 0, 0, way);
     }
 
 private:
-    bool between(const CutterLocation& a, const CutterLocation& b, double most_lift, int divisions,
-                 std::vector<CutterLocation>& way) {
-        if (keeps_clear_between(lift_, a, b, looking_step(lift_.cutter().max_radius(), chord_), chord_,
-                                hint_))
-            return true;
-        if (divisions == most_divisions) return false;
+    bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits, int divisions,
+                 int depth, std::vector<CutterLocation>& way) {
+        progress_.check();
+        // Only so far one sees by steps; and machines move their joints evenly, not the axis in one plane.
+        const bool far =
+            (b.tip - a.tip).norm() > longest_steps * step_ || a.axis.dot(b.axis) < std::cos(limits.turn);
+        if (!far && keeps_clear_between(lift_, a, b, step_, chord_, hint_)) return true;
+        if ((!far && divisions == most_divisions) || depth == most_depth) return false;
         CutterLocation middle = location_on_way(a, b, 0.5);
         const double lift = lift_.lift({middle.tip, middle.axis}, hint_);
-        if (lift > most_lift) return false;
+        if (lift > limits.lift) return false;
         if (lift > 0) middle.tip += lift * middle.axis;
+        const int deeper = divisions + (far ? 0 : 1);
         std::vector<CutterLocation> second;
-        if (!between(a, middle, most_lift, divisions + 1, way)
-            || !between(middle, b, most_lift, divisions + 1, second))
+        if (!between(a, middle, limits, deeper, depth + 1, way)
+            || !between(middle, b, limits, deeper, depth + 1, second))
             return false;
         way.push_back(middle);
         way.insert(way.end(), second.begin(), second.end());
@@ -54,7 +68,8 @@ private:
     }
 
     const ToolLift& lift_;
-    double chord_;
+    double step_, chord_;
+    const Progress& progress_;
     ToolLift::Hint hint_;
 };
 
@@ -101,15 +116,15 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
     };
 
     const double chord = chord_share * options.chord_tolerance, most_lift = most_lift_share * diameter;
-    SurfaceLink on_surface(lift, chord);
+    SurfaceLink on_surface(lift, chord, progress);
     // Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact, and
     // the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and goes
     // in along its axis. The rim sweeps inclined over borders of the part: clear by as much as it is looked
     // at apart.
     const double apart = looking_step(0.5 * diameter, chord);
     const ToolLift clear_lift(context.contact, context.tool,
-                              {clearance.cutter + apart, clearance.shank, clearance.holder});
-    SurfaceLink over_surface(clear_lift, chord);
+                              {clearance.cutter + apart, clearance.shank + apart, clearance.holder + apart});
+    SurfaceLink over_surface(clear_lift, chord, progress);
     const auto off = [&](const CutterLocation& c) {
         return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
     };
@@ -119,11 +134,12 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
             return false;
         const CutterLocation up = off(from.cl.back()), down = off(to.cl.front());
         way.assign(1, up);
-        if (!over_surface.between(up, down, most_lift, way)) return false;
+        if (!over_surface.between(up, down, {most_lift}, way)) return false;
         way.push_back(down);
         return true;
     };
-    // Farther apart, where that is less than up to the clearance and down again, which is at feed, too.
+    // Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
+    // stands there of the stock it cuts as passes do.
     const auto over = [&](const CutterLocation& from, const CutterLocation& to,
                           std::vector<CutterLocation>& way) {
         const double detour =
@@ -132,7 +148,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
             return false;
         const CutterLocation up = off(from), down = off(to);
         way.assign(1, up);
-        if (!over_surface.between(up, down, 0.5 * detour, way)) return false;
+        if (!over_surface.between(up, down, {0.5 * detour, turn_at_once}, way)) return false;
         way.push_back(down);
         double length = 0;
         const CutterLocation* at = &from;
@@ -153,7 +169,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         bool linked = false;
         std::vector<CutterLocation> way;
         if (last && (start.tip - last->tip).norm() <= options.link_distance) {
-            linked = on_surface.between(*last, start, most_lift, way);
+            linked = on_surface.between(*last, start, {most_lift}, way);
         } else if (last) {
             linked = turned_over(*last_pass, pass, way);
         }

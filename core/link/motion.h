@@ -59,7 +59,8 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 
 /// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one plane, lifted
 /// along the tool axis wherever cutter, shank or holder would touch, where the next pass is near and that way is free, or
-/// is shorter than up to the clearance and down while the axis turns by 45 degrees at most; else out along the tool axis, a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z
+/// is shorter than up to the clearance and down while the axis turns by 45 degrees at most (what stands there of
+/// the stock a link cuts as a pass does); else out along the tool axis, a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z
 /// the tip stands so high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what
 /// cutter, shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,

@@ -180,6 +180,58 @@ private slots:
         QVERIFY2(highest > 6 && highest < 9, qPrintable(QString::number(highest)));
     }
 
+    /// A boss thinner than a step of a long way that were looked at in a given number of places.
+    void a_long_link_misses_no_thin_wall() {
+        const auto wall = [](double x, double) {
+            return std::abs(x - 150.3) < 0.31 ? 4.0 * (1 - std::abs(x - 150.3) / 0.31) : 0.0;
+        };
+        Mesh m;
+        {
+            // Facets no wider than the wall where it stands.
+            std::vector<double> xs{-10};
+            for (double x = 0; x <= 300; x += x > 149 && x < 151.5 ? 0.1 : 5)
+                xs.push_back(x);
+            xs.push_back(310);
+            for (const double x : xs)
+                for (const double y : {-10.0, 10.0})
+                    m.vertices.push_back(Vec3(x, y, wall(x, y)));
+            for (Index i = 0; i + 1 < Index(xs.size()); ++i) {
+                const Index a = 2 * i, b = a + 1, c = a + 2, d = a + 3;
+                m.facets.push_back({a, c, b});
+                m.facets.push_back({c, d, b});
+            }
+        }
+        PlanContext context = context_of(m, ball_tool(1));
+        context.stock_box.hi.z() = 400;
+        StrategyResult path;
+        for (const double x : {0.0, 300.0}) {
+            Pass p;
+            const Vec3 axis(0, std::sin(0.1), std::cos(0.1));
+            for (const double y : {-2.0, 2.0}) {
+                p.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
+                p.cl.push_back({Vec3(x, y, 0.5) - 0.5 * axis, axis});
+            }
+            path.passes.push_back(std::move(p));
+        }
+        const ToolMotions over = link_five_axis(path, context, {}, near_options(2), Progress());
+        QVERIFY2(kinds_of(over).find("^r") == std::string::npos, kinds_of(over).c_str());
+        const ToolLift lift(context.contact, context.tool, ToolClearance{});
+        ToolLift::Hint hint;
+        double deepest = -infinity;
+        for (std::size_t i = 1; i < over.motions.size(); ++i)
+            if (over.motions[i].kind == MotionKind::link)
+                for (int k = 0; k <= 20000; ++k) {
+                    const CutterLocation at =
+                        location_on_way(over.motions[i - 1].to, over.motions[i].to, k / 20000.0);
+                    deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
+                }
+        QVERIFY2(deepest <= near_options(2).chord_tolerance, qPrintable(QString::number(deepest)));
+        Job job;
+        job.cancel();
+        QVERIFY_EXCEPTION_THROWN(link_five_axis(path, context, {}, near_options(2), Progress(job)),
+                                 Cancelled);
+    }
+
     void an_allowance_stays_under_links() {
         const PlanContext context = context_of(level(), ball_tool(6));
         StrategyResult path;
