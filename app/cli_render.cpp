@@ -11,7 +11,7 @@
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
-#include "core/strategy/five_axis_study.h"
+#include "core/strategy/five_axis/five_axis_study.h"
 #include "core/verify/playback.h"
 #include "core/verify/stock_surface.h"
 #include "viz/render_picture.h"

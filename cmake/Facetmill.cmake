@@ -36,8 +36,12 @@ if(FACETMILL_SANITIZE)
     target_link_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE})
 endif()
 
-# Rooms of core, each below the ones before it: a room includes only rooms to its left.
-set(FACETMILL_ROOMS base mesh cutter setup gouge cspace strategy link verify output job)
+# Rooms of core, each below the ones before it: a room includes only rooms to its left. Strategy has a room for each of
+# its wings.
+set(FACETMILL_ROOMS base mesh cutter setup gouge cspace
+    strategy/plan strategy/surface strategy/finish3 strategy/rough strategy/five_axis strategy/global_local
+    strategy/cleanup strategy/lathe
+    link verify output job)
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
 # dropped from a static one.
@@ -46,28 +50,39 @@ function(facetmill_room name)
     if(NOT ARG_SOURCES)
         return()
     endif()
-    add_library(fm_${name} OBJECT ${ARG_SOURCES})
-    target_link_libraries(fm_${name} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
+    string(REPLACE "/" "_" target fm_${name})
+    add_library(${target} OBJECT ${ARG_SOURCES})
+    target_link_libraries(${target} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
     # All rooms are compiled alike: the first makes the header of them all.
     list(GET FACETMILL_ROOMS 0 first)
     if(name STREQUAL first)
-        target_precompile_headers(fm_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
+        target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
     else()
-        target_precompile_headers(fm_${name} REUSE_FROM fm_${first})
+        target_precompile_headers(${target} REUSE_FROM fm_${first})
     endif()
 endfunction()
 
-# facetmill_link_core(TARGET ROOM): links the room and all rooms before it.
+# facetmill_link_core(TARGET ROOM): links the room and all rooms before it; `strategy` means all of its wings.
 function(facetmill_link_core target upto)
+    set(found FALSE)
     foreach(room IN LISTS FACETMILL_ROOMS)
-        if(TARGET fm_${room})
-            target_sources(${target} PRIVATE $<TARGET_OBJECTS:fm_${room}>)
+        set(inside FALSE)
+        if(room STREQUAL upto OR room MATCHES "^${upto}/")
+            set(inside TRUE)
+            set(found TRUE)
         endif()
-        if(room STREQUAL upto)
+        if(found AND NOT inside)
             break()
         endif()
+        string(REPLACE "/" "_" library fm_${room})
+        if(TARGET ${library})
+            target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
+        endif()
     endforeach()
+    if(NOT found)
+        message(FATAL_ERROR "${target}: there is no room ${upto}")
+    endif()
     target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
 endfunction()

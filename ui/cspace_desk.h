@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/job/planner.h"
-#include "core/strategy/five_axis_study.h"
-#include "core/strategy/manual_posture.h"
+#include "core/strategy/five_axis/five_axis_study.h"
+#include "core/strategy/five_axis/manual_posture.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "viz/cspace_room.h"

@@ -2,8 +2,8 @@
 
 #include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
-#include "core/strategy/manual_posture.h"
-#include "core/strategy/region_edit.h"
+#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/surface/region_edit.h"
 #include "ui/text.h"
 
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 #include "ui/inspection_desk.h"
 
 #include "core/base/file.h"
-#include "core/strategy/five_axis_record.h"
+#include "core/strategy/five_axis/five_axis_record.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
 #include "ui/icons.h"

@@ -3,7 +3,7 @@
 // Planner, so one at a time), and one that makes planned paths ready to be drawn.
 #pragma once
 
-#include "core/strategy/cleanup.h"
+#include "core/strategy/cleanup/cleanup.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/icons.h"

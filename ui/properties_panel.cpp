@@ -1,8 +1,8 @@
 #include "ui/properties_panel.h"
 
 #include "core/setup/machine.h"
-#include "core/strategy/global_local.h"
-#include "core/strategy/lathe.h"
+#include "core/strategy/global_local/global_local.h"
+#include "core/strategy/lathe/lathe.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"

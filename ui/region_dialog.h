@@ -3,7 +3,7 @@
 // desk (region_desk.h) finds the regions and keeps what is asked.
 #pragma once
 
-#include "core/strategy/tool_advice.h"
+#include "core/strategy/global_local/tool_advice.h"
 #include "ui/parameter_editor.h"
 
 #include <QDialog>

@@ -1,7 +1,7 @@
 #include "ui/report_view.h"
 
 #include "core/setup/machine.h"
-#include "core/strategy/rework_plan.h"
+#include "core/strategy/global_local/rework_plan.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 

@@ -2,7 +2,7 @@
 // as they were planned; and the path of one layer alone.
 #pragma once
 
-#include "core/strategy/rough.h"
+#include "core/strategy/rough/rough.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/project_tree.h"

@@ -3,7 +3,7 @@
 // tool stood along it.
 #pragma once
 
-#include "core/strategy/cleanup.h"
+#include "core/strategy/cleanup/cleanup.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "viz/scene.h"

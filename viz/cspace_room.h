@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/strategy/five_axis_study.h"
+#include "core/strategy/five_axis/five_axis_study.h"
 #include "viz/palette.h"
 
 #include <array>

@@ -26,7 +26,7 @@ struct Colors {
     Rgb stock, cut_stock;
     Rgb gouge, excess, collision; ///< of findings
     Rgb contacts;
-    Rgb left, kept; ///< contact points left to clean-up; postures kept by hand
+    Rgb left, kept;                        ///< contact points left to clean-up; postures kept by hand
     std::array<Rgb, motion_kinds> motions; ///< by MotionKind
     Rgb cutter, shank, holder;
     Rgb marker, marker_ring;

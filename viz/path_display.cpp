@@ -1,7 +1,7 @@
 #include "viz/path_display.h"
 
 #include "core/job/planner.h"
-#include "core/strategy/five_axis_record.h"
+#include "core/strategy/five_axis/five_axis_record.h"
 
 #include <cmath>
 

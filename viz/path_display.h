@@ -3,7 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/link/motion.h"
-#include "core/strategy/path.h"
+#include "core/strategy/plan/path.h"
 
 #include <array>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include "core/base/tolerances.h"
 #include "core/job/planner.h"
 #include "core/output/motion_time.h"
-#include "core/strategy/five_axis_study.h"
-#include "core/strategy/posture_path.h"
+#include "core/strategy/five_axis/five_axis_study.h"
+#include "core/strategy/five_axis/posture_path.h"
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/units.h"
-#include "core/strategy/strip.h"
+#include "core/strategy/plan/strip.h"
 #include "viz/palette.h"
 
 #include <cstdint>

@@ -42,8 +42,8 @@ enum class ErrorCode {
 
 std::string_view code_name(ErrorCode code);
 
-/// What happened, where (file, line, record, key or operation), and what the user can do about it. `what()` is
-/// one line: "where: what (remedy)".
+/// What happened, where (file, line, record, key or operation), and what the user can do about it. `what()`
+/// is one line: "where: what (remedy)".
 class Error : public std::exception {
 public:
     Error(ErrorCode code, std::string where, std::string what, std::string remedy);
@@ -68,8 +68,8 @@ public:
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Text with control characters, line breaks and invalid UTF-8 replaced by '?', cut to `max_bytes`: safe to put
-/// into a one-line message whatever a file contained.
+/// Text with control characters, line breaks and invalid UTF-8 replaced by '?', cut to `max_bytes`: safe to
+/// put into a one-line message whatever a file contained.
 std::string printable(std::string_view text, std::size_t max_bytes = 80);
 
 } // namespace facetmill

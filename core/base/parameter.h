@@ -1,6 +1,6 @@
-// One description per parameter. Name, label, unit, default, range, help text and the earliest stage to rerun stand once,
-// beside the plain struct that holds the value (in core units). The form, `--set op.key=value`, the project file and the
-// generated reference page read it from here.
+// One description per parameter. Name, label, unit, default, range, help text and the earliest stage to rerun
+// stand once, beside the plain struct that holds the value (in core units). The form, `--set op.key=value`,
+// the project file and the generated reference page read it from here.
 //
 //     struct Finish3Settings { double tolerance = 0.05; StepOver stepover; ... };
 //     const ParameterTable<Finish3Settings>& finish3_parameters();   // built once, with pointers to members
@@ -61,8 +61,8 @@ struct ParameterInfo {
     Stage stage = Stage::strategy;
     bool advanced = false; ///< forms fold it away
 
-    /// Throws Error(wrong_type or out_of_range) whose place is the key; NaN and infinity are always out of range.
-    /// Numbers in the message are in the edge's unit `unit`.
+    /// Throws Error(wrong_type or out_of_range) whose place is the key; NaN and infinity are always out of
+    /// range. Numbers in the message are in the edge's unit `unit`.
     void check(const ParameterValue& value, LengthUnit unit = LengthUnit::mm) const;
     /// "> 0 mm", "0 to 45 °": the range in the edge's unit; empty when every number is allowed.
     std::string range_text(LengthUnit unit) const;
@@ -96,8 +96,8 @@ public:
         std::function<void(Struct&, const ParameterValue&)> set;
     };
 
-    /// Adds a member of a plain type (double, long, bool, std::string, NumberOrWord, std::array<double, 2 or 3>). The
-    /// default is the member's value in a default-constructed struct.
+    /// Adds a member of a plain type (double, long, bool, std::string, NumberOrWord, std::array<double, 2 or
+    /// 3>). The default is the member's value in a default-constructed struct.
     template <class Member>
     ParameterTable& add(Member Struct::*member, ParameterInfo info) {
         Entry e;
@@ -114,7 +114,9 @@ public:
         info.kind = ParameterKind::choice;
         Entry e;
         const auto words = info.words;
-        e.get = [member, words](const Struct& s) -> ParameterValue { return words.at(std::size_t(s.*member)); };
+        e.get = [member, words](const Struct& s) -> ParameterValue {
+            return words.at(std::size_t(s.*member));
+        };
         e.set = [member, words](Struct& s, const ParameterValue& v) {
             const auto& word = std::get<std::string>(v);
             s.*member = Enum(std::find(words.begin(), words.end(), word) - words.begin());
@@ -125,7 +127,8 @@ public:
         return *this;
     }
 
-    /// Another stage than the entry was described with: for common parameters that an operation reads earlier.
+    /// Another stage than the entry was described with: for common parameters that an operation reads
+    /// earlier.
     ParameterTable& set_stage(std::string_view key, Stage stage) {
         for (Entry& e : entries_)
             if (e.info.key == key) e.info.stage = stage;

@@ -1,6 +1,6 @@
-// Every tolerance of the program, by name. Code outside this file compares against these, never against a literal.
-// Numbers only: the contact kernels, compiled for several instruction sets, include it.
-// Lengths in mm unless the name says otherwise.
+// Every tolerance of the program, by name. Code outside this file compares against these, never against a
+// literal. Numbers only: the contact kernels, compiled for several instruction sets, include it. Lengths in
+// mm unless the name says otherwise.
 #pragma once
 
 namespace facetmill::tolerance {
@@ -17,11 +17,12 @@ inline constexpr double coordinate_rounding = 1.2e-7;
 inline constexpr double vanishing_sum = 1e-12;
 /// A pivot below this, in a matrix with unit diagonal, makes a least-squares fit ambiguous.
 inline constexpr double fit_pivot = 1e-9;
-/// Share of a sample's chord tolerance that its facets may use up at the lattice points where they are judged; the rest
-/// covers the points between.
+/// Share of a sample's chord tolerance that its facets may use up at the lattice points where they are
+/// judged; the rest covers the points between.
 inline constexpr double sample_share = 0.95;
 
-/// Coordinates of a CL program beyond this are refused, written and read: the part's own limit, stock and clearance.
+/// Coordinates of a CL program beyond this are refused, written and read: the part's own limit, stock and
+/// clearance.
 inline constexpr double largest_program_coordinate = 1e8;
 /// Length of a tool axis in a CL program may differ from 1 by this when written.
 inline constexpr double unit_axis = 1e-6;
@@ -33,14 +34,14 @@ inline constexpr double suspect_small_extent = 1.0;
 inline constexpr double suspect_large_extent = 1e4;
 /// Coordinates stored as 32-bit floats that are further apart than this (mm) are reported as coarse.
 inline constexpr double coarse_float_step = 0.01;
-/// Relative error of a facet's area that the rounding of its corners to 32-bit floats may cause: below it the direction of
-/// its normal is noise.
+/// Relative error of a facet's area that the rounding of its corners to 32-bit floats may cause: below it the
+/// direction of its normal is noise.
 inline constexpr double float_noise = 1e-6;
 /// A closed mesh whose volume is below this share of area times diagonal encloses nothing.
 inline constexpr double flat_volume = 1e-9;
 
-/// Facets whose unit normal has a smaller z than this count as vertical: a 3-axis cutter passes them, but they ask for no
-/// pass of their own.
+/// Facets whose unit normal has a smaller z than this count as vertical: a 3-axis cutter passes them, but
+/// they ask for no pass of their own.
 inline constexpr double vertical_normal_z = 1e-3;
 /// Tool axes with a smaller z are not planned: the tool could not be drawn out of the part along them.
 inline constexpr double lowest_axis_z = 0.15;
@@ -51,8 +52,8 @@ inline constexpr double ray_accuracy = 1e-7;
 /// Farther (mm) than this from the cutter, a contact point is one of a cutter grown by an allowance.
 inline constexpr double contact_distance = 1e-6;
 
-/// Angles (radians) and, as a share of the cutter's size, lengths of a cutter's profile that differ by less are equal:
-/// a few times the rounding of their computation.
+/// Angles (radians) and, as a share of the cutter's size, lengths of a cutter's profile that differ by less
+/// are equal: a few times the rounding of their computation.
 inline constexpr double cutter_angle = 1e-12;
 /// Share of the cutter's size by which rounded values may miss tangency and still mean it.
 inline constexpr double cutter_tangency = 1e-5;
@@ -63,23 +64,23 @@ inline constexpr double largest_tool = 1e4;
 inline constexpr double steepest_tool_angle = 1.5707963267948966 - 1e-3;
 /// Radii (mm) of cutters below this are refused: no tool, and near the rounding of coordinates.
 inline constexpr double smallest_cutter = 1e-9;
-/// Where a plane touches the cutter is known to this many roundings, times the condition of the facet; nearer to an
-/// edge of the facet, that edge is asked too.
+/// Where a plane touches the cutter is known to this many roundings, times the condition of the facet; nearer
+/// to an edge of the facet, that edge is asked too.
 inline constexpr double contact_roundings = 64;
-/// The projected area of a facet is zero, and an edge is no valley, where this many roundings of the products that make it
-/// could be all there is.
+/// The projected area of a facet is zero, and an edge is no valley, where this many roundings of the products
+/// that make it could be all there is.
 inline constexpr double area_roundings = 8;
 inline constexpr double valley_roundings = 64;
-/// Bounds that let the index skip a block are widened by this share of the lengths in them, in double and in single
-/// precision: above all rounding.
+/// Bounds that let the index skip a block are widened by this share of the lengths in them, in double and in
+/// single precision: above all rounding.
 inline constexpr double bound_slack = 1e-13;
 inline constexpr double float_slack = 4e-7;
 /// Roofs over parts of the mesh, and support lines of a cutter, that give such bounds are no steeper.
 inline constexpr double steepest_roof = 3;
 inline constexpr double steepest_tangent = 6;
-/// Bounds for many places at once trust the plane of a facet to say where it touches when its slope is known to this, is
-/// no steeper than this, and positions are known to this share of the facet's height. Cutters are followed up to a slope,
-/// edges up to a slope.
+/// Bounds for many places at once trust the plane of a facet to say where it touches when its slope is known
+/// to this, is no steeper than this, and positions are known to this share of the facet's height. Cutters are
+/// followed up to a slope, edges up to a slope.
 inline constexpr double trusted_slope = 0.05, steepest_trusted = 1e3, trusted_height = 0.01;
 inline constexpr double steepest_followed = 12, steepest_edge = 100;
 /// Places whose distance from the axis is this near, as a share, to the cutter's radius are on its rim.
@@ -90,15 +91,16 @@ inline constexpr double nowhere = 1e15;
 inline constexpr double needle_diameter = 1e-6;
 /// Area vectors of facets whose sum is below this share of their lengths make a closed surface.
 inline constexpr double closed_sum = 1e-6;
-/// Share by which what stays above a path, measured, may exceed what is allowed before it counts as left uncut: more than
-/// the estimate's own error, and a tessellated hollow's.
+/// Share by which what stays above a path, measured, may exceed what is allowed before it counts as left
+/// uncut: more than the estimate's own error, and a tessellated hollow's.
 inline constexpr double uncut_margin = 0.1;
-/// The smallest step-over, as a share of the one on a level plane: steeper places than it can serve are reported.
+/// The smallest step-over, as a share of the one on a level plane: steeper places than it can serve are
+/// reported.
 inline constexpr double smallest_step_share = 0.01;
 /// Chord tolerances of a path are at least this (mm).
 inline constexpr double smallest_chord = 1e-6;
-/// A chord tolerance that nobody has set is this share of the machining tolerance, and at most this (mm): it is what a path
-/// may gouge, and a part that may keep high cusps may not be gouged more for it.
+/// A chord tolerance that nobody has set is this share of the machining tolerance, and at most this (mm): it
+/// is what a path may gouge, and a part that may keep high cusps may not be gouged more for it.
 inline constexpr double auto_chord_share = 0.05, largest_auto_chord = 0.01;
 /// Points of a slice closer than this share of the part's diagonal say nothing about how the normal changes.
 inline constexpr double vanishing_step = 1e-6;
@@ -110,15 +112,15 @@ inline constexpr double border_inset = 1e-3;
 inline constexpr double written_number = 1e-14;
 /// Lifts along a vector. Roundings of the coordinates that two elements may be apart and still touch.
 inline constexpr double touch_roundings = 8;
-/// A facet's plane is trusted to say where, as a share of the facet, it touches to this; else its edges and corners are
-/// asked as well.
+/// A facet's plane is trusted to say where, as a share of the facet, it touches to this; else its edges and
+/// corners are asked as well.
 inline constexpr double plane_trust = 1e-3;
-/// Sine of the angle between a facet and the vector below which the facet counts as seen edge-on: its edges and corners
-/// are asked as well.
+/// Sine of the angle between a facet and the vector below which the facet counts as seen edge-on: its edges
+/// and corners are asked as well.
 inline constexpr double edge_on = 1e-6;
 
-/// Verification. Share of a tool's size within which a line that meets two parts of its surface at their joint meets both;
-/// and below which a motion, or the sine of its angle to a line, is none.
+/// Verification. Share of a tool's size within which a line that meets two parts of its surface at their
+/// joint meets both; and below which a motion, or the sine of its angle to a line, is none.
 inline constexpr double sweep_roundings = 1e-11;
 inline constexpr double parallel_sine = 1e-8;
 /// Share of a grid's step by which its limits may miss a whole number of steps.

@@ -9,7 +9,9 @@
 
 namespace facetmill {
 
-std::string_view unit_name(LengthUnit unit) { return unit == LengthUnit::inch ? "in" : "mm"; }
+std::string_view unit_name(LengthUnit unit) {
+    return unit == LengthUnit::inch ? "in" : "mm";
+}
 
 LengthUnit parse_length_unit(std::string_view text, const std::string& where) {
     if (text == "mm" || text == "millimetre" || text == "millimetres") return LengthUnit::mm;
@@ -20,25 +22,36 @@ LengthUnit parse_length_unit(std::string_view text, const std::string& where) {
 double core_per_edge(Quantity quantity, LengthUnit unit) {
     switch (quantity) {
     case Quantity::length:
-    case Quantity::feed: return mm_per(unit);
-    case Quantity::area: return mm_per(unit) * mm_per(unit);
-    case Quantity::angle: return pi / 180.0;
-    default: return 1.0;
+    case Quantity::feed:
+        return mm_per(unit);
+    case Quantity::area:
+        return mm_per(unit) * mm_per(unit);
+    case Quantity::angle:
+        return pi / 180.0;
+    default:
+        return 1.0;
     }
 }
 
 std::string_view edge_unit_name(Quantity quantity, LengthUnit unit) {
     const bool inch = unit == LengthUnit::inch;
     switch (quantity) {
-    case Quantity::length: return inch ? "in" : "mm";
-    case Quantity::area: return inch ? "in²" : "mm²";
-    case Quantity::angle: return "°";
-    case Quantity::feed: return inch ? "in/min" : "mm/min";
-    case Quantity::rotation: return "rpm";
-    case Quantity::time: return "s";
+    case Quantity::length:
+        return inch ? "in" : "mm";
+    case Quantity::area:
+        return inch ? "in²" : "mm²";
+    case Quantity::angle:
+        return "°";
+    case Quantity::feed:
+        return inch ? "in/min" : "mm/min";
+    case Quantity::rotation:
+        return "rpm";
+    case Quantity::time:
+        return "s";
     case Quantity::none:
     case Quantity::ratio:
-    case Quantity::count: return "";
+    case Quantity::count:
+        return "";
     }
     return "";
 }
@@ -51,7 +64,8 @@ std::string format_number(double value, int digits) {
     const int before = int(std::floor(std::log10(magnitude))) + 1;
     char buffer[64];
     if (before > 15 || before < -8) {
-        const auto r = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+        const auto r =
+            std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
         return std::string(buffer, r.ptr);
     }
     const int decimals = std::max(0, digits - before);

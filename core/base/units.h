@@ -10,7 +10,9 @@ enum class LengthUnit { mm, inch };
 
 inline constexpr double mm_per_inch = 25.4;
 
-inline constexpr double mm_per(LengthUnit unit) { return unit == LengthUnit::inch ? mm_per_inch : 1.0; }
+inline constexpr double mm_per(LengthUnit unit) {
+    return unit == LengthUnit::inch ? mm_per_inch : 1.0;
+}
 /// "mm" or "in".
 std::string_view unit_name(LengthUnit unit);
 /// From "mm" or "in" (also "inch", "inches", "millimetre(s)"); throws Error(out_of_range) that names `where`.
@@ -19,13 +21,14 @@ LengthUnit parse_length_unit(std::string_view text, const std::string& where);
 /// What a number measures: decides its unit in files and forms.
 enum class Quantity { none, length, area, angle, feed, rotation, ratio, count, time };
 
-/// Factor from the unit of the edge (project length unit, degrees, length/min, rpm, s) to the core's unit (mm, radians,
-/// mm/min, rpm, s): core = edge * factor.
+/// Factor from the unit of the edge (project length unit, degrees, length/min, rpm, s) to the core's unit
+/// (mm, radians, mm/min, rpm, s): core = edge * factor.
 double core_per_edge(Quantity quantity, LengthUnit unit);
 /// Name of the edge's unit for labels: "mm", "in", "°", "mm/min", "in/min", "rpm", "s", "".
 std::string_view edge_unit_name(Quantity quantity, LengthUnit unit);
 
-/// Shortest decimal text that reads back to within `digits` significant digits; never an exponent for ordinary sizes,
+/// Shortest decimal text that reads back to within `digits` significant digits; never an exponent for
+/// ordinary sizes,
 /// '.' as decimal point whatever the locale.
 std::string format_number(double value, int digits = 6);
 

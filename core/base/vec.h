@@ -37,7 +37,11 @@ struct Box3 {
     double diagonal() const { return size().norm(); }
 };
 
-inline double radians(double degrees) { return degrees * (pi / 180.0); }
-inline double degrees(double radians) { return radians * (180.0 / pi); }
+inline double radians(double degrees) {
+    return degrees * (pi / 180.0);
+}
+inline double degrees(double radians) {
+    return radians * (180.0 / pi);
+}
 
 } // namespace facetmill

@@ -6,9 +6,9 @@
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/mesh/geometry.h"
-#include "core/strategy/manual_posture.h"
-#include "core/strategy/region_edit.h"
-#include "core/strategy/rework_plan.h"
+#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/global_local/rework_plan.h"
+#include "core/strategy/surface/region_edit.h"
 
 #include <charconv>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "core/job/project.h"
 
-#include "core/strategy/manual_posture.h"
-#include "core/strategy/region_edit.h"
+#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/surface/region_edit.h"
 
 #include <algorithm>
 #include <cmath>

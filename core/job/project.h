@@ -4,7 +4,7 @@
 #include "core/base/parameter.h"
 #include "core/setup/stock.h"
 #include "core/setup/tool.h"
-#include "core/strategy/operation.h"
+#include "core/strategy/plan/operation.h"
 
 #include <filesystem>
 #include <memory>

@@ -4,8 +4,8 @@
 #include "core/base/tolerances.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
-#include "core/strategy/manual_posture.h"
-#include "core/strategy/region_edit.h"
+#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/surface/region_edit.h"
 
 #include <algorithm>
 

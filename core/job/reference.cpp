@@ -2,7 +2,7 @@
 
 #include "core/job/project.h"
 #include "core/setup/machine.h"
-#include "core/strategy/manual_posture.h"
+#include "core/strategy/five_axis/manual_posture.h"
 
 namespace facetmill {
 

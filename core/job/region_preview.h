@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/job/planner.h"
-#include "core/strategy/tool_advice.h"
+#include "core/strategy/global_local/tool_advice.h"
 
 #include <memory>
 #include <string>

@@ -5,8 +5,8 @@
 #include "core/job/planner.h"
 #include "core/output/apt.h"
 #include "core/output/turning_table.h"
-#include "core/strategy/lathe.h"
-#include "core/strategy/rework_plan.h"
+#include "core/strategy/global_local/rework_plan.h"
+#include "core/strategy/lathe/lathe.h"
 
 #include <cmath>
 #include <system_error>

@@ -3,8 +3,8 @@
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
-#include "core/strategy/budget.h"
-#include "core/strategy/lathe_rough.h"
+#include "core/strategy/lathe/lathe_rough.h"
+#include "core/strategy/plan/budget.h"
 
 #include <array>
 

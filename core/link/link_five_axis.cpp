@@ -1,6 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/motion.h"
-#include "core/strategy/posture_path.h"
+#include "core/strategy/five_axis/posture_path.h"
 
 #include <cmath>
 

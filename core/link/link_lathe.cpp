@@ -1,6 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/motion.h"
-#include "core/strategy/lathe_field.h"
+#include "core/strategy/lathe/lathe_field.h"
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
 #include "core/base/tolerances.h"
 #include "core/link/motion.h"
-#include "core/strategy/lathe.h"
-#include "core/strategy/rough_entry.h"
-#include "core/strategy/rough_reach.h"
+#include "core/strategy/lathe/lathe.h"
+#include "core/strategy/rough/rough_entry.h"
+#include "core/strategy/rough/rough_reach.h"
+#include "core/strategy/surface/stock_before.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/motion.h"
-#include "core/strategy/lift_line.h"
+#include "core/strategy/surface/lift_line.h"
 
 namespace facetmill {
 

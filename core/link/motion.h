@@ -1,11 +1,11 @@
-// The complete motion of the tool for one operation: cuts joined by links and clearance moves. Millimetres, part
-// coordinates; every motion starts where the one before ended.
+// The complete motion of the tool for one operation: cuts joined by links and clearance moves. Millimetres,
+// part coordinates; every motion starts where the one before ended.
 #pragma once
 
 #include "core/base/progress.h"
 #include "core/gouge/tool_lift.h"
 #include "core/setup/turning_axis.h"
-#include "core/strategy/operation.h"
+#include "core/strategy/plan/operation.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,53 +31,58 @@ struct Motion {
 };
 
 struct ToolMotions {
-    std::vector<Motion> motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
+    std::vector<Motion>
+        motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
     double clearance_z = 0;
     double air_length = 0; ///< of roughing: of motions at feed, where nothing is cut; mm
-    /// Of a part that turns: motions between locations whose axes differ run as TurningAxis says. Else the tip
-    /// moves straight and the axis turns in one plane.
+    /// Of a part that turns: motions between locations whose axes differ run as TurningAxis says. Else the
+    /// tip moves straight and the axis turns in one plane.
     std::optional<TurningAxis> turning;
 };
 
 struct LinkOptions {
-    double clearance = 5;      ///< above the highest of part and stock
-    double link_distance = 0;  ///< passes whose ends are nearer than this are linked on the surface
+    double clearance = 5;     ///< above the highest of part and stock
+    double link_distance = 0; ///< passes whose ends are nearer than this are linked on the surface
     double chord_tolerance = 0.01;
 };
 
-/// What suits an operation: links as far as four step-overs or the cutter's radius, the chord tolerance of the
-/// passes (where they have none, a twentieth of the tolerance).
-LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context, const OperationCommon& common);
+/// What suits an operation: links as far as four step-overs or the cutter's radius, the chord tolerance of
+/// the passes (where they have none, a twentieth of the tolerance).
+LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context,
+                                 const OperationCommon& common);
 
-/// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into the part)
-/// where the next pass is near, else by retract, rapid at clearance height, approach. Rapids run level at clearance_z,
-/// above part, stock and every tip; the tool goes down and up at feed, over tips that do not gouge. `allowance` is the
-/// operation's; the part's inner tessellation tolerance is added as the strategy does. Throws Error(out_of_range),
-/// Cancelled within 100 ms.
+/// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into
+/// the part) where the next pass is near, else by retract, rapid at clearance height, approach. Rapids run
+/// level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over tips that
+/// do not gouge. `allowance` is the operation's; the part's inner tessellation tolerance is added as the
+/// strategy does. Throws Error(out_of_range), Cancelled within 100 ms.
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 
-/// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one plane, lifted
-/// along the tool axis wherever cutter, shank or holder would touch, where the next pass is near and that way is free, or
-/// is shorter than up to the clearance and down while the axis turns by 45 degrees at most (what stands there of
-/// the stock a link cuts as a pass does); else out along the tool axis, a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z
-/// the tip stands so high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what
-/// cutter, shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
-ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
-                           const LinkOptions& options, const Progress& progress);
+/// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one
+/// plane, lifted along the tool axis wherever cutter, shank or holder would touch, where the next pass is
+/// near and that way is free, or is shorter than up to the clearance and down while the axis turns by 45
+/// degrees at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis,
+/// a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z the tip stands so
+/// high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what cutter,
+/// shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
+ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
+                           const ToolClearance& clearance, const LinkOptions& options,
+                           const Progress& progress);
 
-/// Joins the passes of roughing over the stock as it stands at each moment: straight at feed where the way is cut
-/// already and short, else up to what stands on the way plus clearance (and never nearer to the part), over it in a
-/// rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at feed. `allowance` as
-/// above. Throws Error(out_of_range), Cancelled within 100 ms.
+/// Joins the passes of roughing over the stock as it stands at each moment: straight at feed where the way is
+/// cut already and short, else up to what stands on the way plus clearance (and never nearer to the part),
+/// over it in a rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at
+/// feed. `allowance` as above. Throws Error(out_of_range), Cancelled within 100 ms.
 ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
                        const LinkOptions& options, const Progress& progress);
 
-/// Joins the passes of an operation on a turning part: on along the path where a pass begins where the one before ended,
-/// else out along the tool axis, at feed until it is clear and then in a rapid, to a radius beyond stock, chuck and
-/// tailstock; there round and along the part in rapids; in to the clearance over the raw material in a rapid, and by the
-/// pass's entry at feed. Rapids that turn the part are divided, so that they stay out there whether the tip runs on the arc
-/// or on its chords. Throws Error(out_of_range), Cancelled within 100 ms.
+/// Joins the passes of an operation on a turning part: on along the path where a pass begins where the one
+/// before ended, else out along the tool axis, at feed until it is clear and then in a rapid, to a radius
+/// beyond stock, chuck and tailstock; there round and along the part in rapids; in to the clearance over the
+/// raw material in a rapid, and by the pass's entry at feed. Rapids that turn the part are divided, so that
+/// they stay out there whether the tip runs on the arc or on its chords. Throws Error(out_of_range),
+/// Cancelled within 100 ms.
 ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
                        const LinkOptions& options, const Progress& progress);
 
@@ -85,7 +90,8 @@ ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, c
 ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,
                            const Progress& progress);
 
-/// Throws Error(out_of_range) unless clearance and chord tolerance are above 0 and the link distance at least 0.
+/// Throws Error(out_of_range) unless clearance and chord tolerance are above 0 and the link distance at least
+/// 0.
 void check_link_options(const LinkOptions& options);
 
 } // namespace facetmill

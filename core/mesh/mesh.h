@@ -1,6 +1,7 @@
-// The triangle mesh that everything plans on: flat arrays, for the kernels. Any mesh that could be read has one, also an
-// open, non-manifold, inverted or partly degenerate one; connectivity as half-edges is built beside it where the mesh
-// allows (topology.h). Millimetres, part coordinates. Immutable once published (shared_ptr<const Mesh>).
+// The triangle mesh that everything plans on: flat arrays, for the kernels. Any mesh that could be read has
+// one, also an open, non-manifold, inverted or partly degenerate one; connectivity as half-edges is built
+// beside it where the mesh allows (topology.h). Millimetres, part coordinates. Immutable once published
+// (shared_ptr<const Mesh>).
 #pragma once
 
 #include "core/base/vec.h"

@@ -18,8 +18,8 @@ Mesh pillar(double tolerance, const Progress& progress);
 Mesh gap(double tolerance, const Progress& progress);
 Mesh shell(double tolerance, const Progress& progress);
 
-/// A pocket with drafted walls, sharp inner corners and a boss: an open sheet, outside up. sample_mould.h knows
-/// its valleys.
+/// A pocket with drafted walls, sharp inner corners and a boss: an open sheet, outside up. sample_mould.h
+/// knows its valleys.
 Mesh mould(double tolerance);
 
 /// Jasra's turned parts: closed, turning about the X axis, the first end at x = 0.

@@ -7,7 +7,7 @@
 #include "core/base/file.h"
 #include "core/base/progress.h"
 #include "core/output/cl_program.h"
-#include "core/strategy/path.h"
+#include "core/strategy/plan/path.h"
 
 #include <cstddef>
 #include <vector>

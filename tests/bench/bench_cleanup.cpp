@@ -6,7 +6,7 @@
 //     bench_cleanup PART TOLERANCE   mould, pillar or gap alone, tessellated to a chord tolerance in mm
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
-#include "core/strategy/cleanup.h"
+#include "core/strategy/cleanup/cleanup.h"
 #include "tests/property/shapes.h"
 #include "tests/property/valley_parts.h"
 

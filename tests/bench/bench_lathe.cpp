@@ -6,8 +6,8 @@
 #include "core/base/parallel.h"
 #include "core/link/motion.h"
 #include "core/mesh/sample.h"
-#include "core/strategy/lathe_finish.h"
-#include "core/strategy/lathe_rough.h"
+#include "core/strategy/lathe/lathe_finish.h"
+#include "core/strategy/lathe/lathe_rough.h"
 
 #include <chrono>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
 #include "core/output/motion_time.h"
-#include "core/strategy/cutter_cover.h"
-#include "core/strategy/rough.h"
+#include "core/strategy/rough/rough.h"
+#include "core/strategy/surface/cutter_cover.h"
 #include "core/verify/verify.h"
 
 #include <algorithm>

@@ -15,9 +15,9 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
 #include "core/mesh/sample_tessellate.h"
-#include "core/strategy/finish3.h"
-#include "core/strategy/global_local.h"
-#include "core/strategy/least_time.h"
+#include "core/strategy/finish3/finish3.h"
+#include "core/strategy/global_local/global_local.h"
+#include "tests/bench/least_time.h"
 
 #include <algorithm>
 #include <array>

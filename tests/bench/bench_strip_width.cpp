@@ -5,7 +5,7 @@
 //
 //     bench_strip_width [PART [TOLERANCE_IN [EVERY_IN]]]      default: convex 0.004 0.125
 #include "core/mesh/sample.h"
-#include "core/strategy/strip_width.h"
+#include "core/strategy/five_axis/strip_width.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Parts with known answers, as meshes. Millimetres; each stands on about 40 x 30 mm around the origin.
 #pragma once
 
-#include "core/strategy/operation.h"
+#include "core/strategy/plan/operation.h"
 
 #include <functional>
 #include <string>

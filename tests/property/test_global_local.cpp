@@ -2,7 +2,7 @@
 // code with the planner.
 #include "core/base/parallel.h"
 #include "core/link/motion.h"
-#include "core/strategy/global_local.h"
+#include "core/strategy/global_local/global_local.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/cancel_at.h"

@@ -3,7 +3,7 @@
 
 #include "core/link/motion.h"
 #include "core/mesh/mesh.h"
-#include "core/strategy/path.h"
+#include "core/strategy/plan/path.h"
 #include "viz/path_display.h"
 
 #include <functional>

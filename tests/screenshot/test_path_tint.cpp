@@ -2,7 +2,7 @@
 // the colours are to be found in the picture.
 #include "core/job/planner.h"
 #include "core/output/motion_time.h"
-#include "core/strategy/five_axis_record.h"
+#include "core/strategy/five_axis/five_axis_record.h"
 #include "tests/screenshot/scene_parts.h"
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"

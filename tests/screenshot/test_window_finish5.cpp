@@ -1,6 +1,6 @@
 // The form of a 5-axis operation as a user goes through it: wrong entries and what is said under them, units,
 // a long name, a small window, dark colours.
-#include "core/strategy/finish5.h"
+#include "core/strategy/five_axis/finish5.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"

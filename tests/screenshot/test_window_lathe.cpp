@@ -1,6 +1,6 @@
 // Turning parts in the window: the unrolled path beside the view, playback that turns the part, an axis
 // through picked points.
-#include "core/strategy/lathe_finish.h"
+#include "core/strategy/lathe/lathe_finish.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/layer_bar.h"
 #include "ui/message_bar.h"

@@ -2,7 +2,7 @@
 // how the previous tool stands over them.
 #include "core/job/planner.h"
 #include "core/mesh/mesh_io.h"
-#include "core/strategy/cleanup.h"
+#include "core/strategy/cleanup/cleanup.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/elided_label.h"
 #include "ui/parameter_form.h"

@@ -49,6 +49,8 @@ int run_tests(int argc, char** argv) {
     return failed == 0 ? 0 : 1;
 }
 
-std::string data_path(const std::string& relative) { return std::string(FACETMILL_TEST_DATA) + "/" + relative; }
+std::string data_path(const std::string& relative) {
+    return std::string(FACETMILL_TEST_DATA) + "/" + relative;
+}
 
 } // namespace facetmill::test

@@ -14,8 +14,8 @@ namespace facetmill::test {
 
 bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> make);
 
-/// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first. The exit status
-/// of the program.
+/// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first. The
+/// exit status of the program.
 int run_tests(int argc, char** argv);
 
 /// Path of a file or folder below tests/.
@@ -23,6 +23,6 @@ std::string data_path(const std::string& relative);
 
 } // namespace facetmill::test
 
-#define FACETMILL_TEST(Class)                                                                                          \
-    static const bool registered_##Class =                                                                             \
+#define FACETMILL_TEST(Class)                                                                                \
+    static const bool registered_##Class =                                                                   \
         facetmill::test::register_test(#Class, [] { return std::unique_ptr<QObject>(new Class); });

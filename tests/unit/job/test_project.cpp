@@ -4,7 +4,7 @@
 #include "core/job/project.h"
 #include "core/job/reference.h"
 #include "core/setup/machine.h"
-#include "core/strategy/manual_posture.h"
+#include "core/strategy/five_axis/manual_posture.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 

@@ -1,6 +1,6 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
 #include "core/link/motion.h"
-#include "core/strategy/posture_path.h"
+#include "core/strategy/five_axis/posture_path.h"
 #include "tests/property/shapes.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"

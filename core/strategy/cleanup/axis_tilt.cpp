@@ -1,0 +1,250 @@
+#include "core/strategy/cleanup/axis_tilt.h"
+
+#include "core/base/tolerances.h"
+#include "core/strategy/five_axis/posture_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Axes are chosen every so many radii of the cutter.
+constexpr double knot_share = 0.5;
+constexpr std::size_t most_knots = 4000;
+/// The grid of axes: steps of inclination, and around.
+constexpr double tilt_step = pi / 36;
+constexpr int around = 16;
+/// An axis turns by no more between two knots.
+constexpr double most_turn = pi / 4.5;
+/// Weights of inclination, turn and raise (of the largest), squared.
+constexpr double tilt_weight = 0.1, turn_weight = 1, raise_weight = 0.05;
+constexpr int most_divisions = 6;
+/// Of the chord tolerance, as for passes of five axes: what is used of it at the places looked at.
+constexpr double chord_share = 0.6;
+
+class Tilter {
+public:
+    Tilter(const TiltInput& input, const Pass& pass)
+        : in_(input), pass_(pass), radius_(input.whole->cutter().max_radius()) {}
+
+    TiltedPass run(const Progress& progress) {
+        bool held = false;
+        for (std::size_t k = 0; k < pass_.cl.size() && !held; ++k) {
+            if (k % 256 == 0) progress.check();
+            held = body_at(pass_.cl[k]) != ToolBody::none;
+        }
+        if (!held) {
+            result_.passes.push_back(pass_);
+            return std::move(result_);
+        }
+        make_axes();
+        choose(progress);
+        join(progress);
+        return std::move(result_);
+    }
+
+private:
+    struct Knot {
+        std::size_t cl = 0; ///< of the pass
+        double way = 0;     ///< along it
+        int axis = -1;      ///< chosen; -1: none is free
+    };
+
+    /// Shank or holder, where one is in the part.
+    ToolBody body_at(const CutterLocation& at) {
+        const ToolContact c = in_.whole->contact_above({at.tip, at.axis}, in_.chord, hint_);
+        return c.body == ToolBody::shank || c.body == ToolBody::holder ? c.body : ToolBody::none;
+    }
+
+    void make_axes() {
+        axes_.push_back(Vec3::UnitZ());
+        for (int ring = 1; ring * tilt_step < in_.limit + tilt_step - tolerance::level_angle; ++ring) {
+            const double tilt = std::min(ring * tilt_step, in_.limit);
+            for (int k = 0; k < around; ++k) {
+                const double a = 2 * pi * k / around;
+                axes_.emplace_back(std::sin(tilt) * std::cos(a), std::sin(tilt) * std::sin(a),
+                                   std::cos(tilt));
+            }
+        }
+    }
+
+    /// Where the tool stands with this axis at a place of the pass, drawn out; false where it cannot.
+    bool stand(std::size_t k, const Vec3& axis, CutterLocation& at, double& raise) {
+        if (!turned_about_contact(in_.whole->cutter(), pass_.cc[k], pass_.cl[k].tip, axis, at)) return false;
+        raise = std::max(0.0, in_.whole->lift({at.tip, at.axis}, hint_));
+        if (raise > in_.raise) return false;
+        at.tip += raise * axis;
+        return true;
+    }
+
+    void choose(const Progress& progress) {
+        const std::size_t n = pass_.cl.size();
+        std::vector<double> way(n, 0);
+        for (std::size_t k = 1; k < n; ++k)
+            way[k] = way[k - 1] + (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
+        const double step = std::max(knot_share * radius_, way.back() / double(most_knots));
+        for (std::size_t k = 0; k < n; ++k)
+            if (k == 0 || k + 1 == n || way[k] - knots_.back().way >= step) knots_.push_back({k, way[k], -1});
+        const std::size_t m = axes_.size();
+        std::vector<double> cost(m, 0), next(m);
+        std::vector<std::vector<int>> from(knots_.size(), std::vector<int>(m, -1));
+        std::size_t begin = 0; // of the run of knots with a free axis
+        const auto finish = [&](std::size_t end) {
+            if (end == begin) return;
+            int best = -1;
+            for (std::size_t a = 0; a < m; ++a)
+                if (cost[a] < infinity && (best < 0 || cost[a] < cost[std::size_t(best)])) best = int(a);
+            for (std::size_t i = end; i-- > begin && best >= 0;) {
+                knots_[i].axis = best;
+                best = from[i][std::size_t(best)];
+            }
+        };
+        for (std::size_t i = 0; i < knots_.size(); ++i) {
+            progress.check();
+            bool any = false;
+            for (std::size_t a = 0; a < m; ++a) {
+                CutterLocation at;
+                double raise = 0;
+                next[a] = infinity;
+                if (!stand(knots_[i].cl, axes_[a], at, raise)) continue;
+                const double tilt = std::acos(std::min(axes_[a].z(), 1.0));
+                const double own =
+                    tilt_weight * tilt * tilt + raise_weight * (raise / in_.raise) * (raise / in_.raise);
+                double before = i == begin ? 0 : infinity;
+                if (i > begin)
+                    for (std::size_t b = 0; b < m; ++b) {
+                        if (!(cost[b] < before)) continue;
+                        const double turn = std::acos(std::clamp(axes_[a].dot(axes_[b]), -1.0, 1.0));
+                        if (turn > most_turn) continue;
+                        const double sum = cost[b] + turn_weight * turn * turn;
+                        if (sum >= before) continue;
+                        before = sum;
+                        from[i][a] = int(b);
+                    }
+                next[a] = before + own;
+                any = any || next[a] < infinity;
+            }
+            if (!any && i > begin) {
+                // None that is free here can be come to: what follows begins anew.
+                finish(i);
+                begin = i;
+                --i;
+                continue;
+            }
+            if (!any) {
+                begin = i + 1;
+                continue;
+            }
+            std::swap(cost, next);
+        }
+        finish(knots_.size());
+    }
+
+    void join(const Progress& progress) {
+        Pass run = pass_;
+        run.cl.clear();
+        run.cc.clear();
+        const auto cut = [&] {
+            if (run.cl.size() > 1) result_.passes.push_back(run);
+            run.cl.clear();
+            run.cc.clear();
+        };
+        for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+            progress.check();
+            const Knot &a = knots_[i], &b = knots_[i + 1];
+            const bool sure = a.axis >= 0 && b.axis >= 0
+                              && axes_[std::size_t(a.axis)].dot(axes_[std::size_t(b.axis)])
+                                     >= std::cos(most_turn) - tolerance::level_angle;
+            if (!sure) {
+                result_.lost += b.way - a.way;
+                if (result_.by == ToolBody::none) result_.by = body_at(pass_.cl[a.axis < 0 ? a.cl : b.cl]);
+                cut();
+                continue;
+            }
+            const CutterLocation from{Vec3::Zero(), axes_[std::size_t(a.axis)]},
+                to{Vec3::Zero(), axes_[std::size_t(b.axis)]};
+            double way = a.way;
+            for (std::size_t k = a.cl; k <= b.cl; ++k) {
+                if (k > a.cl) way += (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
+                if (k == a.cl && !run.cl.empty()) continue; // the end of the stretch before
+                const double t = b.way > a.way ? std::min((way - a.way) / (b.way - a.way), 1.0) : 1;
+                CutterLocation at;
+                double raise = 0;
+                if (!stand(k, location_on_way(from, to, t).axis, at, raise)) {
+                    if (k > 0) result_.lost += (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
+                    if (result_.by == ToolBody::none) result_.by = body_at(pass_.cl[k]);
+                    cut();
+                    continue;
+                }
+                if (!run.cl.empty() && !between(CutterLocation(run.cl.back()), at, pass_.cc[k], 0, run)) {
+                    result_.lost += (at.tip - run.cl.back().tip).norm();
+                    cut();
+                }
+                run.cl.push_back(at);
+                run.cc.push_back(pass_.cc[k]);
+                result_.largest = std::max(result_.largest, std::acos(std::min(at.axis.z(), 1.0)));
+            }
+        }
+        cut();
+    }
+
+    /// Puts in what stands between two locations; false where the way is not free.
+    bool between(const CutterLocation& a, const CutterLocation& b, const CutterContact& cc, int divisions,
+                 Pass& run) {
+        if (keeps_clear_between(*in_.whole, a, b, looking_step(radius_, in_.chord), chord_share * in_.chord,
+                                hint_))
+            return true;
+        if (divisions == most_divisions) return false;
+        CutterLocation middle = location_on_way(a, b, 0.5);
+        const double lift = in_.whole->lift({middle.tip, middle.axis}, hint_);
+        if (lift > in_.raise) return false;
+        if (lift > 0) middle.tip += lift * middle.axis;
+        const std::size_t size = run.cl.size();
+        if (between(a, middle, cc, divisions + 1, run)) {
+            run.cl.push_back(middle);
+            run.cc.push_back(cc);
+            if (between(middle, b, cc, divisions + 1, run)) return true;
+        }
+        run.cl.resize(size);
+        run.cc.resize(size);
+        return false;
+    }
+
+    const TiltInput& in_;
+    const Pass& pass_;
+    double radius_;
+    ToolLift::Hint hint_;
+    std::vector<Vec3> axes_;
+    std::vector<Knot> knots_;
+    TiltedPass result_;
+};
+
+} // namespace
+
+bool turned_about_contact(const CutterProfile& cutter, const CutterContact& contact, const Vec3& tip,
+                          const Vec3& axis, CutterLocation& turned) {
+    turned.axis = axis;
+    const double r = cutter.cutter().r;
+    if (r == cutter.max_radius()) {
+        // A ball touches planes of every slope at the same distance from its middle.
+        turned.tip = tip + r * (Vec3::UnitZ() - axis);
+        return true;
+    }
+    const Vec3& n = contact.normal;
+    turned.tip = tip;
+    if (axis == Vec3::UnitZ()) return true;
+    if (!(n.z() > tolerance::vertical_normal_z) || !(n.dot(axis) > tolerance::vertical_normal_z))
+        return false;
+    turned.tip += tip_at_contact(cutter, contact.point, n, axis)
+                  - tip_at_contact(cutter, contact.point, n, Vec3::UnitZ());
+    return true;
+}
+
+TiltedPass tilted_where_held(const TiltInput& input, const Pass& pass, const Progress& progress) {
+    if (pass.cl.size() < 2) return {};
+    return Tilter(input, pass).run(progress);
+}
+
+} // namespace facetmill

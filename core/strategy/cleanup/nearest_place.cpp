@@ -1,0 +1,52 @@
+#include "core/strategy/cleanup/nearest_place.h"
+
+#include "core/base/tolerances.h"
+
+namespace facetmill {
+
+namespace {
+
+/// First steps of a search, in radii of the cutter, and its ways.
+constexpr double first_step = 0.2;
+constexpr int search_ways = 8;
+
+} // namespace
+
+RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint) {
+    RestSample s;
+    s.point = p;
+    s.normal = n;
+    const CutterCover& cover = *input.cover;
+    if (n.z() > tolerance::vertical_normal_z) {
+        s.tip = p + cover.tip_offset(n);
+    } else {
+        // Along an upright wall, a hair beside it: it would be passed over else.
+        const double out = cover.radius() * (1 + tolerance::rim_share) / std::hypot(n.x(), n.y());
+        s.tip = p + Vec3(out * n.x(), out * n.y(), -cover.shoulder());
+    }
+    s.tip.z() = std::max(s.tip.z(), input.lift->tip_z(s.tip.x(), s.tip.y(), hint));
+    s.gap = cover.distance(p - s.tip);
+    return s;
+}
+
+RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
+                         LiftHint& hint) {
+    for (double step = first_step * input.cover->radius(); step > finest && from.gap > enough;) {
+        bool better = false;
+        for (int k = 0; k < search_ways && from.gap > enough; ++k) {
+            const double angle = 2 * pi * k / search_ways;
+            Vec3 tip = from.tip + step * Vec3(std::cos(angle), std::sin(angle), 0);
+            tip.z() = input.lift->tip_z(tip.x(), tip.y(), hint);
+            if (!(tip.z() > -infinity)) continue;
+            if (const double d = input.cover->distance(from.point - tip); d < from.gap) {
+                from.gap = d;
+                from.tip = tip;
+                better = true;
+            }
+        }
+        if (!better) step *= 0.5;
+    }
+    return from;
+}
+
+} // namespace facetmill

@@ -1,0 +1,18 @@
+// The places that a cutter with vertical axis may take nearest to a place of the part. Millimetres, part
+// coordinates.
+#pragma once
+
+#include "core/strategy/cleanup/valley.h"
+
+namespace facetmill {
+
+/// Where a cutter with vertical axis comes nearest to touching the part at p, whose unit normal is n; and how
+/// far from p it stays. n.z must not be below -tolerance::vertical_normal_z.
+RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint);
+/// The same with its tip at `tip`, moved to where it is nearer, in ever smaller steps down to `finest`, until
+/// it is not farther than `enough`. Noise turns a facet's normal, and a flank beside it holds the cutter up:
+/// so the place that the normal asks for may not be the nearest.
+RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
+                         LiftHint& hint);
+
+} // namespace facetmill

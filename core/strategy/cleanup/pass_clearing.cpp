@@ -1,0 +1,77 @@
+#include "core/strategy/cleanup/pass_clearing.h"
+
+#include "core/base/parallel.h"
+#include "core/strategy/surface/lift_line.h"
+
+namespace facetmill {
+
+namespace {
+
+/// Puts in what straight moves need to stay clear of the part, out of the valley where that helps, else up.
+class Clearing {
+public:
+    Clearing(const StripCutting& with)
+        : with_(with), spacing_(safe_spacing(with.cover->profile(), 0.5 * with.chord)) {}
+
+    void apply(Pass& pass, const Progress& progress) const {
+        Pass result = pass;
+        result.cl.clear();
+        result.cc.clear();
+        LiftHint hint;
+        for (std::size_t i = 0; i < pass.cl.size(); ++i) {
+            progress.check();
+            if (i > 0) between(pass.cl[i - 1].tip, pass.cl[i].tip, pass.cc[i], result, hint, 0);
+            result.cl.push_back(pass.cl[i]);
+            result.cc.push_back(pass.cc[i]);
+        }
+        pass = std::move(result);
+    }
+
+private:
+    double below(const Vec3& tip, LiftHint& hint) const {
+        return with_.lift->tip_z(tip.x(), tip.y(), hint) - tip.z();
+    }
+    void between(const Vec3& a, const Vec3& b, const CutterContact& cc, Pass& out, LiftHint& hint,
+                 int depth) const {
+        const double length = (b - a).norm();
+        const auto parts = std::max<std::size_t>(2, std::size_t(std::ceil(length / spacing_)));
+        double worst = 0.5 * with_.chord;
+        std::size_t where = 0;
+        for (std::size_t k = 1; k < parts; ++k) {
+            const double x = double(k) / double(parts);
+            if (const double d = below(a + x * (b - a), hint); d > worst) {
+                worst = d;
+                where = k;
+            }
+        }
+        if (where == 0 || depth > 30 || length < 0.1 * with_.chord) return;
+        Vec3 mid = a + (double(where) / double(parts)) * (b - a);
+        // Away from what it would cut: a little sideways is enough on steep flanks.
+        Vec3 out_of = cc.normal;
+        out_of.z() = std::max(out_of.z(), 0.0);
+        bool free = false;
+        for (double x = 0.25 * with_.chord; x <= 4 * with_.chord && !free; x *= 2) {
+            const Vec3 aside = mid + x * out_of;
+            if (below(aside, hint) > 0) continue;
+            mid = aside;
+            free = true;
+        }
+        if (!free) mid.z() += worst;
+        between(a, mid, cc, out, hint, depth + 1);
+        out.cl.push_back({mid, Vec3::UnitZ()});
+        out.cc.push_back(cc);
+        between(mid, b, cc, out, hint, depth + 1);
+    }
+
+    const StripCutting& with_;
+    double spacing_;
+};
+
+} // namespace
+
+void clear_passes(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress) {
+    const Clearing clearing(with);
+    parallel_for(passes.size(), 1, progress, [&](std::size_t i) { clearing.apply(passes[i], progress); });
+}
+
+} // namespace facetmill

@@ -1,0 +1,55 @@
+#include "core/strategy/cleanup/pass_leads.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr int lead_points = 6;
+constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
+
+std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& way, const Vec3& up) {
+    const double r = lead_share * with.cover->radius();
+    Vec3 ahead(way.x(), way.y(), std::max(way.z(), 0.0));
+    std::vector<Vec3> points;
+    if (ahead.norm() > 0) {
+        ahead.normalize();
+        Vec3 over = Vec3::UnitZ() - ahead.z() * ahead;
+        if (over.norm() > 0.1) {
+            over.normalize();
+            bool free = true;
+            for (int k = 1; k <= lead_points && free; ++k) {
+                const double a = 0.5 * pi * k / lead_points;
+                const Vec3 p = tip + r * std::sin(a) * ahead + r * (1 - std::cos(a)) * over;
+                free = with.lift->tip_z(p.x(), p.y()) <= p.z();
+                points.push_back(p);
+            }
+            if (free) return points;
+        }
+    }
+    points.clear();
+    const Vec3 p = tip + r * up;
+    if (with.lift->tip_z(p.x(), p.y()) <= p.z()) points.push_back(p);
+    return points;
+}
+
+} // namespace
+
+void add_leads(const StripCutting& with, Pass& pass, const Vec3& up_front, const Vec3& up_back) {
+    const std::size_t n = pass.cl.size();
+    const auto front = lead(with, pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
+    const auto back = lead(with, pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
+    std::vector<CutterLocation> cl;
+    std::vector<CutterContact> cc;
+    for (std::size_t k = front.size(); k-- > 0;) {
+        cl.push_back({front[k], Vec3::UnitZ()});
+        cc.push_back(pass.cc.front());
+    }
+    pass.cl.insert(pass.cl.begin(), cl.begin(), cl.end());
+    pass.cc.insert(pass.cc.begin(), cc.begin(), cc.end());
+    for (const Vec3& tip : back) {
+        pass.cl.push_back({tip, Vec3::UnitZ()});
+        pass.cc.push_back(pass.cc.back());
+    }
+}
+
+} // namespace facetmill

@@ -1,0 +1,342 @@
+#include "core/strategy/cleanup/touch_up.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/cleanup/nearest_place.h"
+#include "core/strategy/cleanup/pass_clearing.h"
+#include "core/strategy/cleanup/pass_leads.h"
+#include "core/strategy/surface/facet_rows.h"
+#include "core/strategy/surface/point_grid.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t check_every = 4096;
+/// Samples are so far apart, of half the way between two passes over a plane.
+constexpr double sample_share = 0.22;
+/// ... and in hollows that the cutter does not fill so far, of its radius.
+constexpr double deep_share = 0.25;
+constexpr double most_samples = 2e6;
+/// Of what may be left: so much a pass leaves between two places that are asked about.
+constexpr double stand_share = 0.02;
+/// ... and in steps down to this the least that the cutter can leave is looked for, unless it is less than
+/// enough.
+constexpr double finest_share = 0.1, enough_share = 0.25;
+/// Of the radius: places of the cutter are looked for by cells of this size; next on a pass is one within a
+/// reach.
+constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5, gap_share = 4;
+/// Cosine: a pass turns by no more from one place to the next.
+constexpr double most_turn = 0.5, most_turn_after_gap = 0.95;
+/// A pass goes on over its ends in so many steps of this share of the radius.
+constexpr int end_steps = 3;
+constexpr double end_share = 0.1;
+
+/// A place of the part where passes leave more than they need to.
+struct Left {
+    RestSample sample; ///< `tip` and `gap` are those of the least that the cutter can leave
+    double rest = 0;   ///< what is left
+    std::size_t band = 0;
+};
+
+class TouchUp {
+public:
+    TouchUp(const StripCutting& with, std::span<const BandCut> bands)
+        : with_(with), bands_(bands), in_(reach_of(with)), radius_(with.cover->radius()), allowed_(with.cusp),
+          enough_(enough_share * with.cusp), ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
+          spacing_(std::sqrt(8 * ball_ * stand_share * with.cusp)), stands_(cell_share * radius_),
+          tips_(cell_share * radius_) {}
+
+    void run(const Progress& progress) {
+        for (const BandCut& b : bands_)
+            for (const Pass& pass : b.cut->passes) {
+                progress.check();
+                for (std::size_t i = 0; i < pass.cl.size(); ++i)
+                    stand_along(pass.cl[i > 0 ? i - 1 : 0].tip, pass.cl[i].tip);
+            }
+        find(progress.part(0, 0.9));
+        join(progress.part(0.9, 1));
+    }
+
+private:
+    struct Stand {
+        Vec3 tip, way;
+    };
+
+    void stand_along(const Vec3& from, const Vec3& to) {
+        const Vec3 d = to - from;
+        const auto parts = std::size_t(d.norm() / spacing_) + 1;
+        for (std::size_t k = 1; k <= parts; ++k) {
+            const Vec3 tip = from + double(k) / double(parts) * d;
+            stands_.add(level(tip));
+            tips_.add(tip);
+            stand_.push_back({tip, d});
+        }
+    }
+
+    static Vec3 level(const Vec3& p) { return Vec3(p.x(), p.y(), 0); }
+
+    /// What the cutter leaves over p in those of its places that are near to one, or any that is not more
+    /// than `enough`.
+    double rest_near(const Vec3& p, const Vec3& tip, double enough) const {
+        double least = infinity;
+        tips_.near_until(tip, near_share * radius_, [&](std::size_t i) {
+            least = std::min(least, with_.cover->distance(p - stand_[i].tip));
+            return least <= enough;
+        });
+        return least;
+    }
+    /// ... in all its places.
+    double rest(const Vec3& p, double enough) const {
+        double least = infinity;
+        stands_.near_until(level(p), 1.1 * radius_ + enough, [&](std::size_t i) {
+            const Vec3 rel = p - stand_[i].tip;
+            if (-rel.z() < least) least = std::min(least, with_.cover->distance(rel));
+            return least <= enough;
+        });
+        return least;
+    }
+
+    /// Samples of the bands, and of which one.
+    struct Place {
+        Vec3 point, normal;
+        std::size_t band;
+    };
+    std::vector<Place> places(const Progress& progress) const {
+        double area = 0;
+        for (const BandCut& b : bands_)
+            area += b.band->area;
+        const double apart =
+            std::max(sample_share * std::sqrt(2 * ball_ * with_.cusp), std::sqrt(area / most_samples));
+        std::vector<Place> all;
+        PointGrid seen(apart);
+        std::size_t count = 0;
+        for (std::size_t b = 0; b < bands_.size(); ++b)
+            for (const std::array<Vec3, 3>& t : bands_[b].band->band) {
+                if (count++ % check_every == 0) progress.check();
+                const Vec3 n = with_.side->towards_tool((t[1] - t[0]).cross(t[2] - t[0]).normalized());
+                if (!(n.squaredNorm() > 0) || n.z() < -tolerance::vertical_normal_z) continue;
+                const auto add = [&](const Vec3& at) { all.push_back({at + with_.allowance * n, n, b}); };
+                const FacetRows rows(t, apart);
+                if (rows.rows() == 1 && rows.columns(0) == 1) {
+                    if (const Vec3 middle = rows.point(0, 0); seen.add_first(middle)) add(middle);
+                    continue;
+                }
+                // Corners, too: on a hollow part more is left at them than between.
+                for (const Vec3& corner : t)
+                    if (seen.add_first(corner)) add(corner);
+                for (std::size_t i = 0; i < rows.rows(); ++i)
+                    for (std::size_t k = 0; k < rows.columns(i); ++k)
+                        add(rows.point(i, k));
+            }
+        return all;
+    }
+
+    /// Where more is left than need be.
+    void find(const Progress& progress) {
+        const std::vector<Place> all = places(progress.part(0, 0.1));
+        std::vector<Left> found(all.size());
+        parallel_for(
+            (all.size() + check_every - 1) / check_every, 1, progress.part(0.1, 0.7), [&](std::size_t block) {
+                LiftHint hint;
+                const std::size_t end = std::min(all.size(), (block + 1) * check_every);
+                for (std::size_t i = block * check_every; i < end; ++i) {
+                    if (i % 256 == 0) progress.check();
+                    Left& l = found[i];
+                    const auto& [p, n, band] = all[i];
+                    const Vec3 wanted = p
+                                        + (n.z() > tolerance::vertical_normal_z ? with_.cover->tip_offset(n)
+                                                                                : Vec3(radius_ * n));
+                    l.rest = rest_near(p, wanted, allowed_);
+                    if (l.rest <= allowed_) continue;
+                    l.sample = nearest_touch(in_, p, n, hint);
+                    l.rest = std::min(l.rest, rest_near(p, l.sample.tip, allowed_));
+                    l.band = band;
+                }
+            });
+        // Where the cutter does not touch, what is left changes less from place to place.
+        PointGrid deep(deep_share * radius_);
+        std::erase_if(found, [&](const Left& l) {
+            return l.rest <= allowed_ || (l.sample.gap > 0.5 * allowed_ && !deep.add_first(l.sample.point));
+        });
+        parallel_for(found.size(), 16, progress.part(0.7, 1), [&](std::size_t i) {
+            LiftHint hint;
+            Left& l = found[i];
+            l.rest = rest(l.sample.point, allowed_);
+            if (l.rest <= allowed_ || l.rest == infinity) return;
+            l.sample = nearest_about(in_, l.sample, enough_, finest_share * allowed_, hint);
+        });
+        std::erase_if(found, [&](const Left& l) { return l.rest <= allowed_ || l.rest == infinity; });
+        std::erase_if(found, [&](const Left& l) { return !too_much(l); });
+        left_ = std::move(found);
+    }
+
+    /// Where the search ended early the cutter can leave next to nothing.
+    double at_best(const Left& l) const { return l.sample.gap > enough_ ? l.sample.gap : 0; }
+    bool too_much(const Left& l) const { return l.rest > at_best(l) + allowed_; }
+
+    /// Passes over what was found, from where most is left.
+    void join(const Progress& progress) {
+        PointGrid tips(next_share * radius_), points(radius_);
+        for (const Left& l : left_) {
+            tips.add(level(l.sample.tip));
+            points.add(level(l.sample.point));
+        }
+        const auto cover = [&](std::size_t first) {
+            for (std::size_t s = first; s < stand_.size(); ++s)
+                points.near(level(stand_[s].tip), 1.1 * radius_, [&](std::size_t i) {
+                    left_[i].rest =
+                        std::min(left_[i].rest, with_.cover->distance(left_[i].sample.point - stand_[s].tip));
+                });
+        };
+        std::vector<std::size_t> order(left_.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return excess(a) > excess(b); });
+        std::vector<std::vector<Pass>> more(bands_.size());
+        for (const std::size_t seed : order) {
+            progress.check();
+            if (!too_much(left_[seed])) continue;
+            const Vec3 start = left_[seed].sample.tip;
+            const Vec3 along = way_near(start);
+            std::array<std::vector<Vec3>, 2> halves;
+            std::size_t known = stand_.size();
+            stand_along(start, start);
+            cover(known);
+            for (const std::size_t half : {0, 1}) {
+                Vec3 at = start, ahead = half == 0 ? along : Vec3(-along);
+                if (half == 1 && !halves[0].empty()) ahead = (start - halves[0].front()).normalized();
+                for (;;) {
+                    const std::size_t next = next_on(at, ahead, tips);
+                    if (next == left_.size()) break;
+                    const Vec3 tip = left_[next].sample.tip;
+                    known = stand_.size();
+                    stand_along(at, tip);
+                    cover(known);
+                    // Where it cannot be bettered it is not asked again.
+                    left_[next].rest = std::min(left_[next].rest, left_[next].sample.gap);
+                    if (const double way = (tip - at).norm(); way > 0) ahead = (tip - at) / way;
+                    at = tip;
+                    halves[half].push_back(tip);
+                }
+                extend(at, ahead, halves[half]);
+            }
+            if (halves[0].empty() && halves[1].empty()) {
+                // A single place on a steep flank: level along it, or else straight down.
+                const Vec3 level_way = Vec3::UnitZ().cross(left_[seed].sample.normal);
+                if (level_way.norm() > tolerance::level_angle) {
+                    extend(start, level_way.normalized(), halves[0]);
+                    extend(start, -level_way.normalized(), halves[1]);
+                }
+                if (halves[0].empty() && halves[1].empty())
+                    halves[1].push_back(start + end_share * radius_ * Vec3::UnitZ());
+            }
+            std::reverse(halves[1].begin(), halves[1].end());
+            halves[1].push_back(start);
+            halves[1].insert(halves[1].end(), halves[0].begin(), halves[0].end());
+            more[left_[seed].band].push_back(pass_over(halves[1]));
+        }
+        for (std::size_t b = 0; b < bands_.size(); ++b) {
+            clear_passes(with_, more[b], progress.part(0, 0));
+            add_nearest_first(more[b], bands_[b].cut->passes);
+        }
+    }
+
+    double excess(std::size_t i) const { return left_[i].rest - at_best(left_[i]); }
+
+    /// The place where most is left of those that come next on a pass, or, where there is none, the first
+    /// after a gap; the number of places where there is none either.
+    std::size_t next_on(const Vec3& at, const Vec3& ahead, const PointGrid& tips) const {
+        for (const double reach : {next_share * radius_, gap_share * radius_}) {
+            std::size_t next = left_.size();
+            double least = infinity;
+            tips.near(level(at), reach, [&](std::size_t i) {
+                const Vec3 way = left_[i].sample.tip - at;
+                const double length = way.norm();
+                const double cosine = reach == next_share * radius_ ? most_turn : most_turn_after_gap;
+                if (!too_much(left_[i]) || length > reach || way.dot(ahead) < cosine * length) return;
+                const double rank = reach == next_share * radius_ ? -excess(i) : length;
+                if (rank > least || (rank == least && i > next)) return;
+                least = rank;
+                next = i;
+            });
+            if (next < left_.size()) return next;
+        }
+        return left_.size();
+    }
+
+    /// Unit vector along the pass that comes nearest to a tip.
+    Vec3 way_near(const Vec3& tip) const {
+        Vec3 way = Vec3::UnitX();
+        double least = infinity;
+        for (double reach = cell_share * radius_; least == infinity && reach < 4 * radius_; reach *= 2)
+            stands_.near(level(tip), reach, [&](std::size_t i) {
+                const double d = (stand_[i].tip - tip).squaredNorm();
+                if (!(d < least) || !(stand_[i].way.norm() > 0)) return;
+                least = d;
+                way = stand_[i].way.normalized();
+            });
+        return way;
+    }
+
+    /// A little farther, as far as the part goes on.
+    void extend(Vec3 at, const Vec3& ahead, std::vector<Vec3>& tips) const {
+        for (int k = 0; k < end_steps; ++k) {
+            const double step = end_share * radius_;
+            Vec3 next = at + step * ahead;
+            const double z = with_.lift->tip_z(next.x(), next.y());
+            if (!(std::abs(z - next.z()) <= step)) return;
+            next.z() = z + tolerance::contact_distance;
+            tips.push_back(next);
+            at = next;
+        }
+    }
+
+    Pass pass_over(const std::vector<Vec3>& tips) const {
+        Pass pass;
+        for (const Vec3& tip : tips) {
+            const AxialContact c = with_.lift->contact(tip.x(), tip.y());
+            pass.cl.push_back({tip, Vec3::UnitZ()});
+            pass.cc.push_back({c.point, with_.cover->contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
+        }
+        add_leads(with_, pass, pass.cc.front().normal, pass.cc.back().normal);
+        return pass;
+    }
+
+    static void add_nearest_first(std::vector<Pass>& more, std::vector<Pass>& passes) {
+        while (!more.empty()) {
+            std::size_t nearest = 0;
+            if (!passes.empty()) {
+                const Vec3 at = passes.back().cl.back().tip;
+                for (std::size_t i = 1; i < more.size(); ++i)
+                    if ((more[i].cl.front().tip - at).norm() < (more[nearest].cl.front().tip - at).norm())
+                        nearest = i;
+            }
+            passes.push_back(std::move(more[nearest]));
+            more.erase(more.begin() + std::ptrdiff_t(nearest));
+        }
+    }
+
+    const StripCutting& with_;
+    std::span<const BandCut> bands_;
+    ValleyInput in_;
+    double radius_, allowed_;
+    double enough_;    ///< where the cutter leaves no more, no better place is looked for
+    double ball_;      ///< radius of the cutter's corner
+    double spacing_;   ///< of places along passes
+    PointGrid stands_; ///< places of the cutter: tips seen from above
+    PointGrid tips_;   ///< ... and as they are
+    std::vector<Stand> stand_;
+    std::vector<Left> left_;
+};
+
+} // namespace
+
+void touch_up(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress) {
+    TouchUp(with, bands).run(progress);
+}
+
+} // namespace facetmill

@@ -1,0 +1,488 @@
+#include "core/strategy/finish3/finish3.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/finish3/stepover.h"
+#include "core/strategy/finish3/uncut.h"
+#include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/shared_parameters.h"
+#include "core/strategy/surface/slice.h"
+#include "core/strategy/surface/stock_before.h"
+#include "core/strategy/surface/travel_direction.h"
+
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+const OperationRegistration registration("finish3", "Finish, 3-axis",
+                                         [] { return std::make_unique<Finish3>(); });
+
+/// Cells of the stock, in radii of the cutter.
+constexpr double rest_cell_share = 0.04;
+constexpr std::size_t most_drive_planes = 100000;
+/// Places of the tip that a plan looks at, roughly: some hours' work.
+constexpr double most_places = 2e9;
+
+/// Everything one plan needs, worked out once.
+class Planner {
+public:
+    Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress);
+    StrategyResult run();
+
+private:
+    void add_line(double v, double back, double ahead, const Progress& progress);
+    void plan_constant(double step);
+    void plan_adaptive();
+    void check_size() const;
+    void check_uncut(const Progress& progress);
+    void leave_out_air(const Progress& progress);
+    void add_warnings();
+    void add_body_warning(const std::string& name, double diameter, double base);
+    Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
+    CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
+    Progress still(double fraction) const { return progress_.part(fraction, fraction); }
+    /// Of placing drive planes, as a share of the whole.
+    static double placed(double share) { return 0.02 + 0.9 * share; }
+    std::string text(double mm) const { return length_text(mm, context_.unit); }
+    std::string text(const Vec3& p) const;
+
+    const Finish3Settings& settings_;
+    const PlanContext& context_;
+    const Progress& progress_;
+    double cusp_allowed_, allowance_, chord_;
+    CutterProfile profile_;
+    CutterCover cover_;
+    AxialLift lift_;
+    DriveFrame frame_;
+    std::optional<ContactDomain> domain_;
+    LiftField field_;
+    LineTolerance fine_;
+    std::optional<StepOver> stepover_;
+    StrategyResult result_;
+    UncutReport uncut_;
+    int unsatisfied_ = 0;
+};
+
+Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
+    : settings_(settings), context_(context), progress_(progress),
+      cusp_allowed_(cusp_budget(settings, context)),
+      allowance_(settings.allowance + context.tessellation_tolerance[1]),
+      chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
+      cover_(profile_, 0.125 * cusp_allowed_), lift_(context.contact, profile_, allowance_) {}
+
+StrategyResult Planner::run() {
+    progress_.part(0, 0.02, "Choosing the direction").set(0);
+    frame_ = DriveFrame(travel_direction(settings_.direction, context_, progress_.part(0, 0.02)));
+    result_.direction = frame_.angle;
+    domain_.emplace(*context_.part, frame_, cover_, allowance_, still(0.02));
+    if (domain_->empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "no facet of the part can be cut from above: all "
+                        + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
+                    "rotate the part");
+    // What the tip path may lack of the lift and exceed it, together, is the chord tolerance: half of each
+    // for the points looked at, half for leaving points out.
+    fine_.below = fine_.above = 0.5 * chord_;
+    fine_.spacing = safe_spacing(profile_, fine_.below);
+    field_ = {&lift_, domain_->lowest_tip()};
+
+    StepOverInput input;
+    input.mesh = context_.part.get();
+    input.contact = context_.contact;
+    input.lift = &lift_;
+    input.cover = &cover_;
+    input.domain = &*domain_;
+    input.frame = frame_;
+    input.allowance = allowance_;
+    input.floor = field_.floor;
+    input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
+    input.merge = fine_.spacing;
+    stepover_.emplace(input);
+    check_size();
+
+    progress_.part(placed(0), 1, "Placing drive planes").set(0);
+    if (settings_.stepover.is_number())
+        plan_constant(settings_.stepover.number);
+    else
+        plan_adaptive();
+    if (result_.passes.empty())
+        throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
+                    "check part and direction");
+    // Moves may run above the exact path by the chord tolerance.
+    result_.cusp_max += chord_;
+    result_.chord_tolerance = chord_;
+    check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
+    if (settings_.rest_only) leave_out_air(still(1));
+    add_warnings();
+    return std::move(result_);
+}
+
+/// What would take days is most likely a part in another unit.
+void Planner::check_size() const {
+    const Vec3 size = context_.part_box.size();
+    const double step =
+        settings_.stepover.is_number() ? settings_.stepover.number : stepover_->largest_step();
+    if (size.x() * size.y() <= most_places * step * fine_.spacing) return;
+    throw Error(ErrorCode::limit_exceeded, settings_.name,
+                "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
+                    + format_number(most_places) + " places of this tool",
+                "check the part's units, or take a larger tool, tolerance or step-over");
+}
+
+void Planner::plan_constant(double step) {
+    const double lo = domain_->lo(), hi = domain_->hi();
+    // Centred: the same margin at both borders, at most half a step.
+    const double planes = std::max(1.0, std::ceil((hi - lo) / step - tolerance::level_angle));
+    if (planes > double(most_drive_planes))
+        throw Error(ErrorCode::limit_exceeded, "stepover",
+                    "a step-over of " + text(step) + " makes more than " + std::to_string(most_drive_planes)
+                        + " drive planes",
+                    "choose a larger step-over");
+    const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
+    const double reach = StepOver::reach_share * step;
+    DriveLine last;
+    for (std::size_t i = 0; i < std::size_t(planes); ++i) {
+        const Progress here = still(placed(double(i) / planes));
+        const double v = first + double(i) * step;
+        DriveLine line = stepover_->line(v, reach, reach, here);
+        result_.cusp_max = std::max(
+            result_.cusp_max, stepover_->worst_cusp(i == 0 ? nullptr : &last, &line, i == 0 ? lo : 0, here));
+        add_line(v, reach, reach, here);
+        last = std::move(line);
+        progress_.set(placed((double(i) + 1) / planes));
+    }
+    result_.cusp_max =
+        std::max(result_.cusp_max, stepover_->worst_cusp(&last, nullptr, hi, still(placed(1))));
+    result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
+}
+
+void Planner::plan_adaptive() {
+    const double lo = domain_->lo(), hi = domain_->hi();
+    result_.stepover_min = infinity;
+    // A line is known in full when the step after it is: how far it reaches depends on both.
+    std::optional<DriveLine> last;
+    for (std::size_t i = 0;; ++i) {
+        const double at = last ? last->v : lo;
+        const Progress here = still(placed(hi > lo ? (at - lo) / (hi - lo) : 0));
+        if (last) {
+            // Enough for the rest up to the border?
+            const double rest = hi - last->v;
+            double cusp = 0;
+            if (rest > 0 && rest <= stepover_->largest_step()) {
+                if (last->ahead < rest) *last = stepover_->line(last->v, last->back, rest, here);
+                cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
+            }
+            if (rest <= 0 || (rest <= stepover_->largest_step() && cusp <= stepover_->allowed_cusp())) {
+                result_.cusp_max = std::max(result_.cusp_max, cusp);
+                add_line(last->v, last->back, std::max(rest, 0.0), here);
+                break;
+            }
+        }
+        if (i >= most_drive_planes)
+            throw Error(ErrorCode::limit_exceeded, "stepover",
+                        "the tolerance asks for more than " + std::to_string(most_drive_planes)
+                            + " drive planes",
+                        "allow a larger tolerance or set a step-over");
+        StepOver::Step step = stepover_->next(last ? &*last : nullptr, here);
+        if (!step.satisfied) ++unsatisfied_;
+        result_.cusp_max = std::max(result_.cusp_max, step.cusp);
+        const double width = step.line.v - at;
+        if (last) {
+            result_.stepover_min = std::min(result_.stepover_min, width);
+            result_.stepover_max = std::max(result_.stepover_max, width);
+            add_line(last->v, last->back, StepOver::reach_share * width, here);
+        }
+        last = std::move(step.line);
+        progress_.set(placed(hi > lo ? (last->v - lo) / (hi - lo) : 1));
+    }
+    if (result_.stepover_max == 0) result_.stepover_min = 0; // a single plane has no neighbour
+}
+
+void Planner::add_line(double v, double back, double ahead, const Progress& progress) {
+    const int drive = result_.drive_planes;
+    std::vector<Pass> passes;
+    for (const Interval& range : stepover_->ranges(v, back, ahead)) {
+        const auto points =
+            lift_line(field_, v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
+        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), v, progress);
+        pass.drive = drive;
+        pass.offset = v;
+        passes.push_back(std::move(pass));
+    }
+    if (settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1) {
+        std::reverse(passes.begin(), passes.end());
+        for (Pass& p : passes) {
+            std::reverse(p.cc.begin(), p.cc.end());
+            std::reverse(p.cl.begin(), p.cl.end());
+        }
+    }
+    for (Pass& p : passes)
+        result_.passes.push_back(std::move(p));
+    ++result_.drive_planes;
+}
+
+CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) const {
+    if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
+    const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
+    const auto open = cover_.contact_normal(contact.point - lifted);
+    Vec3 normal = open ? *open : context_.contact->mesh().facet_normal(contact.facet);
+    if (normal.z() < 0) normal = -normal;
+    return {contact.point, normal};
+}
+
+Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const {
+    const auto place = [&](const LinePoint& p, Pass& pass) {
+        const Vec3 tip = frame_.point(p.s, v, p.z);
+        pass.cl.push_back({tip, Vec3(0, 0, 1)});
+        pass.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
+    };
+    const double cos_limit = std::cos(settings_.normal_limit), shortest = 0.25 * fine_.spacing;
+    // Between a and b (both placed elsewhere), more points while the normal turns too much.
+    const auto fill = [&](const auto& self, const LinePoint& a, const Vec3& na, const LinePoint& b,
+                          const Vec3& nb, Pass& pass) -> void {
+        if (na.dot(nb) >= cos_limit || b.s - a.s < 2 * shortest) return;
+        LinePoint mid{0.5 * (a.s + b.s), 0};
+        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along);
+        Pass middle;
+        place(mid, middle);
+        const Vec3 nm = middle.cc.front().normal;
+        self(self, a, na, mid, nm, pass);
+        pass.cl.push_back(middle.cl.front());
+        pass.cc.push_back(middle.cc.front());
+        self(self, mid, nm, b, nb, pass);
+    };
+    constexpr std::size_t block = 16;
+    std::vector<Pass> parts((points.size() - 1) / block + 1);
+    parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
+        Pass& part = parts[begin / block];
+        for (std::size_t i = begin; i < end; ++i) {
+            place(points[i], part);
+            if (i + 1 == points.size()) continue;
+            Pass next;
+            place(points[i + 1], next);
+            const Vec3 normal = part.cc.back().normal; // `fill` moves what `part` holds
+            fill(fill, points[i], normal, points[i + 1], next.cc.front().normal, part);
+        }
+    });
+    Pass pass;
+    for (const Pass& p : parts) {
+        pass.cl.insert(pass.cl.end(), p.cl.begin(), p.cl.end());
+        pass.cc.insert(pass.cc.end(), p.cc.begin(), p.cc.end());
+    }
+    return pass;
+}
+
+std::string Planner::text(const Vec3& p) const {
+    std::string all;
+    for (int k = 0; k < 3; ++k)
+        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(context_.unit), 5);
+    return all + ") " + std::string(unit_name(context_.unit));
+}
+
+void Planner::check_uncut(const Progress& progress) {
+    UncutInput input;
+    input.mesh = context_.part.get();
+    input.contact = context_.contact;
+    input.lift = &lift_;
+    input.cover = &cover_;
+    input.frame = frame_;
+    input.allowance = allowance_;
+    input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
+    input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
+    input.passes = result_.passes;
+    uncut_ = find_uncut(input, progress);
+}
+
+/// Keeps what takes away more than the tolerance somewhere, and a radius before and after, so that the tool
+/// comes in where nothing stands. Gaps shorter than the tool is wide are passed at feed.
+void Planner::leave_out_air(const Progress& progress) {
+    const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
+    const StockCutter cutter(profile_);
+    const double beside = cover_.radius();
+    std::vector<Pass> kept;
+    for (const Pass& pass : result_.passes) {
+        const std::size_t n = pass.cl.size();
+        std::vector<double> arc(n, 0);
+        std::vector<Interval> busy;
+        for (std::size_t i = 1; i < n; ++i) {
+            progress.check();
+            const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
+            const double length = (b - a).norm();
+            arc[i] = arc[i - 1] + length;
+            for (const Interval& share : field.work(cutter, a, b, cusp_allowed_))
+                busy.push_back({std::max(0.0, arc[i - 1] + share.lo * length - beside),
+                                arc[i - 1] + share.hi * length + beside});
+        }
+        for (const Interval& range : joined(std::move(busy), 2 * beside)) {
+            Pass part;
+            part.drive = pass.drive;
+            part.offset = pass.offset;
+            // Moves are straight: an end may lie within one.
+            const auto add_end = [&](double at) {
+                const auto i =
+                    std::size_t(std::clamp(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin(),
+                                           std::ptrdiff_t(1), std::ptrdiff_t(n - 1)));
+                const double t =
+                    arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
+                const Vec3 tip = pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
+                part.cl.push_back({tip, pass.cl[i].axis});
+                part.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
+            };
+            add_end(range.lo);
+            for (std::size_t i = 0; i < n; ++i)
+                if (arc[i] > range.lo && arc[i] < range.hi) {
+                    part.cc.push_back(pass.cc[i]);
+                    part.cl.push_back(pass.cl[i]);
+                }
+            add_end(std::min(range.hi, arc.back()));
+            kept.push_back(std::move(part));
+        }
+    }
+    if (kept.empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "nowhere more than the tolerance stands of the stock",
+                    "leave the operation out, or cut everywhere (rest_only)");
+    result_.passes = std::move(kept);
+}
+
+void Planner::add_warnings() {
+    auto& warnings = result_.warnings;
+    const bool uncut = result_.cusp_max == infinity;
+    // What was measured where the cutter could have gone is as good as what was expected.
+    const double expected = std::max(result_.cusp_max, cusp_allowed_);
+    result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
+    // Where a pass misses the part altogether, the stock stays as high as it was.
+    if (uncut)
+        result_.cusp_max = std::max({context_.stock_box.hi.z() - context_.part_box.lo.z(),
+                                     context_.part_box.size().z(), cusp_allowed_});
+    if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
+        warnings.push_back("the step-over of " + text(settings_.stepover.number) + " leaves "
+                           + (uncut ? std::string("places uncut") : "cusps of " + text(result_.cusp_max))
+                           + "; the tolerance allows " + text(cusp_allowed_));
+    if (unsatisfied_ > 0)
+        warnings.push_back(
+            std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
+            + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
+            + text(result_.cusp_max) + " stay there, " + text(cusp_allowed_) + " are allowed");
+    const auto share = [&](const UncutPlaces& places) {
+        return format_number(std::max(100 * places.area / uncut_.area, 1e-3), 2) + " % of the surface";
+    };
+    if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
+        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
+                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
+                           + ": use a smaller tool there");
+    if (const UncutPlaces& u = uncut_.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
+        warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
+                           + text(u.height) + ", most at " + text(u.at)
+                           + ": choose a smaller step-over or another direction");
+    if (const UncutPlaces& u = uncut_.covered; u.height > 0)
+        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text(u.at)
+                           + ", and is not cut: turn the part for another operation");
+    double lowest = infinity;
+    for (const Pass& p : result_.passes)
+        for (const CutterLocation& c : p.cl)
+            lowest = std::min(lowest, c.tip.z());
+    const double below = context_.stock_box.lo.z() - lowest;
+    if (!context_.stock_box.empty() && below > settings_.tolerance)
+        warnings.push_back("the tip goes " + text(below)
+                           + " below the bottom of the stock, to cut the part's lower border fully");
+
+    // Above the cutting part: shank and holder as upright cylinders, each with its lower face at its height
+    // over the tip.
+    const Tool& tool = context_.tool;
+    double base = tool.flute_length;
+    add_body_warning("shank", tool.shank_diameter, base);
+    base += tool.shank_length;
+    for (const HolderSection& section : tool.holder) {
+        add_body_warning("holder", section.diameter, base);
+        base += section.length;
+    }
+}
+
+void Planner::add_body_warning(const std::string& name, double diameter, double base) {
+    if (!(diameter > 0)) return;
+    // A hair thinner: a shank as thick as the cutter runs along the walls that the cutter has cut.
+    const double thickness = diameter - 2 * std::max(chord_, tolerance::contact_distance);
+    if (!(thickness > 0) || base > context_.part_box.size().z() + 2 * cover_.radius()) return;
+    const AxialLift body(context_.contact, CutterProfile(AptCutter::flat(thickness, unlimited_height)));
+    const double hit = parallel_reduce(
+        result_.passes.size(), 1, 0.0, still(1),
+        [&](std::size_t begin, std::size_t end) {
+            double worst = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                for (const CutterLocation& c : result_.passes[i].cl) {
+                    progress_.check();
+                    worst = std::max(worst, body.tip_z(c.tip.x(), c.tip.y()) - (c.tip.z() + base));
+                }
+            return worst;
+        },
+        [](double x, double y) { return std::max(x, y); });
+    if (hit > chord_)
+        result_.warnings.push_back("the " + name + " (diameter " + text(diameter) + ", " + text(base)
+                                   + " above the tip) would cut into the part by up to " + text(hit)
+                                   + " of height: use a longer tool");
+}
+
+} // namespace
+
+const ParameterTable<Finish3Settings>& finish3_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        using S = Finish3Settings;
+        ParameterTable<S> t;
+        add_common_parameters(t);
+        t.add(&S::stepover, {.key = "stepover",
+                             .label = "Step-over",
+                             .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
+                                     "largest that the tolerance "
+                                     "allows; a length is kept whatever cusps it leaves.",
+                             .kind = K::number_or_word,
+                             .quantity = Quantity::length,
+                             .minimum = 0,
+                             .maximum = 1000,
+                             .open_minimum = true,
+                             .words = {"adaptive"}});
+        t.add_choice(&S::topology, {.key = "topology",
+                                    .label = "Topology",
+                                    .help = "Course of the passes: parallel drive planes.",
+                                    .words = {"parallel"},
+                                    .advanced = true});
+        t.add_choice(
+            &S::pattern,
+            {.key = "pattern",
+             .label = "Pattern",
+             .help =
+                 "zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above "
+                 "the part.",
+             .words = {"zigzag", "oneway"}});
+        t.add(&S::chord_tolerance,
+              chord_tolerance_parameter(
+                  "How far straight moves may run beside the exact path, to either side"));
+        t.add(&S::normal_limit, {.key = "normal_limit",
+                                 .label = "Normal limit",
+                                 .help = "Largest turn of the surface normal between neighbouring points of "
+                                         "a pass; more points are put in "
+                                         "where it turns more.",
+                                 .kind = K::number,
+                                 .quantity = Quantity::angle,
+                                 .minimum = radians(0.1),
+                                 .maximum = 0.5 * pi,
+                                 .advanced = true});
+        t.add(&S::rest_only, {.key = "rest_only",
+                              .label = "Rest only",
+                              .help = "Cuts only where more than the tolerance stands of the stock, as raw "
+                                      "material and the operations before left it.",
+                              .kind = K::boolean});
+        return t;
+    }();
+    return table;
+}
+
+StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
+    check_plannable(context, settings_);
+    return Planner(settings_, context, progress).run();
+}
+
+} // namespace facetmill

@@ -1,0 +1,273 @@
+#include "core/strategy/finish3/uncut.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/surface/facet_rows.h"
+#include "core/strategy/surface/lift_line.h"
+#include "core/strategy/surface/up_side.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block_facets = 64;
+constexpr std::size_t check_every = 8192;
+constexpr double most_samples = 4e6;
+/// Of the allowed height: where the part holds the cutter up by more, that is why too much stays.
+constexpr double reach_share = 0.25;
+/// Samples of a row between two looks at the cancel flag.
+constexpr std::size_t row_part = 512;
+
+/// Which facets count, and with which side up.
+class UpwardFacets {
+public:
+    UpwardFacets(const Mesh& mesh, const Progress& progress) : mesh_(mesh), side_(mesh, progress) {}
+
+    bool closed() const { return side_.closed(); }
+    /// The facet's unit normal with the side up that counts; zero: the facet asks for nothing.
+    Vec3 normal(std::size_t f) const {
+        const Vec3 n = side_.towards_tool(mesh_.facet_normal(f));
+        return n.z() >= tolerance::vertical_normal_z ? n : Vec3(Vec3::Zero());
+    }
+
+private:
+    const Mesh& mesh_;
+    UpSide side_;
+};
+
+/// The passes of one drive plane.
+struct Line {
+    double v = 0;
+    std::vector<std::vector<LinePoint>> runs; ///< s is u, never falling
+};
+
+/// The cutter as the passes move it, endless upward.
+class Swept {
+public:
+    Swept(const UncutInput& input, const Progress& progress)
+        : frame_(input.frame), profile_(input.cover->profile()), radius_(input.cover->radius()) {
+        std::vector<Line> lines;
+        for (const Pass& pass : input.passes) {
+            progress.check();
+            Line line{pass.offset, {run_of(pass)}};
+            if (!line.runs.front().empty()) lines.push_back(std::move(line));
+        }
+        std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.v < b.v; });
+        for (Line& line : lines) {
+            if (!lines_.empty() && lines_.back().v == line.v)
+                lines_.back().runs.push_back(std::move(line.runs.front()));
+            else
+                lines_.push_back(std::move(line));
+        }
+    }
+
+    /// Lowest height that the cutter comes down to over q, or any height not above `enough`. Places near
+    /// `hint` are looked at first.
+    double lowest(const Vec3& q, const Vec3& hint, double enough) const {
+        const double v_q = frame_.v(q), v = frame_.v(hint), u = frame_.u(hint);
+        auto after = std::lower_bound(lines_.begin(), lines_.end(), v,
+                                      [](const Line& l, double x) { return l.v < x; });
+        auto before = after;
+        double best = infinity;
+        for (;;) {
+            // From the hint to both sides.
+            const bool right = after != lines_.end() && after->v <= v_q + radius_;
+            const bool left = before != lines_.begin() && std::prev(before)->v >= v_q - radius_;
+            if (!right && !left) return best;
+            const bool take_right = right && (!left || after->v - v <= v - std::prev(before)->v);
+            lower(take_right ? *after++ : *--before, q, u, enough, best);
+            if (best <= enough) return best;
+        }
+    }
+
+private:
+    std::vector<LinePoint> run_of(const Pass& pass) const {
+        const double longest = 0.2 * radius_; // of which a parabola finds the lowest place
+        std::vector<LinePoint> run;
+        const std::size_t n = pass.cl.size();
+        const bool forward = n == 0 || frame_.u(pass.cl.front().tip) <= frame_.u(pass.cl.back().tip);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3& tip = pass.cl[forward ? i : n - 1 - i].tip;
+            const LinePoint next{frame_.u(tip), tip.z()};
+            if (!run.empty()) {
+                const LinePoint from = run.back();
+                const auto parts = std::size_t(std::hypot(next.s - from.s, next.z - from.z) / longest) + 1;
+                for (std::size_t k = 1; k < parts; ++k) {
+                    const double x = double(k) / double(parts);
+                    run.push_back({from.s + x * (next.s - from.s), from.z + x * (next.z - from.z)});
+                }
+            }
+            run.push_back(next);
+        }
+        return run;
+    }
+
+    void lower(const Line& line, const Vec3& q, double u, double enough, double& best) const {
+        const double across = line.v - frame_.v(q), square = across * across, u_q = frame_.u(q);
+        if (square > radius_ * radius_) return;
+        const double half = std::sqrt(radius_ * radius_ - square); // tips beyond do not reach over q
+        const auto over = [&](double s, double z) {
+            const double rho = std::sqrt(square + (s - u_q) * (s - u_q));
+            return rho <= radius_ ? z + profile_.height_at(rho) : infinity;
+        };
+        // Convex along a piece, because a swept convex body is convex.
+        const auto piece = [&](const LinePoint& a, const LinePoint& b) {
+            if (std::min(a.z, b.z) >= best || a.s > u_q + half || b.s < u_q - half) return;
+            const double from = std::max(a.s, u_q - half), to = std::min(b.s, u_q + half);
+            const auto at = [&](double s) {
+                const double x = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
+                return over(s, a.s < b.s ? a.z + x * (b.z - a.z) : std::min(a.z, b.z));
+            };
+            const double f0 = at(from), f1 = at(0.5 * (from + to)), f2 = at(to);
+            best = std::min({best, f0, f1, f2});
+            const double bend = f0 - 2 * f1 + f2;
+            if (!(bend > 0) || bend == infinity) return;
+            const double x = 0.5 + 0.25 * (f0 - f2) / bend;
+            if (x > 0 && x < 1) best = std::min(best, at(from + x * (to - from)));
+        };
+        for (const auto& run : line.runs) {
+            if (run.front().s > u_q + half || run.back().s < u_q - half) continue;
+            const auto first = [&](double s) {
+                const auto p = std::lower_bound(run.begin(), run.end(), s,
+                                                [](const LinePoint& l, double x) { return l.s < x; });
+                return std::size_t(p - run.begin());
+            };
+            if (run.size() == 1) piece(run[0], run[0]);
+            const std::size_t k =
+                std::clamp<std::size_t>(first(u), 1, std::max<std::size_t>(run.size() - 1, 1));
+            if (run.size() > 1) piece(run[k - 1], run[k]);
+            for (std::size_t i = std::max<std::size_t>(first(u_q - half), 1);
+                 best > enough && i < run.size() && run[i - 1].s <= u_q + half; ++i)
+                piece(run[i - 1], run[i]);
+            if (best <= enough) return;
+        }
+    }
+
+    DriveFrame frame_;
+    const CutterProfile& profile_;
+    double radius_;
+    std::vector<Line> lines_;
+};
+
+class Search {
+public:
+    Search(const UncutInput& input, const Progress& progress)
+        : in_(input), up_(*input.mesh, progress), swept_(input, progress),
+          needle_(input.contact,
+                  CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
+          limit_(2 * input.cover->radius()) {
+        // Hollows as deep as the allowed height are about this wide.
+        const double radius = in_.cover->radius();
+        spacing_ = std::clamp(std::sqrt(2 * radius * in_.allowed), 0.05 * radius, 0.25 * radius);
+        double area = 0, length = 0;
+        const Mesh& mesh = *in_.mesh;
+        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+            if (f % check_every == 0) progress.check();
+            if (up_.normal(f) == Vec3::Zero()) continue;
+            area += 0.5 * mesh.facet_cross(f).norm();
+            for (int k = 0; k < 3; ++k)
+                length += (mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k)).norm() / 3;
+        }
+        spacing_ = std::max({spacing_, std::sqrt(area / most_samples), length / most_samples});
+    }
+
+    UncutReport run(const Progress& progress) const {
+        return parallel_reduce(
+            in_.mesh->facet_count(), block_facets, UncutReport(), progress,
+            [&](std::size_t begin, std::size_t end) {
+                UncutReport report;
+                for (std::size_t f = begin; f < end; ++f)
+                    facet(f, report, progress);
+                return report;
+            },
+            [](UncutReport a, const UncutReport& b) {
+                a.area += b.area;
+                a.samples += b.samples;
+                for (auto places :
+                     {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::covered}) {
+                    UncutPlaces& mine = a.*places;
+                    const UncutPlaces& more = b.*places;
+                    mine.area += more.area;
+                    if (more.height > mine.height) {
+                        mine.height = more.height;
+                        mine.at = more.at;
+                    }
+                }
+                return a;
+            });
+    }
+
+private:
+    void facet(std::size_t f, UncutReport& report, const Progress& progress) const {
+        const Vec3 n = up_.normal(f);
+        if (n == Vec3::Zero()) return;
+        const FacetRows rows(*in_.mesh, f, spacing_);
+        report.area += rows.area();
+        const Vec3 tip_offset = in_.cover->tip_offset(n);
+        for (std::size_t row = 0; row < rows.rows(); ++row)
+            for (std::size_t column = 0; column < rows.columns(row); ++column) {
+                if (column % row_part == 0) progress.check();
+                ++report.samples;
+                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report);
+            }
+    }
+
+    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
+                UncutReport& report) const {
+        // The cutter is convex: where it comes nearer to p along n than is allowed, it holds the place that
+        // far above p.
+        const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
+        if (passes_hold(p + in_.allowed * n, tip)) return;
+        UncutPlaces* places = &report.out_of_reach;
+        if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
+            if (!up_.closed()) return;
+            places = &report.covered;
+        } else {
+            // Standing where it would touch the facet's plane at p: how much does the part around lift it?
+            const Vec3 q = p + reach_share * in_.allowed * n;
+            const double rho = std::hypot(q.x() - tip.x(), q.y() - tip.y());
+            if (rho <= in_.cover->radius()
+                && in_.lift->tip_z(tip.x(), tip.y()) + in_.cover->profile().height_at(rho) <= q.z())
+                places = &report.passed_by;
+        }
+        places->area += area;
+        // How high exactly is asked only of the highest.
+        if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;
+        const double left = height(p, n, tip, std::max(places->height, in_.allowed));
+        if (left <= places->height) return;
+        places->height = left;
+        places->at = on_part;
+    }
+
+    bool passes_hold(const Vec3& q, const Vec3& tip) const { return swept_.lowest(q, tip, q.z()) <= q.z(); }
+
+    /// Height left over p that is above `from`: along the normal, or upright where no pass crosses that soon.
+    double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
+        double low = from;
+        for (double high = 1.25 * from; low < limit_; low = high, high *= 1.25) {
+            if (!passes_hold(p + high * n, tip)) continue;
+            while (high - low > 0.01 * high) {
+                const double mid = 0.5 * (low + high);
+                (passes_hold(p + mid * n, tip) ? high : low) = mid;
+            }
+            return high;
+        }
+        const double over = swept_.lowest(p, tip, -infinity);
+        return std::max(over < infinity ? over - p.z() : in_.top - p.z(), limit_);
+    }
+
+    const UncutInput& in_;
+    UpwardFacets up_;
+    Swept swept_;
+    AxialLift needle_;
+    double limit_, spacing_ = 1;
+};
+
+} // namespace
+
+UncutReport find_uncut(const UncutInput& input, const Progress& progress) {
+    const Search search(input, progress.part(0, 0.02));
+    return search.run(progress.part(0.02, 1));
+}
+
+} // namespace facetmill

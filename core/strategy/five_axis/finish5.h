@@ -1,0 +1,73 @@
+// Finishing with five axes along parallel drive planes, postures from the configuration space (Lu 3.5.2,
+// 3.5.5).
+//
+// Contact points lie in drive planes, on the surface; at each the tool touches with an inclination and a yaw
+// against the surface's normal and the travel (core/cspace says how they are measured). The step over to the
+// next plane is the largest at which a posture close to the curvature-matched one (CM2) on either side leaves
+// no cusp above the tolerance (tilted_stepover.h). The strips between planes being fixed, every contact point
+// has its configuration space, and the postures are chosen in it: `cm2`, `local` (Lu) or `global`
+// (core/cspace/choose.h). Between contact points the motion is checked and divided until it neither gouges
+// nor leaves the configuration space (posture_path.h). Points without a free posture are left to clean-up.
+//
+// As for three axes (finish3.h), of the tolerance the part's tessellation tolerances are taken off, and the
+// inner one is kept off the part.
+#pragma once
+
+#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/plan/operation.h"
+
+namespace facetmill {
+
+struct Finish5Settings : OperationCommon {
+    enum class Pattern { zigzag, oneway };
+    enum class PostureChoice { cm2, local, global };
+
+    Finish5Settings() {
+        name = "Finish5";
+        tolerance = 0.1;
+    }
+    PostureChoice posture = PostureChoice::global;
+    double grid_degrees = radians(3);
+    std::array<double, 2> lead_limits{0, radians(45)};
+    std::array<double, 2> yaw_limits{radians(-45), radians(45)};
+    NumberOrWord stepover{0, "adaptive"}; ///< mm
+    Pattern pattern = Pattern::zigzag;
+    NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
+    double normal_limit = radians(5);
+    double turn_limit = radians(15); ///< between neighbouring tool axes
+    double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
+    bool accelerations = false;      ///< global choice and the reported time mind those of the axes
+    /// Where they are free they are used whatever `posture` says; where not, a warning names the point.
+    std::vector<ManualPosture> manual_postures;
+};
+
+const ParameterTable<Finish5Settings>& finish5_parameters();
+
+/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. Where
+/// strips are narrow, partial passes stand between those that go all along. Places whose strips are narrower
+/// than `leave` (mm) are cut in passing only. What is left is told by `cleanup` at most, without warnings;
+/// where nothing can be cut there are no passes. Else as Finish5::plan.
+StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
+                            const Progress& progress, double leave = 0);
+
+class Finish5 : public OperationWith<Finish5Settings, finish5_parameters>, public TakesManualPostures {
+public:
+    using OperationWith::OperationWith;
+
+    std::string_view kind() const override { return "finish5"; }
+    std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish5>(settings_); }
+    bool three_axis() const override { return false; }
+    double holder_clearance() const override { return settings_.holder_clearance; }
+    bool accelerations() const override { return settings_.accelerations; }
+    const std::vector<ManualPosture>& manual_postures() const override { return settings_.manual_postures; }
+    void set_manual_postures(std::vector<ManualPosture> postures) override {
+        settings_.manual_postures = std::move(postures);
+    }
+
+    /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
+    /// Error(out_of_range) for limits that leave nothing, Error(limit_exceeded) beyond 100 000 drive planes.
+    /// Cancelled within 100 ms.
+    StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
+};
+
+} // namespace facetmill

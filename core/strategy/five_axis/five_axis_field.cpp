@@ -1,0 +1,189 @@
+#include "core/strategy/five_axis/five_axis_field.h"
+
+#include "core/base/tolerances.h"
+#include "core/cspace/cm2.h"
+#include "core/strategy/plan/budget.h"
+#include "core/strategy/surface/travel_direction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Lines of the surface lie on a lattice of this share of the cutter's radius.
+constexpr double lattice_share = 1.0 / 64;
+/// Of the radius: how far along the travel a contact point's own line is looked at, and lines are continued
+/// beyond the part's border.
+constexpr double own_reach = 0.25, extension_share = 1.5;
+/// Of the diameter: neighbouring contact points are no farther apart.
+constexpr double longest_share = 0.2;
+/// Of the tolerance: a line may be simplified by this.
+constexpr double simplified_share = 0.01;
+constexpr double raised_piece_share = 1.0 / 8;
+/// Of the turn limit: neighbouring contact points' normals are no farther apart.
+constexpr double turn_share = 0.75;
+
+} // namespace
+
+FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& settings,
+                             const Progress& progress, bool whole_spaces)
+    : context_(context), settings_(settings), cusp_(cusp_budget(settings_, context)),
+      chord_(chord_budget(settings_.chord_tolerance, cusp_)),
+      allowance_(settings_.allowance + context.tessellation_tolerance[1]) {
+    drive_ = DriveFrame(travel_direction(settings_.direction, context_, progress.part(0, 0.5)));
+    grid_ = PostureGrid::make(settings_.lead_limits[0], settings_.lead_limits[1], settings_.yaw_limits[0],
+                              settings_.yaw_limits[1], settings_.grid_degrees);
+    lift_.emplace(context_.contact, context_.tool, clearance());
+    radius_ = cutter().max_radius();
+    kinematics_.emplace(context_.machine, gauge_length(context_.tool),
+                        default_part_origin(context_.machine, context_.part_box));
+
+    SurfaceSlice::Options options;
+    options.deviation = simplified_share * cusp_;
+    options.longest = raised_piece_share * radius_;
+    options.extension = extension_share * radius_;
+    std::shared_ptr<const MeshGeometry> geometry = context_.geometry;
+    if (!geometry) geometry = compute_geometry(*context_.part, progress.part(0.5, 0.7));
+    context_.geometry = geometry;
+    curvatures_ = context_.curvatures;
+    if (!curvatures_)
+        curvatures_ = std::make_shared<std::vector<VertexCurvature>>(
+            vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8)));
+    lines_.emplace(*context_.part, *geometry, drive_, lattice_share * radius_, options,
+                   progress.part(0.8, 1));
+
+    CSpaceInput input;
+    input.lift = &*lift_;
+    input.grid = &grid_;
+    input.kinematics = &*kinematics_;
+    input.lowest_axis_z = tolerance::lowest_axis_z;
+    input.local_radius = 2 * radius_;
+    input.height = cutter().height();
+    input.bottom_everywhere = whole_spaces;
+    builder_.emplace(input);
+}
+
+ToolClearance FiveAxisField::clearance() const {
+    return {allowance_, settings_.holder_clearance, settings_.holder_clearance};
+}
+
+ContactPlace FiveAxisField::place(const SurfaceLine& line, double s, double v, int travel) const {
+    const SlicePoint at = line.at(s);
+    ContactPlace p;
+    p.surface = at.point;
+    p.frame = ContactFrame::at(at.point + allowance_ * at.normal, at.normal, travel * line.direction(s));
+    p.facet = at.facet;
+    p.u = at.u;
+    p.v = p.v_lo = p.v_hi = v;
+    p.s = s;
+    return p;
+}
+
+bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
+                                double along) const {
+    const double raise = allowance_ + cusp_ - chord_;
+    const auto slope = [&] { return std::max(std::abs(drive_.v(place.frame.left)), 0.1); };
+    const auto at = [&](long k) {
+        // Steep across the travel the line beside is farther away than its plane.
+        const double aside = std::abs(lines_->v(k) - place.v);
+        return lines_->slice(k)->near(place.surface, place.frame.normal, place.u,
+                                      along * radius_ + aside / slope(), raise, curve);
+    };
+    if (at(plane)) return true;
+    // The surface ends somewhere between this plane and the one before it: that one's line, moved here.
+    const double away = lines_->v(plane) - place.v;
+    if (std::abs(away) <= lines_->spacing() || !at(plane + (away > 0 ? -1 : 1))) return false;
+    const double towards = (away > 0) == (drive_.v(place.frame.left) > 0) ? 1 : -1;
+    for (Vec3& p : curve)
+        p += towards * lines_->spacing() / slope() * place.frame.left;
+    return true;
+}
+
+bool FiveAxisField::own_line(const ContactPlace& place, RaisedCurve& curve) const {
+    return raised_line(place, lines_->beyond(place.v, place.v), curve, own_reach);
+}
+
+std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) const {
+    const long own = lines_->beyond(place.v, place.v);
+    const long lo = lines_->beyond(place.v_lo, place.v), hi = lines_->beyond(place.v_hi, place.v);
+    std::vector<long> planes;
+    RaisedCurve unused;
+    for (long end : {lo, hi}) {
+        if (end == own) continue;
+        if (!raised_line(place, end, unused)) {
+            // The surface ends within the strip: what is to be cleared goes as far as it does.
+            long inside = own, outside = end;
+            while (std::abs(outside - inside) > 1) {
+                const long middle = inside + (outside - inside) / 2;
+                (raised_line(place, middle, unused) ? inside : outside) = middle;
+            }
+            end = inside;
+            if (end == own) continue;
+        }
+        planes.push_back(end);
+        if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
+    }
+    std::vector<RaisedCurve> curves;
+    // Of its own line every pose holds a place near its contact point. Any place would not do: lifted off a
+    // bend that is hollow along the travel, a flat end may hold one with its heel at one pose and with its
+    // toe at the next, and what lies between is left.
+    RaisedCurve curve;
+    if (own_line(place, curve)) curves.push_back(curve);
+    for (const long plane : planes)
+        if (raised_line(place, plane, curve)) curves.push_back(curve);
+    return curves;
+}
+
+double FiveAxisField::hollowness(const ContactPlace& place, const Vec3& direction) const {
+    double hollow = 0;
+    if (place.facet != no_index) {
+        hollow = facetmill::hollowness(*context_.part, *curvatures_, place.facet, place.surface, direction);
+        // Curvatures are signed by the winding, which need not face the tool.
+        if (context_.part->facet_normal(place.facet).dot(place.frame.normal) < 0) hollow = -hollow;
+    }
+    return hollow;
+}
+
+double FiveAxisField::cm2_lead(const ContactPlace& place) const {
+    return facetmill::cm2_lead(cutter(), hollowness(place), settings_.lead_limits[0],
+                               settings_.lead_limits[1]);
+}
+
+std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {
+    const double longest = longest_share * 2 * radius_, most_away = 0.5 * chord_;
+    // With the normals the axes turn, and those of neighbours have to stay together.
+    const double cos_limit = std::cos(std::min(settings_.normal_limit, turn_share * settings_.turn_limit));
+    // Stations: the line's own points, and more on long pieces.
+    std::vector<double> stations{0};
+    for (std::size_t i = 1; i < line.arc.size(); ++i) {
+        const double piece = line.arc[i] - line.arc[i - 1];
+        const auto parts = std::size_t(std::ceil(piece / (0.25 * longest)));
+        for (std::size_t k = 1; k <= parts; ++k)
+            stations.push_back(line.arc[i - 1] + piece * double(k) / double(parts));
+    }
+    std::vector<SlicePoint> at;
+    at.reserve(stations.size());
+    for (const double s : stations)
+        at.push_back(line.at(s));
+    const auto serves = [&](std::size_t a, std::size_t b) {
+        if (stations[b] - stations[a] > longest || at[a].normal.dot(at[b].normal) < cos_limit) return false;
+        for (std::size_t k = a + 1; k < b; ++k)
+            if (distance_to_segment(at[k].point, at[a].point, at[b].point) > most_away
+                || at[a].normal.dot(at[k].normal) < cos_limit)
+                return false;
+        return true;
+    };
+    std::vector<double> chosen{0};
+    for (std::size_t a = 0; a + 1 < stations.size();) {
+        std::size_t b = a + 1;
+        while (b + 1 < stations.size() && serves(a, b + 1))
+            ++b;
+        chosen.push_back(stations[b]);
+        a = b;
+    }
+    return chosen;
+}
+
+} // namespace facetmill

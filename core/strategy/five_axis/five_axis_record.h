@@ -1,0 +1,32 @@
+// What finishing with five axes remembers of every contact point, so that it can be studied afterwards: its
+// strip, and the posture chosen. With it and the part any configuration space can be built again
+// (five_axis_study.h).
+#pragma once
+
+#include "core/cspace/choose.h"
+#include "core/strategy/five_axis/five_axis_field.h"
+
+#include <vector>
+
+namespace facetmill {
+
+struct FiveAxisRecord {
+    struct Point {
+        ContactPlace place; ///< with the posture kept by hand, if any, free or not
+        double cm2_lambda = 0;
+        ChosenPosture choice; ///< by the method of the operation
+    };
+    /// One line of one pass, in the order of travel.
+    struct Line {
+        std::size_t begin = 0, end = 0; ///< of `points`
+        int drive = 0;
+    };
+    PlanContext context;
+    Finish5Settings settings;
+    std::vector<Point> points; ///< in machining order
+    std::vector<Line> lines;
+
+    const Line& line_of(std::size_t point) const;
+};
+
+} // namespace facetmill

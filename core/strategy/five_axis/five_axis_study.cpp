@@ -1,0 +1,54 @@
+#include "core/strategy/five_axis/five_axis_study.h"
+
+namespace facetmill {
+
+FiveAxisStudy::FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress)
+    : record_(std::move(record)), field_(record_->context, record_->settings, progress, true) {}
+
+FiveAxisStudy::Point FiveAxisStudy::point(std::size_t index, const Progress& progress) const {
+    std::vector<Point> points = line(index, progress);
+    return std::move(points[index - points.front().index]);
+}
+
+std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const Progress& progress) const {
+    if (index >= record_->points.size())
+        throw Error(ErrorCode::out_of_range, "point",
+                    "there is no contact point " + std::to_string(index) + ": the operation has "
+                        + std::to_string(record_->points.size()),
+                    "give a number from 0 to " + std::to_string(record_->points.size() - 1));
+    const FiveAxisRecord::Line& line = record_->line_of(index);
+    std::vector<ContactPlace> places;
+    for (std::size_t i = line.begin; i < line.end; ++i)
+        places.push_back(record_->points[i].place);
+    PostureStudy study = study_postures(field_, places, progress.part(0, 0.55));
+    std::vector<ContactPlace> coming;
+    if (&line != &record_->lines.back()) {
+        const FiveAxisRecord::Line& next = *(&line + 1);
+        for (std::size_t i = next.begin; i < std::min(next.end, next.begin + choose_horizon); ++i)
+            coming.push_back(record_->points[i].place);
+    }
+    const PostureStudy next = study_postures(field_, coming, progress.part(0.55, 0.6));
+    std::optional<ToolPose> before;
+    for (std::size_t i = line.begin; i > 0 && !before; --i)
+        if (const auto& last = record_->points[i - 1]; last.choice.free)
+            before = posture_pose(field_.cutter(), last.place.frame, last.choice.posture);
+    std::array<std::vector<ChosenPosture>, 3> chosen;
+    for (std::size_t m = 0; m < chosen.size(); ++m)
+        chosen[m] = choose_postures(field_, study, Finish5Settings::PostureChoice(m), before, next.points,
+                                    progress.part(0.6 + 0.13 * double(m), 0.73 + 0.13 * double(m)));
+    std::vector<Point> points(places.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Point& point = points[i];
+        point.index = line.begin + i;
+        point.place = places[i];
+        point.curves = std::move(study.curves[i]);
+        point.space = std::move(study.spaces[i]);
+        point.cm2_lambda = study.points[i].cm2_lambda;
+        point.planned = record_->points[point.index].choice;
+        for (std::size_t m = 0; m < chosen.size(); ++m)
+            point.chosen[m] = chosen[m][i];
+    }
+    return points;
+}
+
+} // namespace facetmill

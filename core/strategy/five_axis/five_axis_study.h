@@ -1,0 +1,46 @@
+// One contact point of a planned 5-axis operation, studied again: its whole configuration space, why postures
+// are blocked, and what each of the three methods chooses there. For the command line and the workbench.
+#pragma once
+
+#include "core/strategy/five_axis/five_axis_record.h"
+#include "core/strategy/five_axis/posture_study.h"
+
+#include <array>
+#include <memory>
+
+namespace facetmill {
+
+class FiveAxisStudy {
+public:
+    /// Throws what FiveAxisField throws; Cancelled within 100 ms.
+    FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress);
+
+    struct Point {
+        std::size_t index = 0;
+        ContactPlace place;
+        std::vector<RaisedCurve> curves;
+        CSpace space;                        ///< with the bottom everywhere
+        double cm2_lambda = 0;               ///< the CM2 lead, before anything is repaired
+        std::array<ChosenPosture, 3> chosen; ///< by cm2, local, global (Finish5Settings::PostureChoice)
+        ChosenPosture planned;               ///< the operation's own
+    };
+    /// Plans the point's whole pass by every method: the global one depends on all of it. Throws
+    /// Error(out_of_range) for an index that is not a contact point's; Cancelled within 100 ms.
+    Point point(std::size_t index, const Progress& progress) const;
+    /// The same of all points of its line, in the order of travel: not dearer than of one. The first is
+    /// number record().line_of(index).begin.
+    std::vector<Point> line(std::size_t index, const Progress& progress) const;
+
+    /// Why a posture is as it is, also between nodes of the grid.
+    CSpaceBuilder::Reason reason(const Point& point, double lambda, double omega) const {
+        return field_.builder().reason(point.place.frame, lambda, omega, point.curves);
+    }
+    const FiveAxisField& field() const { return field_; }
+    const FiveAxisRecord& record() const { return *record_; }
+
+private:
+    std::shared_ptr<const FiveAxisRecord> record_;
+    FiveAxisField field_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,76 @@
+#include "core/strategy/five_axis/posture_study.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+
+namespace facetmill {
+
+namespace {
+constexpr std::size_t places_per_block = 8;
+/// Chord tolerances: what motions between postures may miss their strip by, and as much again.
+constexpr double room_chords = 3;
+
+/// As low as nothing is cut, if that is free.
+std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
+                                         const std::vector<RaisedCurve>& curves) {
+    if (!place.kept) return std::nullopt;
+    const auto [lambda, omega] = *place.kept;
+    ToolLift::Hint hint;
+    const double bottom = field.builder().bottom(place.frame, lambda, omega, hint);
+    if (!(bottom <= field.builder().top(place.frame, lambda, omega, curves)) || !(bottom < infinity))
+        return std::nullopt;
+    const PostureValue posture{lambda, omega, bottom};
+    if (!field.builder().holds(place.frame, posture)) return std::nullopt;
+    return posture;
+}
+
+} // namespace
+
+PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
+                            const Progress& progress) {
+    PostureStudy study;
+    study.curves.resize(places.size());
+    parallel_for(places.size(), places_per_block, progress.part(0, 0),
+                 [&](std::size_t i) { study.curves[i] = field.strip_curves(places[i]); });
+    std::vector<ContactFrame> frames;
+    frames.reserve(places.size());
+    for (const ContactPlace& p : places)
+        frames.push_back(p.frame);
+    study.spaces = field.builder().build(frames, study.curves, progress.part(0, 0), &study.stages);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        PassPoint point;
+        point.frame = places[i].frame;
+        point.space = &study.spaces[i];
+        point.curves = &study.curves[i];
+        point.cm2_lambda = field.cm2_lead(places[i]);
+        point.kept = kept_posture(field, places[i], study.curves[i]);
+        study.points.push_back(point);
+    }
+    return study;
+}
+
+std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const PostureStudy& study,
+                                           Finish5Settings::PostureChoice method,
+                                           const std::optional<ToolPose>& before,
+                                           std::span<const PassPoint> next, const Progress& progress) {
+    ChooseInput input;
+    input.builder = &field.builder();
+    input.feed = field.settings().feed / 60;
+    input.before = before;
+    input.next = next;
+    input.accelerations = field.settings().accelerations;
+    input.room = room_chords * field.chord();
+    input.turn_limit = field.settings().turn_limit;
+    using Method = Finish5Settings::PostureChoice;
+    switch (method) {
+    case Method::cm2:
+        return choose_cm2(study.points, input, progress);
+    case Method::local:
+        return choose_local(study.points, input, progress);
+    case Method::global:
+        break;
+    }
+    return choose_global(study.points, input, progress);
+}
+
+} // namespace facetmill

@@ -1,0 +1,34 @@
+// The configuration spaces of the contact points of one pass, and the postures that a method chooses in them.
+#pragma once
+
+#include "core/cspace/choose.h"
+#include "core/strategy/five_axis/five_axis_field.h"
+
+#include <vector>
+
+namespace facetmill {
+
+/// Of a row of contact places, in the order of travel. Not copied: the points look into the other members.
+struct PostureStudy {
+    std::vector<std::vector<RaisedCurve>> curves;
+    std::vector<CSpace> spaces;
+    std::vector<PassPoint> points;
+    CSpaceBuilder::Stages stages; ///< processor seconds
+
+    PostureStudy() = default;
+    PostureStudy(PostureStudy&&) = default;
+    PostureStudy& operator=(PostureStudy&&) = default;
+};
+
+/// Postures kept by hand at the places are taken where they are free (PassPoint::kept). Throws Cancelled
+/// within 100 ms.
+PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
+                            const Progress& progress);
+
+/// `before`: where the tool comes from, the end of the pass before; `next`: the points of the next, if any.
+std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const PostureStudy& study,
+                                           Finish5Settings::PostureChoice method,
+                                           const std::optional<ToolPose>& before,
+                                           std::span<const PassPoint> next, const Progress& progress);
+
+} // namespace facetmill

@@ -1,0 +1,80 @@
+#include "core/strategy/five_axis/strip_width.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Of the cutter's radius.
+constexpr double most_width_share = 0.97;
+
+} // namespace
+
+double StripWidth::most(const FiveAxisField& field) {
+    return most_width_share * field.radius();
+}
+
+const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
+    const auto& lines = field_.lines();
+    const long own = lines.beyond(place_.v, place_.v);
+    auto& looks = looks_[side > 0];
+    while (looks.size() <= number) {
+        long inside = own, plane = own + side;
+        while (plane % look_ != 0)
+            plane += side;
+        if (!looks.empty()) {
+            plane += side * look_ * long(looks.size());
+            inside = plane - side * look_;
+        }
+        Look next;
+        next.v = lines.v(plane);
+        if (!field_.raised_line(place_, plane, next.line)) {
+            next.ends = true;
+            // Up to the very last plane that the surface has.
+            for (long outside = plane; std::abs(outside - inside) > 1;) {
+                const long middle = inside + (outside - inside) / 2;
+                (field_.raised_line(place_, middle, next.line) ? inside : outside) = middle;
+            }
+            next.v = lines.v(inside);
+            next.holds = field_.raised_line(place_, inside, next.line);
+        }
+        looks.push_back(std::move(next));
+    }
+    return looks[number];
+}
+
+StripWidth::Width StripWidth::operator()(const PostureValue& posture, int side) {
+    const double most = StripWidth::most(field_);
+    double last_v = place_.v, last_margin = infinity;
+    for (std::size_t i = 0;; ++i) {
+        // Beyond the last one that counts no line need be cut.
+        if (std::abs(last_v - place_.v) > most) return {most, 0};
+        const Look& at = look(side, i);
+        const double away = std::abs(at.v - place_.v);
+        if (!at.holds) return {infinity, away};
+        const double margin =
+            field_.builder().top(place_.frame, posture.lambda, posture.omega, {&at.line, 1}) - posture.delta;
+        if (!(margin >= 0)) {
+            // The margin falls ever faster: the straight line between two looks is on the safe side.
+            double share = 0;
+            if (std::isfinite(last_margin) && std::isfinite(margin))
+                share = last_margin / (last_margin - margin);
+            return {used_width * std::abs(last_v + share * (at.v - last_v) - place_.v), at.ends ? away : 0};
+        }
+        if (at.ends) return {infinity, away};
+        last_v = at.v;
+        last_margin = margin;
+    }
+}
+
+bool StripWidth::clears_own_line(const PostureValue& posture) {
+    if (!own_known_) {
+        own_known_ = true;
+        RaisedCurve line;
+        if (field_.own_line(place_, line)) own_.push_back(std::move(line));
+    }
+    return field_.builder().top(place_.frame, posture.lambda, posture.omega, own_) >= posture.delta;
+}
+
+} // namespace facetmill

@@ -1,0 +1,53 @@
+// How wide a strip a posture clears at a contact point, to one side of it: the largest distance across the
+// travel at which the tool, lifted clear of the part, still holds a point of the surface's line raised by
+// what may stay (CSpaceBuilder::top).
+#pragma once
+
+#include "core/strategy/five_axis/five_axis_field.h"
+
+#include <array>
+#include <vector>
+
+namespace facetmill {
+
+/// Of one contact point. The lines beside it are cut once for all postures that are asked about.
+class StripWidth {
+public:
+    /// Of a width: what is used of it, because the strip is to leave room for postures other than the one it
+    /// is taken from.
+    static constexpr double used_width = 0.95;
+
+    /// Lines are looked at every `look` planes, those that are multiples of it: passes share their slices.
+    StripWidth(const FiveAxisField& field, const ContactPlace& place, long look)
+        : field_(field), place_(place), look_(look) {}
+
+    /// Widths are not looked for beyond this, mm.
+    static double most(const FiveAxisField& field);
+
+    struct Width {
+        double width = 0; ///< mm across the drive planes; +inf: the surface ends before
+        double end = 0;   ///< how far off it ends, where it does
+    };
+    /// `side`: -1 towards smaller v, +1 towards larger. `posture` clear of the part.
+    Width operator()(const PostureValue& posture, int side);
+
+    /// Whether the posture comes close enough to the pass's own line.
+    bool clears_own_line(const PostureValue& posture);
+
+private:
+    struct Look {
+        double v = 0;
+        bool ends = false, holds = true; ///< the surface ends here; there is a line
+        RaisedCurve line;
+    };
+    const Look& look(int side, std::size_t number);
+
+    const FiveAxisField& field_;
+    const ContactPlace& place_;
+    long look_;
+    std::array<std::vector<Look>, 2> looks_;
+    std::vector<RaisedCurve> own_; ///< none or one, once asked for
+    bool own_known_ = false;
+};
+
+} // namespace facetmill

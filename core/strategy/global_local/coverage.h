@@ -1,0 +1,48 @@
+// What a path with any tool axes clears of the part, judged by its tool alone: places of the surface, raised
+// by what may stay there, that some pose of the tool holds. Poses alone do not tell: an inclined flat end
+// holds a place that is raised by a hundredth of a millimetre for a few hundredths of its way. So the way of
+// each place as the tool sees it is followed, in straight pieces; what those lack, less than a thousandth of
+// the cutter's radius, counts as not cleared. Millimetres.
+#pragma once
+
+#include "core/cutter/cutter.h"
+#include "core/mesh/mesh.h"
+#include "core/strategy/plan/path.h"
+#include "core/strategy/surface/up_side.h"
+
+#include "core/base/progress.h"
+
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+struct SurfaceSample {
+    Vec3 point, normal; ///< the normal is unit, towards the tool
+    double area = 0;    ///< that it stands for, mm^2
+};
+
+/// At most `spacing` apart, on all facets that face the tool; `normals` are the vertices'.
+std::vector<SurfaceSample> surface_samples(const Mesh& mesh, std::span<const Vec3> normals, const UpSide& up,
+                                           double spacing);
+
+class Coverage {
+public:
+    /// `raise`: along the normals, what is to stay and what may stay.
+    Coverage(std::vector<SurfaceSample> samples, double raise);
+
+    /// Adds what the passes clear. Throws Cancelled within 20 ms.
+    void add(std::span<const Pass> passes, const CutterProfile& cutter, const Progress& progress);
+
+    const std::vector<SurfaceSample>& samples() const { return samples_; }
+    bool cleared(std::size_t sample) const { return cleared_[sample] != 0; }
+    double cleared_area() const;
+    double area() const;
+
+private:
+    std::vector<SurfaceSample> samples_;
+    std::vector<Vec3> raised_;
+    std::vector<unsigned char> cleared_;
+};
+
+} // namespace facetmill

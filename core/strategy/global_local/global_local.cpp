@@ -1,0 +1,568 @@
+#include "core/strategy/global_local/global_local.h"
+
+#include "core/base/tolerances.h"
+#include "core/strategy/finish3/finish3.h"
+#include "core/strategy/five_axis/five_axis_parameters.h"
+#include "core/strategy/global_local/coverage.h"
+#include "core/strategy/global_local/tool_advice.h"
+#include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/pass_order.h"
+#include "core/strategy/surface/travel_direction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+const OperationRegistration registration("global_local", "Global-local CM²",
+                                         [] { return std::make_unique<GlobalLocal>(); });
+
+/// Of the main cutter's radius: distance of trajectories, and of the places that are looked at afterwards.
+constexpr double spacing_share = 1.0 / 8, sample_share = 1.0 / 12;
+/// No more trajectory contacts and samples than about this.
+constexpr double most_contacts = 400'000, most_samples = 2'000'000;
+/// Of the part's surface: the main path has to have at least this much to cut.
+constexpr double least_main_share = 0.02;
+/// Of the surface: what stays is said from this on.
+constexpr double told_share = 1e-5;
+/// Of the main tool's diameter: a rework tool that is not known yet.
+constexpr double usual_rework_share = 0.25;
+/// Of the part: where more than this would be left for that, nothing is.
+constexpr double most_left_share = 0.1;
+/// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
+constexpr double along_share = 0.1;
+
+std::string angle_text(double radians) {
+    return format_number(degrees(radians), 3) + "°";
+}
+
+std::string minutes_text(double seconds) {
+    return format_number(seconds / 60, 3) + " min";
+}
+
+std::string percent_text(double share) {
+    return format_number(100 * share, 2) + " %";
+}
+
+std::string region_count(std::size_t n) {
+    return std::to_string(n) + (n == 1 ? " region" : " regions");
+}
+
+double spacing_of(const Box3& box, double radius) {
+    const Vec3 size = box.size();
+    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / most_contacts));
+}
+
+/// The travel as an angle; "auto": that of the main path.
+double machining_angle(const NumberOrWord& asked, double main) {
+    if (asked.is_number()) return asked.number;
+    return asked.is("x") ? 0 : asked.is("y") ? 0.5 * pi : main;
+}
+
+void check_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit) {
+    if (!(settings.lead_limit > 0))
+        throw Error(ErrorCode::out_of_range, "lead_limit",
+                    "a lead limit of 0 leaves the main path no hollows", "enter an angle above 0");
+    if (settings.lead_limit > settings.assumed_lead_limit)
+        throw Error(ErrorCode::out_of_range, "lead_limit",
+                    "the lead limit " + angle_text(settings.lead_limit)
+                        + " is above that of the assumed path, " + angle_text(settings.assumed_lead_limit),
+                    "lower it, or raise assumed_lead_limit");
+    const Vec3 size = source.part->box().size();
+    if (settings.rework_offset > std::max(size.x(), size.y()))
+        throw Error(ErrorCode::out_of_range, "rework_offset",
+                    "the offset of " + length_text(settings.rework_offset, unit)
+                        + " is larger than the part, which is " + length_text(size.x(), unit) + " by "
+                        + length_text(size.y(), unit),
+                    "enter a smaller length");
+}
+
+/// The smallest cutter curvature that does nearly everywhere, as advice.
+std::string smaller_tool(const RegionSource& source, const GlobalLocalSettings& settings, double diameter,
+                         LengthUnit unit) {
+    std::vector<double> sines;
+    for (const AssumedContact& c : source.assumed.contacts)
+        sines.push_back(std::sin(std::min(c.lead, settings.assumed_lead_limit)));
+    const auto at = sines.begin() + long(sines.size() / 2);
+    std::nth_element(sines.begin(), at, sines.end());
+    // (7): the diameter that takes the lead of half the part down to the limit.
+    const double fitting = *at > 0 ? diameter * std::sin(settings.lead_limit) / *at : diameter;
+    return fitting < diameter
+               ? "use a smaller tool: one of " + length_text(fitting, unit) + " does on half of the part"
+               : "use a smaller tool";
+}
+
+void check_rework_tool(const GlobalLocalSettings& settings, const PlanContext& context) {
+    if (settings.rework_tool == 0) return;
+    if (context.further_tools.size() != 1)
+        throw Error(ErrorCode::internal, "rework_tool", "the rework tool is not known", "report this");
+    const Tool& t = context.further_tools.front();
+    check_tool(t);
+    const bool ball = std::abs(t.corner_radius - 0.5 * t.diameter) <= tolerance::same_shape * t.diameter;
+    const bool wants_ball = settings.rework_cutting == GlobalLocalSettings::ReworkCutting::ball;
+    if (wants_ball && !ball)
+        throw Error(ErrorCode::out_of_range, "rework_tool",
+                    "tool " + std::to_string(t.number) + " has no ball end",
+                    "choose a ball, or rework_cutting cm2");
+    if (!wants_ball && ball)
+        throw Error(ErrorCode::out_of_range, "rework_tool",
+                    "tool " + std::to_string(t.number) + " is a ball, which matches no curvature by its lead",
+                    "choose a flat or bull-nosed tool, or rework_cutting ball");
+}
+
+/// What main and rework path take at feed, with the ways between passes.
+double seconds(const StrategyResult& plan, double feed, double clear_z) {
+    double length = 0;
+    for (const StrategyResult* path : {&plan, &plan.rework->path}) {
+        const Pass* last = nullptr;
+        for (const Pass& pass : path->passes) {
+            if (pass.cl.empty()) continue;
+            if (last) length += travel_between(last->cl.back().tip, pass.cl.front().tip, clear_z);
+            for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                length += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+            last = &pass;
+        }
+    }
+    return length / (feed / 60);
+}
+
+class GlobalLocalPlanner {
+public:
+    GlobalLocalPlanner(const GlobalLocalSettings& settings, const PlanContext& context,
+                       std::shared_ptr<const RegionSource> source, const Progress& progress)
+        : settings_(settings), context_(context), progress_(progress), up_(*context.part, progress) {
+        plan_->source = std::move(source);
+        if (settings_.rework_tool != 0) plan_->tool = context_.further_tools.front();
+        radius_ = CutterProfile(context_.tool.cutter()).max_radius();
+    }
+
+    StrategyResult run() {
+        find(*plan_->source, {}, progress_.part(0, 0.05, "Finding rework regions"));
+        check_main();
+        StrategyResult result = main_path(leave(), progress_.part(0.05, 0.65));
+        double left = look_at_main(result);
+        if (left > most_left_share * plan_->part_area) {
+            // Narrow everywhere: such strips are better than those of the rework tool.
+            plan_->left_by_main.clear();
+            result = main_path(0, progress_.part(0.65, 0.65));
+            look_at_main(result);
+        }
+        if (!plan_->left_by_main.empty())
+            find(*plan_->source, plan_->left_by_main, progress_.part(0.7, 0.72, "Finding rework regions"));
+        cut_regions(result);
+        look_at_rest(result);
+        report(result);
+        return result;
+    }
+
+    /// Nothing is taken out of the part for its leads: passes all along it as five-axis finishing makes them,
+    /// in the direction that it takes by itself, and regions where they leave something.
+    StrategyResult run_whole() {
+        // What the assumed path's contacts ask for is asked of the passes themselves.
+        RegionSource whole = *plan_->source;
+        whole.assumed.contacts.clear();
+        find(whole, {}, progress_.part(0, 0));
+        Finish5Settings main = settings_;
+        main.lead_limits = {0, settings_.lead_limit};
+        StrategyResult result =
+            Finish5(main).plan(context_, progress_.part(0, 0.65, settings_.name + ": main path"));
+        result.warnings.clear(); // what is left is looked for below
+        look_at_main(result);
+        if (!plan_->left_by_main.empty())
+            find(whole, plan_->left_by_main, progress_.part(0.7, 0.72, "Finding rework regions"));
+        cut_regions(result);
+        look_at_rest(result);
+        report(result);
+        return result;
+    }
+
+private:
+    void find(const RegionSource& source, std::span<const UncutPlace> further, const Progress& progress) {
+        FoundRegions found = find_regions(source, settings_, context_.unit, further, progress);
+        plan_->pairs = std::move(found.pairs);
+        if (further.empty()) outside_ = found.regions.outside;
+        plan_->regions = std::move(found.regions);
+        plan_->part_area = plan_->regions.part_area;
+    }
+
+    void check_main() const {
+        const ReworkRegions& r = plan_->regions;
+        if (r.part_area - r.uncut_area >= least_main_share * r.part_area) return;
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "a lead of at most " + angle_text(settings_.lead_limit)
+                        + " leaves the whole part uncut with this tool",
+                    smaller_tool(*plan_->source, settings_, 2 * radius_, context_.unit)
+                        + ", or raise lead_limit");
+    }
+
+    PlanContext on(const PartPiece& piece) const {
+        PlanContext c = context_;
+        c.part = piece.mesh;
+        c.geometry = piece.geometry;
+        c.curvatures = piece.curvatures;
+        return c;
+    }
+
+    /// Strips narrower than `leave` are left to the rework tool.
+    StrategyResult main_path(double leave, const Progress& progress) {
+        Finish5Settings main = settings_;
+        main.lead_limits = {0, settings_.lead_limit};
+        main.direction = {plan_->source->assumed.direction, ""};
+        StrategyResult result =
+            finish_piece(main, on(outside_), progress.part(0, 1, settings_.name + ": main path"), leave);
+        if (result.passes.empty())
+            throw Error(ErrorCode::empty_result, settings_.name,
+                        "no contact point has a free posture with a lead of at most "
+                            + angle_text(settings_.lead_limit),
+                        smaller_tool(*plan_->source, settings_, 2 * radius_, context_.unit)
+                            + ", or raise lead_limit");
+        order_by_travel(result.passes, false, clear_z(), progress.part(1, 1));
+        return result;
+    }
+
+    /// The rework ball's strip on a level place, mm: where those of the main path are narrower, the ball is
+    /// faster.
+    double leave() const {
+        const auto& edits = settings_.region_edits;
+        // What is left next to a region that is switched off would stay.
+        if (settings_.rework_tool == 0
+            || std::any_of(edits.begin(), edits.end(), [](const RegionEdit& e) { return !e.enabled; }))
+            return 0;
+        return widest_strip(0.5 * plan_->tool.diameter, cusp_budget(settings_, context_));
+    }
+    double clear_z() const {
+        return std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.clearance;
+    }
+    double sample_spacing() const {
+        return std::max(sample_share * radius_, std::sqrt(2 * plan_->part_area / most_samples));
+    }
+    double raise() const {
+        return settings_.allowance + context_.tessellation_tolerance[1] + cusp_budget(settings_, context_);
+    }
+
+    /// mm^2 that it leaves of what it was to cut.
+    double look_at_main(const StrategyResult& main) {
+        Coverage coverage(
+            surface_samples(*outside_.mesh, outside_.geometry->vertex_normals, up_, sample_spacing()),
+            raise());
+        coverage.add(main.passes, CutterProfile(context_.tool.cutter()),
+                     progress_.part(0.65, 0.7, "Looking at what the main path clears"));
+        for (std::size_t i = 0; i < coverage.samples().size(); ++i)
+            if (!coverage.cleared(i)) {
+                const SurfaceSample& s = coverage.samples()[i];
+                plan_->left_by_main.push_back({s.point, s.normal, 0});
+            }
+        return coverage.area() - coverage.cleared_area();
+    }
+
+    void cut_regions(const StrategyResult& main) {
+        const PartPiece& within = plan_->regions.within;
+        if (settings_.rework_tool == 0 || !within.mesh || within.mesh->facets.empty()) return;
+        PlanContext context = on(within);
+        context.tool = plan_->tool;
+        context.further_tools.clear();
+        const Progress progress = progress_.part(0.72, 0.97, settings_.name + ": rework path");
+        const NumberOrWord direction{machining_angle(settings_.machining_direction, main.direction), ""};
+        if (settings_.rework_cutting == GlobalLocalSettings::ReworkCutting::cm2) {
+            Finish5Settings rework = settings_;
+            rework.posture = Finish5Settings::PostureChoice::cm2;
+            rework.lead_limits = {0, settings_.assumed_lead_limit};
+            rework.direction = direction;
+            rework.stepover = {0, "adaptive"};
+            plan_->three_axis = false;
+            plan_->path = finish_piece(rework, context, progress);
+            return;
+        }
+        Finish3Settings rework;
+        static_cast<OperationCommon&>(rework) = settings_;
+        rework.direction = direction;
+        rework.pattern = settings_.pattern == Finish5Settings::Pattern::zigzag
+                             ? Finish3Settings::Pattern::zigzag
+                             : Finish3Settings::Pattern::oneway;
+        rework.chord_tolerance = settings_.chord_tolerance;
+        rework.normal_limit = settings_.normal_limit;
+        plan_->path = Finish3(rework).plan(context, progress);
+        order_by_travel(plan_->path.passes, settings_.pattern == Finish5Settings::Pattern::zigzag, clear_z(),
+                        progress.part(1, 1));
+        // What it cannot reach is looked for below, on what the main path leaves only.
+        plan_->path.warnings.clear();
+    }
+
+    void look_at_rest(StrategyResult& main) {
+        std::shared_ptr<const MeshGeometry> geometry = plan_->source->geometry;
+        Coverage coverage(surface_samples(*context_.part, geometry->vertex_normals, up_, sample_spacing()),
+                          raise());
+        const Progress progress = progress_.part(0.97, 1, "Looking at what both paths clear");
+        coverage.add(main.passes, CutterProfile(context_.tool.cutter()), progress.part(0, 0.4));
+        if (!plan_->path.passes.empty())
+            coverage.add(plan_->path.passes, CutterProfile(plan_->tool.cutter()), progress.part(0.4, 1));
+        plan_->remaining_area = coverage.area() - coverage.cleared_area();
+        main.cleanup.clear();
+        for (std::size_t i = 0; i < coverage.samples().size(); ++i)
+            if (!coverage.cleared(i))
+                main.cleanup.push_back({coverage.samples()[i].point, coverage.samples()[i].normal});
+        main.cleanup_points = main.cleanup.size();
+        total_ = coverage.area();
+    }
+
+    void report(StrategyResult& result) {
+        std::size_t on = 0;
+        for (const ReworkRegion& r : plan_->regions.regions) {
+            result.strips.push_back(r.strip);
+            on += r.strip.enabled;
+        }
+        result.rework_regions = plan_->regions.regions.size();
+        auto& told = result.warnings;
+        const std::size_t off = result.rework_regions - on;
+        if (result.rework_regions == 0)
+            told.push_back("no place needs a lead above " + angle_text(settings_.lead_limit)
+                           + ": the main path cuts all of the part, there is nothing to rework");
+        else if (settings_.rework_tool == 0)
+            told.push_back(region_count(result.rework_regions)
+                           + " stay uncut: choose a rework tool, or cut them by another operation");
+        if (off > 0 && settings_.rework_tool != 0)
+            told.push_back(region_count(off) + (off == 1 ? " is" : " are") + " switched off and not cut");
+        if (plan_->remaining_area > told_share * total_) {
+            std::string where;
+            if (!result.cleanup.empty()) {
+                const Vec3& p = result.cleanup.front().point;
+                where = ", as at " + length_text(p.x(), context_.unit) + ", "
+                        + length_text(p.y(), context_.unit) + ", " + length_text(p.z(), context_.unit);
+            }
+            told.push_back(percent_text(plan_->remaining_area / total_)
+                           + " of the surface is cleared by neither path" + where
+                           + (settings_.rework_tool != 0 ? ": use a smaller rework tool" : ""));
+        }
+        result.rework = plan_;
+    }
+
+    const GlobalLocalSettings& settings_;
+    const PlanContext& context_;
+    Progress progress_;
+    UpSide up_;
+    PartPiece outside_; ///< what the main path is planned over
+    std::shared_ptr<ReworkPlan> plan_ = std::make_shared<ReworkPlan>();
+    double radius_ = 0, total_ = 0;
+};
+
+} // namespace
+
+namespace {
+
+AssumedPath assumed_along(const PlanContext& context, Finish5Settings settings, double direction,
+                          const Progress& progress) {
+    settings.direction = {direction, ""};
+    const FiveAxisField field(context, settings, progress.part(0, 0.3));
+    if (!(field.lines().lo() <= field.lines().hi()))
+        throw Error(ErrorCode::empty_result, settings.name, "no drive plane meets the part",
+                    "check part and direction");
+    return assume_path(field, spacing_of(context.part_box, field.radius()), progress.part(0.3, 1));
+}
+
+} // namespace
+
+std::shared_ptr<const RegionSource>
+region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress) {
+    auto source = std::make_shared<RegionSource>();
+    PlanContext own = context;
+    if (!own.geometry) own.geometry = compute_geometry(*own.part, progress.part(0, 0.1));
+    if (!own.curvatures)
+        own.curvatures = std::make_shared<std::vector<VertexCurvature>>(
+            vertex_curvatures(*own.part, own.geometry->vertex_normals, progress.part(0.1, 0.3)));
+    source->part = own.part;
+    source->geometry = own.geometry;
+    source->curvatures = own.curvatures;
+    Finish5Settings assumed = settings;
+    assumed.lead_limits = {0, settings.assumed_lead_limit};
+    if (!settings.direction.is("auto")) {
+        source->assumed =
+            assumed_along(own, assumed, travel_direction(settings.direction, own, progress.part(0.3, 0.3)),
+                          progress.part(0.3, 1));
+    } else {
+        const double diameter = 2 * CutterProfile(own.tool.cutter()).max_radius();
+        const double rework =
+            own.further_tools.empty() ? usual_rework_share * diameter : own.further_tools[0].diameter;
+        double least = infinity;
+        for (const bool along_y : {false, true}) {
+            RegionSource one = *source;
+            one.assumed = assumed_along(own, assumed, along_y ? 0.5 * pi : 0,
+                                        along_y ? progress.part(0.65, 1) : progress.part(0.3, 0.65));
+            const double seconds = estimate(one, diameter, diameter, settings.lead_limit, rework,
+                                            settings.tolerance, settings.feed)
+                                       .seconds();
+            if (!(seconds < least)) continue;
+            least = seconds;
+            *source = std::move(one);
+        }
+    }
+    if (source->assumed.contacts.empty())
+        throw Error(ErrorCode::empty_result, settings.name, "no place of the part can be come to from above",
+                    "turn the part");
+    return source;
+}
+
+FoundRegions find_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit,
+                          std::span<const UncutPlace> further, const Progress& progress) {
+    check_regions(source, settings, unit);
+    const Vec3 view(settings.view_direction[0], settings.view_direction[1], settings.view_direction[2]);
+    const double angle = machining_angle(settings.machining_direction, source.assumed.direction);
+    const DriveFrame frame(angle);
+    Vec3 machining(frame.along.x(), frame.along.y(), 0);
+    if (!(view.cross(machining).norm() > along_share * view.norm()))
+        throw Error(ErrorCode::out_of_range, "view_direction",
+                    "the view direction has no length or runs along the machining direction",
+                    "look across it, as along 0, 0, 1");
+    // Across the travel nothing is forward: then the travel itself is meant.
+    if (std::abs(machining.dot(source.assumed.travel)) < along_share) machining = source.assumed.travel;
+    ScreenedPath screened =
+        screen(source.assumed, settings.lead_limit, settings.rework_offset, view, machining, progress);
+    screened.uncut.insert(screened.uncut.end(), further.begin(), further.end());
+    RegionInput input;
+    input.part = source.part;
+    input.geometry = source.geometry;
+    input.curvatures = source.curvatures;
+    input.spacing = source.assumed.spacing;
+    input.offset = settings.rework_offset;
+    input.edits = settings.region_edits;
+    input.drags = settings.boundary_drags;
+    FoundRegions found;
+    found.regions = rework_regions(input, screened.uncut, progress);
+    found.pairs = std::move(screened.pairs);
+    assign_pairs(found.regions, found.pairs);
+    for (ReworkRegion& r : found.regions.regions) {
+        r.strip.tool = settings.rework_tool;
+        r.strip.reason = r.lead_largest > settings.assumed_lead_limit
+                             ? "no lead up to " + angle_text(settings.assumed_lead_limit) + " is free"
+                         : r.lead_largest > settings.lead_limit
+                             ? "needs a lead of up to " + angle_text(r.lead_largest) + ", allowed are "
+                                   + angle_text(settings.lead_limit)
+                             : "left by the main path";
+    }
+    return found;
+}
+
+const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        using S = GlobalLocalSettings;
+        ParameterTable<S> t;
+        add_common_parameters(t);
+        t.set_stage("feed", Stage::strategy); // postures are chosen by time
+        t.set_help("direction", "Direction of travel of the main path: auto follows the assumed path along x "
+                                "and y and takes the one with less estimated time of main path and rework; a "
+                                "number is an angle from X.");
+        t.add(&S::lead_limit,
+              {.key = "lead_limit",
+               .label = "Lead limit",
+               .help = "Largest inclination of the main path's tool axis, alpha_M, where it is not "
+                       "raised. Smaller: wider strips and more to rework.",
+               .kind = K::number,
+               .quantity = Quantity::angle,
+               .minimum = 0,
+               .maximum = radians(89),
+               .open_minimum = true});
+        t.add(&S::assumed_lead_limit,
+              {.key = "assumed_lead_limit",
+               .label = "Assumed lead limit",
+               .help = "Largest inclination of the assumed previous path, which tells how much lead every "
+                       "place needs; and of the rework path by cm2.",
+               .kind = K::number,
+               .quantity = Quantity::angle,
+               .minimum = 0,
+               .maximum = radians(89),
+               .open_minimum = true});
+        t.add(&S::raise_lead_limit,
+              {.key = "raise_lead_limit",
+               .label = "Raise lead limit",
+               .help =
+                   "Where leads up to the assumed limit on passes all over the part take less time than the "
+                   "lead limit and rework together, they are used. false: the lead limit is kept. Edited "
+                   "regions keep it too.",
+               .kind = K::boolean});
+        t.add(&S::rework_offset,
+              {.key = "rework_offset",
+               .label = "Rework offset",
+               .help = "How far rework goes beyond the uncut places, so that the two paths overlap.",
+               .kind = K::number,
+               .quantity = Quantity::length,
+               .minimum = 0,
+               .maximum = 1e4});
+        t.add(&S::rework_tool,
+              {.key = "rework_tool",
+               .label = "Rework tool",
+               .help = "Number of the tool that cuts the regions; 0: none, they are shown and "
+                       "left to other operations.",
+               .kind = K::integer,
+               .quantity = Quantity::count,
+               .minimum = 0,
+               .maximum = largest_tool_number});
+        t.add_choice(&S::rework_cutting,
+                     {.key = "rework_cutting",
+                      .label = "Rework cutting",
+                      .help =
+                          "ball cuts the regions with a ball and a vertical axis; cm2 with a smaller flat "
+                          "or bull-nosed tool whose lead matches the curvature.",
+                      .words = {"ball", "cm2"}});
+        t.add(&S::machining_direction,
+              {.key = "machining_direction",
+               .label = "Machining direction",
+               .help =
+                   "Direction of travel of the rework path: auto is that of the main path; a number is an "
+                   "angle from X.",
+               .kind = K::number_or_word,
+               .quantity = Quantity::angle,
+               .minimum = -2 * pi,
+               .maximum = 2 * pi,
+               .words = {"auto", "x", "y"}});
+        t.add(&S::view_direction,
+              {.key = "view_direction",
+               .label = "View direction",
+               .help = "Direction in which the trajectories are looked at to tell forward "
+                       "from backward motion.",
+               .kind = K::triple,
+               .minimum = -1e6,
+               .maximum = 1e6,
+               .advanced = true});
+        add_five_axis_parameters(t);
+        return t;
+    }();
+    return table;
+}
+
+StrategyResult GlobalLocal::plan(const PlanContext& context, const Progress& progress) const {
+    check_plannable(context, settings_);
+    check_rework_tool(settings_, context);
+    const GlobalLocalSettings& s = settings_;
+    const auto source = region_source(context, s, progress.part(0, 0.1, "Following the assumed path"));
+    // Without a rework tool it is not known what rework takes; edited regions are wanted.
+    const bool may_raise = s.raise_lead_limit && s.rework_tool != 0 && s.lead_limit < s.assumed_lead_limit
+                           && s.region_edits.empty() && s.boundary_drags.empty();
+    StrategyResult capped =
+        GlobalLocalPlanner(s, context, source, progress.part(0.1, may_raise ? 0.6 : 1)).run();
+    if (!may_raise || capped.rework_regions == 0) return capped;
+    GlobalLocalSettings raised = s;
+    raised.lead_limit = s.assumed_lead_limit;
+    StrategyResult whole;
+    try {
+        whole = GlobalLocalPlanner(raised, context, source, progress.part(0.6, 1)).run_whole();
+    } catch (const Error& e) {
+        if (e.code() != ErrorCode::empty_result) throw;
+        return capped;
+    }
+    const double clear_z = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + s.clearance;
+    const double own = seconds(capped, s.feed, clear_z), other = seconds(whole, s.feed, clear_z);
+    if (!(other < own)
+        || whole.rework->remaining_area
+               > capped.rework->remaining_area + told_share * whole.rework->part_area)
+        return capped;
+    whole.warnings.insert(whole.warnings.begin(),
+                          "the lead limit is raised to " + angle_text(raised.lead_limit)
+                              + ": that takes about " + minutes_text(other) + ", " + angle_text(s.lead_limit)
+                              + " and rework of " + region_count(capped.rework_regions) + " "
+                              + minutes_text(own));
+    return whole;
+}
+
+} // namespace facetmill

@@ -1,0 +1,102 @@
+// Global-local CM2 (Wang): one main path over the whole part whose lead angle is capped at alpha_M, so that
+// its strips stay wide, and a rework path with a smaller tool where that is not enough.
+//
+//  1. The assumed previous path and its screening by alpha_M (assumed_path.h) give the uncut places, these
+//     the rework regions on the part's surface (rework_region.h).
+//  2. The main path is that of five-axis finishing (finish5.h) over the part without the uncut places, with
+//     leads from 0 to alpha_M and partial passes where strips are narrow; those that the rework tool cuts as
+//     well are left to it. The whole part is kept from being cut.
+//  3. What the main path really clears is looked at pose by pose (coverage.h). Places that it leaves, at
+//     slanted ends of passes for example, join the regions.
+//  4. The rework path covers the regions with their outward offset: a ball with vertical axis along parallel
+//     planes (finish3.h), or a smaller flat or bull-nosed cutter by CM2. It has a tool and a program of its
+//     own.
+//
+// What neither path clears is left to clean-up and said.
+//
+// Capping the lead need not pay: where the main tool reaches nearly everything, what limits its strips may be
+// the part's roundness, and rework only adds to it. So passes all over the part with leads up to the assumed
+// limit are planned too, with regions where those leave something, and the plan that takes less time is the
+// one given.
+#pragma once
+
+#include "core/strategy/five_axis/finish5.h"
+#include "core/strategy/global_local/rework_plan.h"
+
+namespace facetmill {
+
+struct GlobalLocalSettings : Finish5Settings {
+    enum class ReworkCutting { ball, cm2 };
+
+    GlobalLocalSettings() {
+        name = "Global-local";
+        tolerance = 0.05;
+    }
+    double lead_limit = radians(8);          ///< alpha_M
+    double assumed_lead_limit = radians(45); ///< of the assumed previous path
+    /// Where a main path all over the part with leads up to the assumed limit, and what it leaves reworked,
+    /// take less time, that is the plan.
+    bool raise_lead_limit = true;
+    double rework_offset = 2; ///< mm
+    long rework_tool = 0;     ///< 0: none, the regions are left to other operations
+    ReworkCutting rework_cutting = ReworkCutting::ball;
+    /// F of Wang (10), (11), and the rework path's travel; auto: the main path's.
+    NumberOrWord machining_direction{0, "auto"};
+    std::array<double, 3> view_direction{0, 0, 1}; ///< V of (10), (11)
+    std::vector<RegionEdit> region_edits;
+    std::vector<BoundaryDrag> boundary_drags;
+};
+
+const ParameterTable<GlobalLocalSettings>& global_local_parameters();
+
+/// The assumed previous path over the context's part. With the direction auto: along X or Y, whichever the
+/// estimate of main and rework time (tool_advice.h) prefers. A flat end's strips are wide where the part is
+/// flat or hollow across the travel, so that need not be the direction in which the surface turns least.
+/// Throws what FiveAxisField throws; Cancelled within 100 ms.
+std::shared_ptr<const RegionSource>
+region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress);
+
+/// Regions of a source by the settings' lead limit, offset, directions and edits, with their names, tools and
+/// reasons; `further`: more uncut places. Fast enough for a dialog. Throws Error(out_of_range) for a lead
+/// limit above the assumed one, an offset larger than the part, a view along the machining direction.
+struct FoundRegions {
+    std::vector<BoundaryPair> pairs;
+    ReworkRegions regions;
+};
+FoundRegions find_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit,
+                          std::span<const UncutPlace> further, const Progress& progress);
+
+class GlobalLocal : public OperationWith<GlobalLocalSettings, global_local_parameters>,
+                    public TakesRegionEdits {
+public:
+    using OperationWith::OperationWith;
+
+    std::string_view kind() const override { return "global_local"; }
+    std::unique_ptr<Operation> clone() const override { return std::make_unique<GlobalLocal>(settings_); }
+    bool three_axis() const override { return false; }
+    double holder_clearance() const override { return settings_.holder_clearance; }
+    bool accelerations() const override { return settings_.accelerations; }
+    std::vector<long> further_tools() const override {
+        if (settings_.rework_tool == 0) return {};
+        return {settings_.rework_tool};
+    }
+    void renumber_tool(long from, long to) override {
+        Operation::renumber_tool(from, to);
+        if (settings_.rework_tool == from) settings_.rework_tool = to;
+    }
+    const std::vector<RegionEdit>& region_edits() const override { return settings_.region_edits; }
+    const std::vector<BoundaryDrag>& boundary_drags() const override { return settings_.boundary_drags; }
+    void set_region_edits(std::vector<RegionEdit> edits) override {
+        settings_.region_edits = std::move(edits);
+    }
+    void set_boundary_drags(std::vector<BoundaryDrag> drags) override {
+        settings_.boundary_drags = std::move(drags);
+    }
+
+    /// Throws what Finish5::plan does; Error(out_of_range) as find_regions, and for a rework tool that does
+    /// not suit the cutting; Error(empty_result) where the lead limit leaves next to nothing to the main
+    /// path.
+    StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
+};
+
+} // namespace facetmill

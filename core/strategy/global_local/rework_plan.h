@@ -1,0 +1,36 @@
+// What global-local CM2 knows beside its main path: the assumed previous path, the regions found, and what
+// the rework tool does in them.
+#pragma once
+
+#include "core/strategy/global_local/assumed_path.h"
+#include "core/strategy/plan/operation.h"
+#include "core/strategy/surface/region_field.h"
+
+#include <memory>
+#include <vector>
+
+namespace facetmill {
+
+/// All that regions are found from and that costs time: made once for a part, a tool and a travel, it serves
+/// every lead limit and offset.
+struct RegionSource {
+    MeshPtr part;
+    std::shared_ptr<const MeshGeometry> geometry;
+    std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
+    AssumedPath assumed;
+};
+
+struct ReworkPlan {
+    std::shared_ptr<const RegionSource> source;
+    std::vector<BoundaryPair> pairs;
+    ReworkRegions regions;
+    /// Places of the part that the main path left although its lead would do there; they are in the regions.
+    std::vector<UncutPlace> left_by_main;
+    Tool tool;                 ///< of the rework path
+    bool three_axis = true;    ///< every axis of the rework path is +Z
+    StrategyResult path;       ///< no passes: none was asked for, or nothing is left to rework
+    double part_area = 0;      ///< that a tool can come to, mm^2
+    double remaining_area = 0; ///< of it, what neither path clears
+};
+
+} // namespace facetmill

@@ -1,0 +1,176 @@
+#include "core/strategy/lathe/lathe_line.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/surface/lift_line.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t points_per_block = 256;
+constexpr int deepest = 40;
+
+LathePlace between(const LathePlace& a, const LathePlace& b, double t) {
+    return {a.angle + t * (b.angle - a.angle), a.y + t * (b.y - a.y)};
+}
+
+class Refiner {
+public:
+    Refiner(const LatheField& field, const LatheTolerance& tolerance)
+        : field_(field), tolerance_(tolerance), shortest_(0.25 * std::min(tolerance.below, tolerance.above)) {
+    }
+
+    /// Appends what lies between a and b.
+    void add(const LathePoint& a, const LathePoint& b, std::vector<LathePoint>& out, LatheField::Hint& hint,
+             int depth = 0) const {
+        const double ds = lathe_distance(a.place, b.place, field_.part_radius()), du = b.u - a.u;
+        if (ds <= shortest_ || depth >= deepest) {
+            // A jump: a radial move on its low side.
+            if (du != 0) {
+                LathePoint corner = du < 0 ? a : b;
+                corner.place = du < 0 ? b.place : a.place;
+                out.push_back(corner);
+            }
+            return;
+        }
+        const LathePoint mid = field_.point(between(a.place, b.place, 0.5), hint);
+        const double lift = (mid.u - 0.5 * (a.u + b.u)) * ds / std::hypot(ds, du);
+        const bool even = lift <= 0.5 * tolerance_.below && lift >= -0.5 * tolerance_.above;
+        if (!even) add(a, mid, out, hint, depth + 1);
+        out.push_back(mid);
+        if (!even) add(mid, b, out, hint, depth + 1);
+    }
+
+private:
+    const LatheField& field_;
+    LatheTolerance tolerance_;
+    double shortest_;
+};
+
+} // namespace
+
+double safe_lathe_spacing(const CutterProfile& profile, double part_radius, double below) {
+    // How much of `below` the arc takes is free: a quarter, or less where that is already wide.
+    constexpr double arc_share = 0.25;
+    const double chord = safe_spacing(profile, (1 - arc_share) * below);
+    return std::min(chord, std::sqrt(8 * part_radius * arc_share * below));
+}
+
+double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radius) {
+    return std::hypot(part_radius * (b.angle - a.angle), b.y - a.y);
+}
+
+std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> way,
+                              const LatheTolerance& tolerance, const Progress& progress) {
+    // Places to look at: every piece of the way in even parts.
+    std::vector<LathePlace> places;
+    double count = 1;
+    const auto parts = [&](std::size_t i) {
+        return std::max(
+            1.0, std::ceil(lathe_distance(way[i - 1], way[i], field.part_radius()) / tolerance.spacing));
+    };
+    for (std::size_t i = 1; i < way.size(); ++i)
+        count += parts(i);
+    if (!(count <= most_lathe_points))
+        throw Error(ErrorCode::limit_exceeded, "side_feed",
+                    "the path asks for more than " + format_number(most_lathe_points)
+                        + " places of this tool",
+                    "check the part's units, or take a larger tool, tolerance or side feed");
+    places.reserve(std::size_t(count));
+    places.push_back(way[0]);
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double n = parts(i);
+        for (double k = 1; k < n; ++k)
+            places.push_back(between(way[i - 1], way[i], k / n));
+        places.push_back(way[i]);
+    }
+
+    const std::size_t n = places.size();
+    std::vector<LathePoint> nodes(n);
+    parallel_blocks(n, points_per_block, progress.part(0, 0.7), [&](std::size_t begin, std::size_t end) {
+        LatheField::Hint hint;
+        for (std::size_t i = begin; i < end; ++i)
+            nodes[i] = field.point(places[i], hint);
+    });
+
+    // By the safe spacing nothing is cut between two nodes that is deeper than allowed. What is left to find
+    // are bends where the straight motion would stay too high or, towards a jump, too low: there the slope
+    // changes from one interval to the next.
+    const auto slope = [&](std::size_t i) { // of the interval that ends at i
+        const double ds = lathe_distance(nodes[i - 1].place, nodes[i].place, field.part_radius());
+        return ds > 0 ? (nodes[i].u - nodes[i - 1].u) / ds : 0.0;
+    };
+    const auto bends = [&](std::size_t i) {
+        const double ds = lathe_distance(nodes[i - 1].place, nodes[i].place, field.part_radius());
+        const double s = slope(i);
+        const double before = i > 1 ? std::abs(s - slope(i - 1)) : infinity;
+        const double after = i + 1 < n ? std::abs(slope(i + 1) - s) : infinity;
+        // A kink between two nodes with the slopes of the neighbours is no higher than a quarter of this.
+        const double least = 0.5 * std::min(tolerance.below, tolerance.above);
+        return 0.25 * ds * std::max(before, after) / std::hypot(1.0, s) > least;
+    };
+    const Refiner refiner(field, tolerance);
+    std::vector<std::vector<LathePoint>> extra((n - 1) / points_per_block + 1);
+    std::vector<std::uint32_t> extra_before(n, 0); // points to put in before each node
+    parallel_blocks(n, points_per_block, progress.part(0.7, 1), [&](std::size_t begin, std::size_t end) {
+        LatheField::Hint hint;
+        auto& more = extra[begin / points_per_block];
+        for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) {
+            if (!bends(i)) continue;
+            const std::size_t had = more.size();
+            refiner.add(nodes[i - 1], nodes[i], more, hint);
+            extra_before[i] = std::uint32_t(more.size() - had);
+            progress.check();
+        }
+    });
+    std::size_t total = n;
+    for (const auto& more : extra)
+        total += more.size();
+    if (total == n) return nodes;
+    std::vector<LathePoint> points;
+    points.reserve(total);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (i % points_per_block == 0) at = 0;
+        const auto& more = extra[i / points_per_block];
+        for (std::uint32_t k = 0; k < extra_before[i]; ++k)
+            points.push_back(more[at++]);
+        points.push_back(nodes[i]);
+    }
+    return points;
+}
+
+std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> way,
+                                double part_radius, double below, double above) {
+    std::vector<LathePoint> kept;
+    std::vector<LinePoint> line;
+    std::size_t from = 0;
+    for (std::size_t w = 1; w < way.size() && from + 1 < points.size(); ++w) {
+        // The piece of the way up to its place w; radial moves at its end belong to it.
+        const auto here = [&](std::size_t i) {
+            return points[i].place.angle == way[w].angle && points[i].place.y == way[w].y;
+        };
+        std::size_t to = from + 1;
+        while (to + 1 < points.size() && !here(to))
+            ++to;
+        while (to + 1 < points.size() && here(to + 1))
+            ++to;
+        line.clear();
+        for (std::size_t i = from; i <= to; ++i)
+            line.push_back({lathe_distance(points[from].place, points[i].place, part_radius), points[i].u});
+        std::size_t next = from;
+        for (const LinePoint& p : facetmill::thinned(line, below, above)) {
+            while (line[next - from].s != p.s || line[next - from].z != p.z)
+                ++next;
+            if (kept.empty() || next != from) kept.push_back(points[next]);
+        }
+        from = to;
+    }
+    if (kept.empty()) kept = points;
+    return kept;
+}
+
+} // namespace facetmill

@@ -1,0 +1,15 @@
+// How an operation's tolerance is shared out (Lu 3.13-3.15, see finish3.h). Millimetres.
+#pragma once
+
+#include "core/strategy/plan/operation.h"
+
+namespace facetmill {
+
+/// What the part's tessellation leaves of a machining tolerance: the cusp that may stay. Throws
+/// Error(out_of_range) when that is nothing.
+double cusp_budget(const OperationCommon& settings, const PlanContext& context);
+/// The chord tolerance that is used: as asked for or, for "auto", tolerance::auto_chord_share of the budget
+/// and no more than tolerance::largest_auto_chord; at most half of the budget.
+double chord_budget(const NumberOrWord& asked, double budget);
+
+} // namespace facetmill

@@ -1,0 +1,51 @@
+#include "core/strategy/plan/operation.h"
+
+namespace facetmill {
+
+namespace {
+
+std::vector<OperationKind>& registry() {
+    static std::vector<OperationKind> kinds;
+    return kinds;
+}
+
+} // namespace
+
+OperationRegistration::OperationRegistration(std::string kind, std::string label,
+                                             std::function<std::unique_ptr<Operation>()> make) {
+    auto& kinds = registry();
+    const auto place =
+        std::lower_bound(kinds.begin(), kinds.end(), kind,
+                         [](const OperationKind& k, const std::string& name) { return k.kind < name; });
+    kinds.insert(place, {std::move(kind), std::move(label), std::move(make)});
+}
+
+const std::vector<OperationKind>& operation_kinds() {
+    return registry();
+}
+
+std::unique_ptr<Operation> make_operation(std::string_view kind) {
+    std::vector<std::string> names;
+    for (const OperationKind& k : registry()) {
+        if (k.kind == kind) return k.make();
+        names.push_back(k.kind);
+    }
+    std::string known;
+    for (const auto& name : names)
+        known += (known.empty() ? "" : ", ") + name;
+    const std::string nearest = nearest_name(std::string(kind), names);
+    throw Error(ErrorCode::out_of_range, "kind",
+                "unknown operation '" + printable(kind) + "'"
+                    + (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?"),
+                "use one of: " + known);
+}
+
+void check_plannable(const PlanContext& context, const OperationCommon& settings) {
+    if (!context.part || context.part->facets.empty())
+        throw Error(ErrorCode::empty_result, settings.name, "the part has no facets", "choose another part");
+    if (!(settings.tolerance > 0))
+        throw Error(ErrorCode::out_of_range, "tolerance", "the tolerance is not above 0",
+                    "enter a length above 0");
+}
+
+} // namespace facetmill

@@ -1,0 +1,164 @@
+// A machining operation: described parameters and a plan function. One file per kind; it registers itself by
+// a line
+//
+//     const OperationRegistration registration("finish3", "Finish, 3-axis", [] { return
+//     std::make_unique<Finish3>(); });
+//
+// and the forms, the command line, the project file and the reference page know it.
+#pragma once
+
+#include "core/base/parameter.h"
+#include "core/base/progress.h"
+#include "core/gouge/contact_index.h"
+#include "core/mesh/geometry.h"
+#include "core/setup/machine.h"
+#include "core/setup/stock_solid.h"
+#include "core/setup/tool.h"
+#include "core/strategy/plan/path.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+/// What an earlier operation cuts: straight motions at feed, axis +Z.
+struct EarlierCuts {
+    AptCutter cutter;
+    std::vector<std::array<Vec3, 2>> motions; ///< tip from, to
+};
+
+/// A place of the part that operations before left.
+struct LeftPlace {
+    Vec3 point, normal; ///< on the part; unit
+    double height = 0;  ///< of the material over it; 0: not known
+};
+
+/// What operations before leave, for those that cut it (Operation::reads_left).
+struct EarlierLeft {
+    std::vector<LeftPlace> points; ///< contact points that they left to clean-up
+    std::vector<LeftPlace> rest;   ///< where the verification finds more than the tolerance
+    double rest_spacing = 0;       ///< of its samples, mm
+};
+
+/// What every strategy gets to work with; all of it const and shared.
+struct PlanContext {
+    MeshPtr part;
+    std::shared_ptr<const MeshGeometry> geometry;
+    ContactIndexPtr contact;
+    Box3 part_box, stock_box;
+    Tool tool;
+    Machine machine;
+    std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
+    LengthUnit unit = LengthUnit::mm;                   ///< of lengths in warnings and errors, nothing else
+    /// For operations that ask what stands (Operation::reads_stock): the raw material (its box is stock_box),
+    /// and what the operations before cut from it, in their order. What cuts with a tilted axis is left out:
+    /// material is believed to stand there. A solid whose box is empty stands for the box stock_box.
+    StockSolid stock;
+    std::vector<std::shared_ptr<const EarlierCuts>> earlier;
+    /// For operations that ask for it; else null.
+    std::shared_ptr<const EarlierLeft> left;
+    /// Those of Operation::further_tools, in their order.
+    std::vector<Tool> further_tools;
+    /// Of the part's vertices, where they are known better than its facets tell (a piece cut out of a part).
+    std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
+};
+
+/// What all operations have beside their own keys.
+struct OperationCommon {
+    std::string name = "Operation";
+    long tool = 1;
+    double tolerance = 0.05;           ///< machining tolerance tau: largest cusp left, mm
+    double allowance = 0;              ///< stock left on the part, mm
+    double feed = 1000;                ///< mm/min
+    double spindle = 6000;             ///< rpm
+    double clearance = 5;              ///< height of clearance moves above stock and part, mm
+    NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
+};
+
+class Operation : public Parameterized {
+public:
+    virtual std::string_view kind() const = 0;
+    virtual std::unique_ptr<Operation> clone() const = 0;
+    /// Throws Error(empty_result) with the reason when nothing can be cut; Cancelled within 100 ms.
+    virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
+    /// True when every tool axis is +Z.
+    virtual bool three_axis() const = 0;
+    /// True when the plan depends on what stands of the stock: raw material and earlier operations.
+    virtual bool reads_stock() const { return false; }
+    /// What of the operations before it the plan depends on beside that.
+    struct ReadsLeft {
+        bool points = false, rest = false; ///< of EarlierLeft
+        bool any() const { return points || rest; }
+    };
+    virtual ReadsLeft reads_left() const { return {}; }
+    /// Numbers of the tools that the operation uses or asks about, beside its own.
+    virtual std::vector<long> further_tools() const { return {}; }
+    /// A tool that it uses got another number.
+    virtual void renumber_tool(long from, long to) {
+        if (common().tool == from) common().tool = to;
+    }
+    /// What shank and holder keep from the part, mm.
+    virtual double holder_clearance() const { return 0; }
+
+    /// True when its time is counted with what the axes take to change their speed.
+    virtual bool accelerations() const { return false; }
+
+    virtual const OperationCommon& common() const = 0;
+    virtual OperationCommon& common() = 0;
+};
+
+/// An operation whose settings are a struct, derived from OperationCommon, with a table of its parameters.
+template <class Settings, const ParameterTable<Settings>& (*table)()>
+class OperationWith : public Operation {
+public:
+    OperationWith() = default;
+    explicit OperationWith(Settings settings) : settings_(std::move(settings)) {}
+
+    const OperationCommon& common() const override { return settings_; }
+    OperationCommon& common() override { return settings_; }
+    const Settings& settings() const { return settings_; }
+
+    std::vector<const ParameterInfo*> parameters() const override {
+        Settings unused;
+        return ParameterView(unused, table()).parameters();
+    }
+    ParameterValue get(std::string_view key) const override {
+        Settings copy = settings_;
+        return ParameterView(copy, table()).get(key);
+    }
+    void set(std::string_view key, const ParameterValue& value) override {
+        ParameterView(settings_, table()).set(key, value);
+    }
+
+protected:
+    Settings settings_;
+};
+
+/// Throws Error(empty_result) for a part without facets, Error(out_of_range) for a tolerance that is not
+/// above 0.
+void check_plannable(const PlanContext& context, const OperationCommon& settings);
+
+struct OperationKind {
+    std::string kind, label;
+    std::function<std::unique_ptr<Operation>()> make;
+};
+
+/// In alphabetical order of `kind`.
+const std::vector<OperationKind>& operation_kinds();
+/// Throws Error(out_of_range) that lists the known kinds.
+std::unique_ptr<Operation> make_operation(std::string_view kind);
+
+struct OperationRegistration {
+    OperationRegistration(std::string kind, std::string label,
+                          std::function<std::unique_ptr<Operation>()> make);
+};
+
+/// Adds the common parameters to an operation's table. S derives from OperationCommon.
+template <class S>
+void add_common_parameters(ParameterTable<S>& table);
+
+} // namespace facetmill
+
+#include "core/strategy/plan/operation_common.inl"

@@ -1,0 +1,115 @@
+#include "core/strategy/rough/rough_remaining.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/surface/cutter_cover.h"
+#include "core/strategy/surface/up_side.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr double most_looked_at = 2e5;
+constexpr std::size_t block = 256;
+/// Where the part keeps the cutter away by more than this share of what is allowed, a place is out of reach.
+constexpr double reach_share = 0.05;
+/// Places beside the tip that would touch, from which the cutter may reach a place too.
+constexpr int looks_beside = 8;
+/// Of the cells' size: what the field cannot tell apart along a slanting line.
+constexpr double field_noise = 1;
+/// Steeper places are under the cutter's side: what stays there is in the wall's own cell.
+const double flattest_normal = std::cos(85 * pi / 180);
+
+/// How far from p along n the stock reaches, in steps of half a cell.
+double height_along(const StockField& field, const Vec3& p, const Vec3& n, double most) {
+    const double step = 0.5 * field.cell();
+    for (double t = 0; t < most; t += step) {
+        const Vec3 q = p + t * n;
+        const double u = (q.x() - field.box().lo.x()) / field.cell(),
+                     v = (q.y() - field.box().lo.y()) / field.cell();
+        if (!(u >= 0 && v >= 0 && u < field.columns() && v < field.rows())) return t;
+        if (q.z() >= field.middle(int(u), int(v))) return t;
+    }
+    return most;
+}
+
+} // namespace
+
+Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
+    const StockField& field = *in.field;
+    const AxialLift needle(in.contact,
+                           CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    const AxialLift kept(in.contact,
+                         CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)),
+                         in.allowance);
+    const AxialLift lift(in.contact, *in.profile, in.allowance);
+    const CutterCover cover(*in.profile, 0.125 * in.allowed);
+    const UpSide up(*in.mesh, progress);
+    const double cells = double(field.columns()) * double(field.rows());
+    const int stride = std::max(1, int(std::ceil(std::sqrt(cells / most_looked_at))));
+    const auto columns = std::size_t((field.columns() - 1) / stride + 1),
+               rows = std::size_t((field.rows() - 1) / stride + 1);
+    return parallel_reduce(
+        columns * rows, block, Remaining(), progress,
+        [&](std::size_t begin, std::size_t end) {
+            Remaining worst;
+            LiftHint hint;
+            for (std::size_t i = begin; i < end; ++i) {
+                const int column = int(i % columns) * stride, row = int(i / columns) * stride;
+                const Vec2 p = field.centre(column, row);
+                if (field.middle(column, row) == -infinity) continue;
+                const AxialContact seen = needle.contact(p.x(), p.y());
+                if (seen.facet == no_index) continue;
+                const Vec3 n = up.towards_tool(in.mesh->facet_normal(seen.facet));
+                if (!(n.z() > flattest_normal)) continue;
+                const Vec3 on_part(p.x(), p.y(), seen.tip_z);
+                ++worst.places;
+                const Vec3 over = on_part + in.allowance * n;
+                const Vec3 tip = over + cover.tip_offset(n);
+                if (tip.z() < in.lowest_tip) continue;
+                // Along the normal, where the stock over neighbouring cells may be higher.
+                const double left = height_along(field, over, n, field.box().size().z());
+                if (left <= in.allowed + field_noise * field.cell()) continue;
+                // Beside a wall the place lies in the wall's own allowance.
+                if (kept.is_above(over.x(), over.y(), over.z() + reach_share * in.allowed, hint)) continue;
+                // How far away the cutter stays, from wherever it comes down: over the place that would
+                // touch, or a little beside it where the part holds it up less.
+                const double near = reach_share * in.allowed;
+                double away = infinity;
+                for (int k = 0; k <= looks_beside && away > near; ++k) {
+                    const double turn = 2 * pi * k / looks_beside, out = k == 0 ? 0 : near;
+                    const double x = tip.x() + out * std::cos(turn), y = tip.y() + out * std::sin(turn);
+                    away = std::min(
+                        away, cover.ray_entry(over, n, Vec3(x, y, lift.tip_z(x, y)), 4 * cover.radius()));
+                }
+                if (away > near) {
+                    ++worst.out_of_reach;
+                    if (left > worst.beyond) {
+                        worst.beyond = left;
+                        worst.beyond_at = on_part;
+                    }
+                } else if (left > worst.height) {
+                    worst.height = left;
+                    worst.at = on_part;
+                }
+            }
+            return worst;
+        },
+        [](Remaining a, const Remaining& b) {
+            if (b.height > a.height) {
+                a.height = b.height;
+                a.at = b.at;
+            }
+            if (b.beyond > a.beyond) {
+                a.beyond = b.beyond;
+                a.beyond_at = b.beyond_at;
+            }
+            a.places += b.places;
+            a.out_of_reach += b.out_of_reach;
+            return a;
+        });
+}
+
+} // namespace facetmill

@@ -1,0 +1,302 @@
+#include "core/strategy/rough/rough_routes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+/// A place on a polyline.
+struct OnWay {
+    std::size_t segment = 0;
+    Vec2 point = Vec2::Zero();
+    double arc = 0, distance = infinity;
+};
+
+OnWay nearest_on(const std::vector<Vec2>& way, const Vec2& p) {
+    OnWay best;
+    double arc = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const Vec2 d = way[i] - way[i - 1];
+        const double length = d.norm();
+        const double t = length > 0 ? std::clamp((p - way[i - 1]).dot(d) / (length * length), 0.0, 1.0) : 0;
+        const Vec2 q = way[i - 1] + t * d;
+        if (const double distance = (p - q).norm(); distance < best.distance)
+            best = {i - 1, q, arc + t * length, distance};
+        arc += length;
+    }
+    return best;
+}
+
+/// Points of the polyline between two places, without them, in the order from a to b.
+void between(const std::vector<Vec2>& way, const OnWay& a, const OnWay& b, bool closed, bool forward,
+             std::vector<Vec2>& out) {
+    const std::size_t n = way.size() - 1; // segments
+    if (forward) {
+        const bool wraps = closed && a.arc > b.arc;
+        for (std::size_t i = a.segment + 1; i < (wraps ? n : b.segment + 1); ++i)
+            out.push_back(way[i]);
+        if (wraps)
+            for (std::size_t i = 0; i <= b.segment; ++i)
+                out.push_back(way[i]);
+    } else {
+        const bool wraps = closed && a.arc < b.arc;
+        for (std::size_t i = a.segment + 1; i-- > (wraps ? 0 : b.segment + 1);)
+            out.push_back(way[i]);
+        if (wraps)
+            for (std::size_t i = n; i-- > b.segment + 1;)
+                out.push_back(way[i]);
+    }
+}
+
+} // namespace
+
+void LayerWays::add_pieces(int line, double v, std::span<const Interval> free, double z, double merge,
+                           bool but_ends, std::vector<LinePiece>& pieces) const {
+    for (const Interval& range : free) {
+        const Vec3 a = frame_.point(range.lo, v, z), b = frame_.point(range.hi, v, z);
+        const std::size_t first = pieces.size();
+        for (const Interval& share : field_.work(cutter_, a, b, least_)) {
+            const double slack = field_.cell();
+            const Interval cut{std::max(range.lo, range.lo + share.lo * range.length() - slack),
+                               std::min(range.hi, range.lo + share.hi * range.length() + slack)};
+            if (pieces.size() > first && cut.lo - pieces.back().cut.hi <= merge)
+                pieces.back().cut.hi = cut.hi;
+            else
+                pieces.push_back({line, v, cut, range});
+        }
+        if (!but_ends) continue;
+        const auto at_end = [&](const LinePiece& p) {
+            return p.cut.length() < cutter_.radius() && (p.cut.lo <= range.lo || p.cut.hi >= range.hi);
+        };
+        pieces.erase(std::remove_if(pieces.begin() + std::ptrdiff_t(first), pieces.end(), at_end),
+                     pieces.end());
+    }
+}
+
+bool LayerWays::connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
+                        double longest, std::vector<Vec2>& way) const {
+    RoughReach::Hints hints;
+    if ((to - from).norm() <= longest && reach_.is_free(from, to, z, hints)) return true;
+    const double near = 4 * reach_.spacing();
+    for (const Contour& c : contours) {
+        const OnWay a = nearest_on(c.points, from);
+        if (a.distance > near) continue;
+        const OnWay b = nearest_on(c.points, to);
+        if (b.distance > near) continue;
+        const double whole = c.closed ? c.length() : 0;
+        double ahead = b.arc - a.arc, back = -ahead;
+        if (c.closed) {
+            if (ahead < 0) ahead += whole;
+            if (back < 0) back += whole;
+        } else if (ahead < 0)
+            ahead = infinity;
+        else
+            back = infinity;
+        const bool forward = ahead <= back;
+        if (std::min(ahead, back) > longest) continue;
+        if (!reach_.is_free(from, a.point, z, hints) || !reach_.is_free(b.point, to, z, hints)) continue;
+        way.push_back(a.point);
+        between(c.points, a, b, c.closed, forward, way);
+        way.push_back(b.point);
+        return true;
+    }
+    return false;
+}
+
+std::vector<RoughWay> LayerWays::joined_lines(std::vector<LinePiece> pieces,
+                                              std::span<const Contour> contours, double z, double longest,
+                                              bool oneway, Vec2& at, const Progress& progress) const {
+    std::vector<RoughWay> ways;
+    std::vector<char> done(pieces.size(), 0);
+    int lines = 0;
+    for (const LinePiece& p : pieces)
+        lines = std::max(lines, p.line + 1);
+    std::vector<std::vector<std::size_t>> of_line(static_cast<std::size_t>(lines));
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        of_line[std::size_t(pieces[i].line)].push_back(i);
+    const auto end = [&](std::size_t i, bool high, const Interval LinePiece::*range) {
+        const LinePiece& p = pieces[i];
+        return frame_.xy(high ? (p.*range).hi : (p.*range).lo, p.v);
+    };
+
+    for (std::size_t left = pieces.size(); left > 0;) {
+        progress.check();
+        // Go on with what is nearest.
+        std::size_t next = 0;
+        bool from_high = false;
+        double nearest = infinity;
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            for (const bool high : {false, true}) {
+                if (done[i] || (oneway && high)) continue;
+                const double d = (end(i, high, &LinePiece::cut) - at).norm();
+                if (d < nearest) {
+                    nearest = d;
+                    next = i;
+                    from_high = high;
+                }
+            }
+        RoughWay way;
+        way.line = pieces[next].line;
+        way.offset = pieces[next].v;
+        way.reversible = !oneway;
+        way.before = end(next, from_high, &LinePiece::free);
+        int turn = 0; // to which side the lines went on
+        for (;;) {
+            done[next] = 1;
+            --left;
+            way.points.push_back(end(next, from_high, &LinePiece::cut));
+            way.points.push_back(end(next, !from_high, &LinePiece::cut));
+            way.after = end(next, !from_high, &LinePiece::free);
+            at = way.points.back();
+            if (oneway) break;
+            std::optional<std::size_t> best;
+            bool best_high = false;
+            std::vector<Vec2> best_way;
+            double shortest = infinity;
+            for (const int side : {-1, 1}) {
+                const int line = pieces[next].line + side;
+                if (line < 0 || line >= lines || (turn != 0 && side != turn)) continue;
+                for (const std::size_t i : of_line[std::size_t(line)])
+                    for (const bool high : {false, true}) {
+                        if (done[i]) continue;
+                        const Vec2 start = end(i, high, &LinePiece::cut);
+                        if ((start - at).norm() >= shortest) continue;
+                        std::vector<Vec2> link;
+                        if (!connect(at, start, contours, z, longest, link)) continue;
+                        best = i;
+                        best_high = high;
+                        best_way = std::move(link);
+                        shortest = (start - at).norm();
+                    }
+            }
+            if (!best) break;
+            turn = pieces[*best].line - pieces[next].line;
+            way.points.insert(way.points.end(), best_way.begin(), best_way.end());
+            next = *best;
+            from_high = best_high;
+        }
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
+std::vector<RoughWay>
+LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+                          const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
+    std::vector<RoughWay> all;
+    const double step = 0.5 * cutter_.radius();
+    for (const Contour& contour : contours) {
+        progress.check();
+        // In short steps, each with its work or none.
+        std::vector<Vec2> points{contour.points.front()};
+        for (std::size_t i = 1; i < contour.points.size(); ++i) {
+            const Vec2 a = points.back(), b = contour.points[i];
+            const double n = std::max(1.0, std::ceil((b - a).norm() / step));
+            for (double k = 1; k <= n; ++k)
+                points.push_back(k == n ? b : Vec2(a + (k / n) * (b - a)));
+        }
+        const std::size_t n = points.size() - 1;
+        std::vector<char> busy(n, 0);
+        bool any = false, every = true;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 a(points[i].x(), points[i].y(), z), b(points[i + 1].x(), points[i + 1].y(), z);
+            busy[i] = field_.has_work(cutter_, a, b, least_)
+                      || (wanted_too && wanted_too(points[i], points[i + 1]));
+            any = any || busy[i];
+        }
+        if (!any) continue;
+        std::vector<char> cut = busy;
+        // Gaps that are shorter than what leaving and coming back takes are run through.
+        const double gap = 2.2 * cutter_.radius();
+        const auto after = [&](std::size_t i) { return contour.closed ? (i + 1) % n : i + 1; };
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!busy[i]) continue;
+            std::size_t k = after(i);
+            double arc = 0;
+            for (std::size_t steps = 1; steps < n && k < n && !busy[k] && arc <= gap; ++steps, k = after(k))
+                arc += (points[k + 1] - points[k]).norm();
+            if (k >= n || !busy[k] || arc > gap) continue;
+            for (std::size_t j = after(i); j != k; j = after(j))
+                cut[j] = 1;
+        }
+        // The tool comes in where nothing stands, if that is so within a radius before.
+        const std::vector<char> wanted = cut;
+        for (std::size_t i = 0; i < n; ++i) {
+            const bool starts = i == 0 ? !contour.closed || !wanted[n - 1] : !wanted[i - 1];
+            if (!wanted[i] || !starts) continue;
+            double arc = 0;
+            for (std::size_t j = i; arc < 1.1 * cutter_.radius();) {
+                if (field_.stand_height(cutter_, points[j], points[j]) <= z + least_) break;
+                if (j == 0 && !contour.closed) break;
+                j = (j + n - 1) % n;
+                if (wanted[j]) break;
+                cut[j] = 1;
+                arc += (points[j + 1] - points[j]).norm();
+            }
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            every = every && cut[i];
+        if (every) {
+            RoughWay way;
+            way.points = contour.points;
+            way.closed = contour.closed;
+            way.reversible = false;
+            all.push_back(std::move(way));
+            continue;
+        }
+        std::size_t start = 0;
+        if (contour.closed)
+            while (cut[start])
+                ++start;
+        for (std::size_t k = 0; k < n;) {
+            if (!cut[(start + k) % n]) {
+                ++k;
+                continue;
+            }
+            RoughWay way;
+            way.reversible = false;
+            way.points.push_back(points[(start + k) % n]);
+            for (; k < n && cut[(start + k) % n]; ++k)
+                way.points.push_back(points[(start + k) % n + 1]);
+            way.points = thinned_way(way.points, 1e-9 * cutter_.radius());
+            all.push_back(std::move(way));
+        }
+    }
+    // Nearest first.
+    std::vector<RoughWay> ordered;
+    while (!all.empty()) {
+        std::size_t best = 0;
+        double nearest = infinity;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            // A closed one may begin anywhere.
+            const double d =
+                all[i].closed ? nearest_on(all[i].points, at).distance : (all[i].points.front() - at).norm();
+            if (d < nearest) {
+                nearest = d;
+                best = i;
+            }
+        }
+        RoughWay way = std::move(all[best]);
+        all.erase(all.begin() + std::ptrdiff_t(best));
+        if (way.closed) {
+            const OnWay begin = nearest_on(way.points, at);
+            std::vector<Vec2> turned{begin.point};
+            turned.insert(turned.end(), way.points.begin() + std::ptrdiff_t(begin.segment) + 1,
+                          way.points.end());
+            turned.insert(turned.end(), way.points.begin() + 1,
+                          way.points.begin() + std::ptrdiff_t(begin.segment) + 1);
+            turned.push_back(begin.point);
+            way.points = std::move(turned);
+        }
+        way.before = way.points.front();
+        way.after = way.points.back();
+        at = way.points.back();
+        ordered.push_back(std::move(way));
+    }
+    return ordered;
+}
+
+} // namespace facetmill

@@ -1,0 +1,77 @@
+// Where the tip has to go, seen from above, so that every upward-facing place of the part is touched.
+//
+// A facet with unit normal n is touched by tips over the facet moved by the cutter's tip offset for n
+// (CutterCover): downhill, by the radius at which the cutter touches a plane of that slope. The domain is the
+// union of the moved facets, stretched over edges and vertices, where the cutter rolls from one facet to the
+// next. So it ends where the cutter touches the part's border with the border's own normal: the passes reach
+// far enough to cut borders fully, and no farther than that.
+//
+//  - Facets that face down or stand upright (tolerance::vertical_normal_z) ask for nothing. An upright wall
+//  between two
+//    levels lies between the moved facets of both and is cut as the tip comes down along it; the outer walls
+//    of a part are not cut, since nothing says how deep to go.
+//  - A mesh is a sheet, either side of which may be up: a facet with a downward normal counts with the
+//  opposite one. On
+//    a solid its underside thus asks again for places that its top asks for; asking twice makes no second
+//    pass.
+//  - Facets under an overhang ask for tip places that are blocked there; the axial lift passes over what
+//  blocks.
+#pragma once
+
+#include "core/strategy/surface/cutter_cover.h"
+#include "core/strategy/surface/drive_frame.h"
+#include "core/strategy/surface/interval_index.h"
+
+#include "core/mesh/mesh.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+struct Interval {
+    double lo = 0, hi = 0;
+    double length() const { return hi - lo; }
+};
+
+class ContactDomain {
+public:
+    /// `allowance`: stock left along the surface normal. `mesh` must outlive the domain. Throws Cancelled
+    /// within 20 000 facets.
+    ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover, double allowance,
+                  const Progress& progress);
+
+    bool empty() const { return index_.empty(); }
+    /// Range of v over the domain.
+    double lo() const { return index_.lo(); }
+    double hi() const { return index_.hi(); }
+    /// Smallest tip height that any contact in the domain asks for.
+    double lowest_tip() const { return lowest_tip_; }
+    /// Facets that face up, down (either counts) and stand upright or have no area.
+    std::size_t usable_facets() const { return usable_; }
+
+    /// Ranges of u that the domain covers anywhere in the strip v0 <= v <= v1, in order, with gaps of at most
+    /// `merge` closed.
+    std::vector<Interval> strip(double v0, double v1, double merge) const;
+    std::vector<Interval> line(double v, double merge) const { return strip(v, v, merge); }
+
+private:
+    using Corners = std::vector<Vec2>; ///< (u, v)
+
+    void corners_of(std::size_t facet, Corners& corners) const;
+    std::pair<double, double> v_range(std::size_t facet, Corners& corners) const;
+
+    const Mesh& mesh_;
+    DriveFrame frame_;
+    std::vector<std::array<float, 2>> offset_;   ///< per facet in (u, v); NaN: the facet asks for nothing
+    std::vector<std::uint32_t> fan_start_, fan_; ///< facets around each vertex
+    double lowest_tip_ = infinity;
+    std::size_t usable_ = 0;
+    IntervalIndex index_;
+};
+
+/// Joins overlapping intervals, and those at most `merge` apart; the result is sorted.
+std::vector<Interval> joined(std::vector<Interval> intervals, double merge);
+
+} // namespace facetmill

@@ -1,0 +1,393 @@
+#include "core/strategy/surface/region_field.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/surface/point_grid.h"
+#include "core/strategy/surface/up_side.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t most_facets = 4'000'000;
+constexpr std::size_t vertices_per_block = 2000;
+/// Of the spacing: edges of the fine mesh; nearer to a vertex than this share of an edge nothing is cut.
+constexpr double edge_share = 0.5, inset_share = 0.03;
+/// Rounds of smoothing: over about one spacing.
+constexpr int smoothing_rounds = 6;
+/// Of a drag's length: how far around it the boundary goes along, and the smallest such distance in spacings.
+constexpr double drag_reach = 4, least_drag_reach = 3;
+
+Vec3 vec(const std::array<double, 3>& p) {
+    return {p[0], p[1], p[2]};
+}
+
+double mesh_area(const Mesh& mesh) {
+    double sum = 0;
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+        sum += 0.5 * mesh.facet_cross(f).norm();
+    return sum;
+}
+
+/// (1 - t^2)^2 inside of 1.
+double bump(double t) {
+    const double inner = 1 - t * t;
+    return inner > 0 ? inner * inner : 0;
+}
+
+/// A mesh with what is known of its vertices, to be carried from piece to piece.
+struct Known {
+    Mesh mesh;
+    std::vector<Vec3> normals;
+    std::vector<VertexCurvature> curvatures;
+
+    Known derived(DerivedMesh&& d) const {
+        Known k;
+        k.normals = carried_normals(d, normals);
+        k.curvatures = carried_curvatures(d, curvatures, k.normals);
+        k.mesh = std::move(d.mesh);
+        return k;
+    }
+    PartPiece piece(std::span<const Index> facets) const {
+        PartOfMesh part = part_of(mesh, facets);
+        auto geometry = std::make_shared<MeshGeometry>();
+        auto carried = std::make_shared<std::vector<VertexCurvature>>();
+        for (const Index v : part.vertex_of) {
+            geometry->vertex_normals.push_back(normals[v]);
+            carried->push_back(curvatures[v]);
+        }
+        for (std::size_t f = 0; f < part.mesh.facets.size(); ++f)
+            geometry->facet_normals.push_back(part.mesh.facet_normal(f));
+        PartPiece made;
+        made.mesh = std::make_shared<Mesh>(std::move(part.mesh));
+        made.geometry = std::move(geometry);
+        made.curvatures = std::move(carried);
+        return made;
+    }
+};
+
+class Builder {
+public:
+    Builder(const RegionInput& input, std::span<const UncutPlace> uncut, const Progress& progress)
+        : in_(input), uncut_(uncut), progress_(progress), up_(*input.part, progress) {}
+
+    ReworkRegions run() {
+        take_surface();
+        result_.part_area = mesh_area(fine_.mesh);
+        if (uncut_.empty()) {
+            std::vector<Index> all(fine_.mesh.facets.size());
+            for (std::size_t f = 0; f < all.size(); ++f)
+                all[f] = Index(f);
+            result_.outside = fine_.piece(all);
+            return std::move(result_);
+        }
+        double most_grow = 0;
+        for (const RegionEdit& e : in_.edits)
+            most_grow = std::max(most_grow, e.grow);
+        for (const BoundaryDrag& d : in_.drags)
+            most_grow = std::max(most_grow, (vec(d.to) - vec(d.from)).norm());
+        far_ = 4 * in_.spacing + in_.offset + most_grow;
+        std::vector<Vec3> points;
+        for (const auto& u : uncut_)
+            points.push_back(u.point);
+        grid_.emplace(std::move(points), std::max(0.5 * far_, in_.spacing));
+        refine();
+        measure();
+        smooth();
+        find_level();
+        cut_outside();
+        find_edited();
+        cut_regions();
+        return std::move(result_);
+    }
+
+private:
+    /// The facets that a tool can come to.
+    void take_surface() {
+        const Mesh& part = *in_.part;
+        std::vector<Index> facets;
+        for (std::size_t f = 0; f < part.facets.size(); ++f)
+            if (up_.towards_tool(part.facet_normal(f)).z() > tolerance::vertical_normal_z)
+                facets.push_back(Index(f));
+        PartOfMesh taken = part_of(part, facets);
+        for (const Index v : taken.vertex_of) {
+            fine_.normals.push_back(in_.geometry->vertex_normals[v]);
+            fine_.curvatures.push_back((*in_.curvatures)[v]);
+        }
+        fine_.mesh = std::move(taken.mesh);
+    }
+
+    void refine() {
+        const auto wanted = [&](const std::array<Vec3, 3>& p) {
+            const Vec3 middle = (p[0] + p[1] + p[2]) / 3;
+            double reach = 0;
+            for (const Vec3& c : p)
+                reach = std::max(reach, (c - middle).norm());
+            reach += far_;
+            bool found = false;
+            grid_->near(middle, reach, [&](std::size_t i) {
+                found = found || (grid_->points()[i] - middle).squaredNorm() <= reach * reach;
+            });
+            return found;
+        };
+        fine_ = fine_.derived(
+            refined(fine_.mesh, wanted, edge_share * in_.spacing, most_facets, progress_.part(0, 0.3)));
+    }
+
+    Vec3 towards(Index v) const { return up_.towards_tool(fine_.normals[v]); }
+
+    void measure() {
+        const std::size_t n = fine_.mesh.vertices.size();
+        field_.assign(n, far_);
+        nearest_.assign(n, no_index);
+        parallel_blocks(n, vertices_per_block, progress_.part(0.3, 0.7),
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t v = begin; v < end; ++v) {
+                                const Vec3 &p = fine_.mesh.vertices[v], normal = towards(Index(v));
+                                double least = far_ * far_;
+                                grid_->near(p, far_, [&](std::size_t i) {
+                                    // The other side of a thin wall is another surface.
+                                    if (uncut_[i].normal.dot(normal) < 0) return;
+                                    const double square = (grid_->points()[i] - p).squaredNorm();
+                                    if (square < least || (square == least && Index(i) < nearest_[v])) {
+                                        least = square;
+                                        nearest_[v] = Index(i);
+                                    }
+                                });
+                                field_[v] = std::sqrt(least);
+                            }
+                        });
+    }
+
+    void smooth() {
+        const std::size_t n = fine_.mesh.vertices.size();
+        std::vector<double> sum(n);
+        std::vector<int> count(n);
+        for (int round = 0; round < smoothing_rounds; ++round) {
+            progress_.check();
+            std::fill(sum.begin(), sum.end(), 0);
+            std::fill(count.begin(), count.end(), 0);
+            for (const Facet& f : fine_.mesh.facets)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Index a = f[k], b = f[(k + 1) % 3];
+                    sum[a] += field_[b];
+                    sum[b] += field_[a];
+                    ++count[a];
+                    ++count[b];
+                }
+            for (std::size_t v = 0; v < n; ++v)
+                if (field_[v] < far_ && count[v] > 0) field_[v] = 0.5 * (field_[v] + sum[v] / count[v]);
+        }
+    }
+
+    /// The level that closes gaps between trajectories and has every uncut place inside.
+    void find_level() {
+        level_ = in_.spacing;
+        const PointGrid vertices(fine_.mesh.vertices, in_.spacing);
+        for (const auto& u : uncut_) {
+            double inside = infinity;
+            for (double reach = in_.spacing; inside == infinity && reach <= far_; reach *= 2)
+                vertices.near(u.point, reach, [&](std::size_t v) {
+                    if (nearest_[v] == no_index || towards(Index(v)).dot(u.normal) < 0) return;
+                    inside = std::min(inside, field_[v] + (vertices.points()[v] - u.point).norm());
+                });
+            if (inside < infinity) level_ = std::max(level_, inside);
+        }
+        // Edges of the fine mesh are taken as straight.
+        level_ = std::min(level_ * (1 + 1e-9), far_ - in_.spacing - in_.offset);
+    }
+
+    /// Values never so near to 0 that facets without width are cut off.
+    double kept_off(double value) const {
+        const double least = inset_share * edge_share * in_.spacing;
+        return std::abs(value) < least ? -least : value;
+    }
+
+    void cut_outside() {
+        std::vector<double> value(field_.size());
+        for (std::size_t v = 0; v < value.size(); ++v)
+            value[v] = kept_off(field_[v] - level_);
+        DividedMesh cut = divided(fine_.mesh, value);
+        std::vector<Index> outside;
+        for (std::size_t f = 0; f < cut.inside.size(); ++f)
+            if (!cut.inside[f]) outside.push_back(Index(f));
+        result_.outside = fine_.derived(std::move(cut.derived)).piece(outside);
+        result_.uncut_area = result_.part_area - mesh_area(*result_.outside.mesh);
+    }
+
+    /// What is inside the boundaries, as pieces; each uncut place's piece.
+    struct Pieces {
+        Known known;
+        std::vector<std::vector<Index>> facets;
+        std::vector<std::size_t> of_uncut;
+    };
+    Pieces pieces(const std::vector<double>& out) const {
+        std::vector<double> value(field_.size());
+        for (std::size_t v = 0; v < value.size(); ++v)
+            value[v] = kept_off(field_[v] - level_ - out[v]);
+        DividedMesh cut = divided(fine_.mesh, value);
+        std::vector<Index> inside;
+        for (std::size_t f = 0; f < cut.inside.size(); ++f)
+            if (cut.inside[f]) inside.push_back(Index(f));
+        Pieces p;
+        p.known = fine_.derived(std::move(cut.derived));
+        std::size_t count = 0;
+        const auto number = connected_pieces(p.known.mesh, inside, count);
+        p.facets.resize(count);
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            p.facets[number[i]].push_back(inside[i]);
+        // An uncut place belongs to the piece with the nearest corner.
+        std::vector<Vec3> corners;
+        std::vector<std::size_t> piece_of;
+        std::vector<Vec3> normals;
+        std::vector<bool> seen(p.known.mesh.vertices.size(), false);
+        for (std::size_t i = 0; i < count; ++i)
+            for (const Index f : p.facets[i])
+                for (const Index v : p.known.mesh.facets[f]) {
+                    if (seen[v]) continue;
+                    seen[v] = true;
+                    corners.push_back(p.known.mesh.vertices[v]);
+                    normals.push_back(up_.towards_tool(p.known.normals[v]));
+                    piece_of.push_back(i);
+                }
+        const PointGrid grid(std::move(corners), in_.spacing);
+        for (const auto& u : uncut_) {
+            double least = infinity;
+            std::size_t piece = 0;
+            for (double reach = in_.spacing; least == infinity && reach <= far_; reach *= 2)
+                grid.near(u.point, reach, [&](std::size_t i) {
+                    const double square = (grid.points()[i] - u.point).squaredNorm();
+                    if (normals[i].dot(u.normal) < 0 || !(square < least)) return;
+                    least = square;
+                    piece = piece_of[i];
+                });
+            p.of_uncut.push_back(piece);
+        }
+        return p;
+    }
+
+    /// How far outward the boundary goes at each vertex, without the offset being less than 0.
+    void find_edited() {
+        out_.assign(field_.size(), in_.offset);
+        grow_.assign(uncut_.size(), 0);
+        enabled_.assign(uncut_.size(), true);
+        if (!in_.edits.empty() || !in_.drags.empty()) {
+            unedited_ = pieces(out_).of_uncut;
+            for (const RegionEdit& e : in_.edits) {
+                std::size_t nearest = 0;
+                for (std::size_t i = 1; i < uncut_.size(); ++i)
+                    if ((uncut_[i].point - vec(e.place)).squaredNorm()
+                        < (uncut_[nearest].point - vec(e.place)).squaredNorm())
+                        nearest = i;
+                edited_.push_back(nearest);
+                for (std::size_t i = 0; i < uncut_.size(); ++i)
+                    if (unedited_[i] == unedited_[nearest]) {
+                        grow_[i] = e.grow;
+                        enabled_[i] = e.enabled;
+                    }
+            }
+        }
+        for (std::size_t v = 0; v < out_.size(); ++v) {
+            if (nearest_[v] == no_index) continue;
+            out_[v] += grow_[nearest_[v]];
+            for (const BoundaryDrag& d : in_.drags) {
+                const Vec3 from = vec(d.from), to = vec(d.to);
+                const double length = (to - from).norm();
+                const double reach = std::max(drag_reach * length, least_drag_reach * in_.spacing);
+                const double share = bump((fine_.mesh.vertices[v] - from).norm() / reach);
+                if (!(share > 0) || !(length > 0)) continue;
+                // Outward where the place dragged to is farther from what is uncut.
+                const auto distance = [&](const Vec3& p) {
+                    double least = infinity;
+                    for (const auto& u : uncut_)
+                        least = std::min(least, (u.point - p).norm());
+                    return least;
+                };
+                const auto [known, is_new] = drag_way_.try_emplace(&d, 0);
+                if (is_new) known->second = (distance(to) - distance(from)) / bump(length / reach);
+                out_[v] += share * known->second;
+            }
+            out_[v] = std::max(out_[v], 0.0);
+        }
+    }
+
+    void cut_regions() {
+        const Pieces p = pieces(out_);
+        std::vector<ReworkRegion> regions(p.facets.size());
+        std::set<std::pair<std::size_t, std::size_t>> parts;
+        for (std::size_t i = 0; i < uncut_.size(); ++i) {
+            ReworkRegion& r = regions[p.of_uncut[i]];
+            const bool first = r.uncut++ == 0;
+            if (first) r.place = uncut_[i].point;
+            r.lead_largest = std::max(r.lead_largest, uncut_[i].lead);
+            // What has grown together is one region, cut where one of its parts is.
+            r.strip.enabled = enabled_[i] || (!first && r.strip.enabled);
+            r.grow = first ? grow_[i] : std::max(r.grow, grow_[i]);
+            if (parts.emplace(p.of_uncut[i], unedited_.empty() ? p.of_uncut[i] : unedited_[i]).second)
+                r.places.push_back(uncut_[i].point);
+        }
+        for (std::size_t e = 0; e < edited_.size(); ++e)
+            regions[p.of_uncut[edited_[e]]].edits.push_back(e);
+        std::vector<Index> within;
+        std::vector<std::pair<Vec3, std::size_t>> order;
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            ReworkRegion& r = regions[i];
+            const PartPiece piece = p.known.piece(p.facets[i]);
+            Vec3 first = Vec3::Constant(infinity);
+            for (std::size_t f = 0; f < piece.mesh->facets.size(); ++f) {
+                r.strip.band.push_back(
+                    {piece.mesh->corner(f, 0), piece.mesh->corner(f, 1), piece.mesh->corner(f, 2)});
+                for (const Vec3& c : r.strip.band.back())
+                    if (std::pair(c.x(), c.y()) < std::pair(first.x(), first.y())) first = c;
+            }
+            r.strip.kind = StripKind::rework;
+            r.strip.boundaries = border_loops(*piece.mesh);
+            r.strip.area = mesh_area(*piece.mesh);
+            if (r.uncut > 0) order.emplace_back(first, i);
+            if (r.uncut > 0 && r.strip.enabled)
+                within.insert(within.end(), p.facets[i].begin(), p.facets[i].end());
+        }
+        std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+            return std::tuple(a.first.x(), a.first.y(), a.second)
+                   < std::tuple(b.first.x(), b.first.y(), b.second);
+        });
+        for (const auto& [first, i] : order) {
+            result_.regions.push_back(std::move(regions[i]));
+            result_.regions.back().strip.name = "Region " + std::to_string(result_.regions.size());
+        }
+        std::sort(within.begin(), within.end());
+        result_.within = p.known.piece(within);
+        result_.area = mesh_area(*result_.within.mesh);
+    }
+
+    const RegionInput& in_;
+    std::span<const UncutPlace> uncut_;
+    const Progress& progress_;
+    UpSide up_;
+    Known fine_;
+    std::optional<PointGrid> grid_; ///< of the uncut places
+    double far_ = 0, level_ = 0;
+    std::vector<double> field_;  ///< smoothed distance, per vertex; `far_` and more is one
+    std::vector<Index> nearest_; ///< uncut place
+    std::vector<double> out_, grow_;
+    std::vector<bool> enabled_;
+    std::vector<std::size_t>
+        unedited_; ///< of each uncut place: its region without edits; empty: there are none
+    std::vector<std::size_t> edited_; ///< of each edit: the uncut place nearest to it
+    std::map<const BoundaryDrag*, double> drag_way_;
+    ReworkRegions result_;
+};
+
+} // namespace
+
+ReworkRegions rework_regions(const RegionInput& input, std::span<const UncutPlace> uncut,
+                             const Progress& progress) {
+    return Builder(input, uncut, progress).run();
+}
+
+} // namespace facetmill

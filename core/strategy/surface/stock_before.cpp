@@ -1,0 +1,24 @@
+#include "core/strategy/surface/stock_before.h"
+
+namespace facetmill {
+
+StockField stock_before(const PlanContext& context, double cell, const Progress& progress) {
+    StockSolid solid = context.stock;
+    if (solid.box.empty()) {
+        solid = StockSolid();
+        solid.box = context.stock_box;
+    }
+    StockField field(solid, cell, progress.part(0, 0.5));
+    for (const auto& earlier : context.earlier) {
+        const StockCutter cutter{CutterProfile(earlier->cutter)};
+        std::size_t done = 0;
+        for (const auto& [from, to] : earlier->motions) {
+            if (++done % 64 == 0) progress.check();
+            field.cut(cutter, from, to);
+        }
+    }
+    progress.set(1);
+    return field;
+}
+
+} // namespace facetmill

@@ -1,0 +1,13 @@
+// The stock that an operation meets: raw material less what the operations before it cut. Millimetres, part
+// coordinates.
+#pragma once
+
+#include "core/strategy/plan/operation.h"
+#include "core/strategy/surface/stock_field.h"
+
+namespace facetmill {
+
+/// The stock as it stands before an operation, in cells of `cell` mm. Throws what StockField does.
+StockField stock_before(const PlanContext& context, double cell, const Progress& progress);
+
+} // namespace facetmill

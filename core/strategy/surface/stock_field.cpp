@@ -1,0 +1,366 @@
+#include "core/strategy/surface/stock_field.h"
+
+#include "core/base/error.h"
+#include "core/base/tolerances.h"
+#include "core/gouge/axial_lift.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Pieces of a way are this many radii long: their boxes hold little that the cutter does not reach.
+constexpr double piece_radii = 2;
+
+} // namespace
+
+StockCutter::StockCutter(const CutterProfile& profile)
+    : radius_(profile.max_radius()), height_(profile.height()) {
+    table_.resize(pieces + 2);
+    for (std::size_t i = 0; i <= pieces; ++i) {
+        const double rest = 1 - double(i) / double(pieces);
+        // Just inside the rim, where rounding could leave the profile.
+        table_[i] = profile.height_at(radius_ * (i == pieces ? 1 - 1e-15 : 1 - rest * rest));
+    }
+    table_[pieces + 1] = table_[pieces];
+    std::size_t flat = 0; // knots 0 to flat are 0
+    while (flat <= pieces && table_[flat] == 0)
+        ++flat;
+    if (flat > 1) {
+        const double rest = 1 - double(flat - 1) / double(pieces);
+        flat_radius_ = radius_ * (1 - rest * rest) * (1 - 1e-12);
+        while (flat_radius_ > 0 && above(flat_radius_) != 0)
+            flat_radius_ *= 1 - 1e-4;
+    }
+}
+
+StockField::StockField(const StockSolid& solid, double cell, const Progress& progress) : box_(solid.box) {
+    if (!(cell > 0))
+        throw Error(ErrorCode::out_of_range, "stock", "the cells of a stock field are not above 0",
+                    "report this");
+    if (box_.empty()) return;
+    const Vec3 size = box_.size();
+    // Thin or empty stock has at least one cell.
+    cell_ = std::max({cell, std::sqrt(size.x() * size.y() / most_cells), size.maxCoeff() / most_cells});
+    half_diagonal_ = cell_ * std::numbers::sqrt2 / 2;
+    columns_ = std::max(1, int(std::ceil(size.x() / cell_)));
+    rows_ = std::max(1, int(std::ceil(size.y() / cell_)));
+    cells_.assign(std::size_t(columns_) * std::size_t(rows_), {box_.hi.z(), box_.hi.z()});
+    // The last cells may reach beyond the box.
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column)
+            if (const Vec2 c = centre(column, row); c.x() > box_.hi.x() || c.y() > box_.hi.y())
+                cells_[at(column, row)].middle = -infinity;
+    if (solid.kind == StockSolid::Kind::cylinder)
+        fill_round(solid);
+    else if (solid.kind == StockSolid::Kind::mesh)
+        fill_mesh(solid, progress);
+    find_run_tops();
+    progress.set(1);
+}
+
+void StockField::fill_round(const StockSolid& solid) {
+    const Vec3 middle = box_.center();
+    const auto height = [&](double x, double y) {
+        const double d = solid.axis == 2 ? std::hypot(x, y) : solid.axis == 0 ? y : x;
+        if (d > solid.radius) return -infinity;
+        return solid.axis == 2 ? box_.hi.z() : middle.z() + std::sqrt(solid.radius * solid.radius - d * d);
+    };
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            const Vec2 c = (centre(column, row) - middle.head<2>()).cwiseAbs();
+            Cell& cell = cells_[at(column, row)];
+            cell.top = height(std::max(0.0, c.x() - 0.5 * cell_), std::max(0.0, c.y() - 0.5 * cell_));
+            cell.middle = std::min(cell.middle, height(c.x(), c.y()));
+        }
+}
+
+void StockField::fill_mesh(const StockSolid& solid, const Progress& progress) {
+    if (!solid.mesh || solid.mesh->facets.empty()) return;
+    // A level disc that holds the cell comes down on it.
+    const auto index = std::make_shared<ContactIndex>(solid.mesh, progress.part(0, 0.5));
+    const AxialLift disc(index, CutterProfile(AptCutter::flat(2.0001 * half_diagonal_, unlimited_height)));
+    std::vector<Vec2> points(cells_.size());
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column)
+            points[at(column, row)] = centre(column, row);
+    std::vector<double> heights(points.size());
+    disc.tip_z(points, heights, progress.part(0.5, 0.75));
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+        cells_[i].top = heights[i];
+    const AxialLift needle(index,
+                           CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)));
+    needle.tip_z(points, heights, progress.part(0.75, 1));
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+        cells_[i].middle = heights[i];
+}
+
+double StockField::highest() const {
+    double most = -infinity;
+    for (const double top : run_tops_)
+        most = std::max(most, top);
+    return most;
+}
+
+void StockField::find_run_tops() {
+    run_columns_ = (columns_ + run - 1) / run;
+    run_tops_.assign(std::size_t(run_columns_) * std::size_t(rows_), -infinity);
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            double& top = run_tops_[std::size_t(row) * std::size_t(run_columns_) + std::size_t(column / run)];
+            top = std::max(top, cells_[at(column, row)].top);
+        }
+}
+
+template <class Field, class Wanted, class Visit>
+void StockField::near_way(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                          Wanted&& wanted, Visit&& visit) {
+    if (field.cells_.empty()) return;
+    const double cell_ = field.cell_;
+    const Box3& box_ = field.box_;
+    const Vec2 way = b - a;
+    const double square = way.squaredNorm();
+    const auto first = [&](double x, double lo) {
+        return int(std::clamp(std::floor((x - reach - lo) / cell_ - 0.5), 0.0, 2e9));
+    };
+    const auto last = [&](double x, double lo, int n) {
+        return int(std::clamp(std::ceil((x + reach - lo) / cell_ - 0.5), -1.0, double(n - 1)));
+    };
+    const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
+    const int row1 = last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_);
+    const int column0 = first(x0, box_.lo.x()), column1 = last(x1, box_.lo.x(), field.columns_);
+    const double reach_square = reach * reach;
+    for (int row = first(std::min(a.y(), b.y()), box_.lo.y()); row <= row1; ++row) {
+        auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
+        auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
+        for (int begin = column0; begin <= column1;) {
+            const int start = begin / run * run, end = std::min(column1, start + run - 1);
+            if (tops[begin / run] > floor) {
+                for (int column = begin; column <= end; ++column) {
+                    auto& cell = cells[column];
+                    if (!wanted(cell)) continue;
+                    const Vec2 p = field.centre(column, row) - a;
+                    const double t = square > 0 ? std::clamp(p.dot(way) / square, 0.0, 1.0) : 0;
+                    const double d2 = (p - t * way).squaredNorm();
+                    if (d2 > reach_square) continue;
+                    if (!visit(cell, d2, t)) return;
+                }
+                if constexpr (!std::is_const_v<Field>) {
+                    double top = -infinity;
+                    for (int column = start; column < std::min(field.columns_, start + run); ++column)
+                        top = std::max(top, cells[column].top);
+                    tops[begin / run] = top;
+                }
+            }
+            begin = end + 1;
+        }
+    }
+}
+
+namespace {
+
+/// Calls piece(from, to) for short pieces of a way, as shares of it; ends when it returns false.
+template <class Piece>
+void short_pieces(double length, double longest, Piece&& piece) {
+    const double n = std::max(1.0, std::ceil(length / longest));
+    for (double k = 0; k < n; ++k)
+        if (!piece(k / n, (k + 1) / n)) return;
+}
+
+} // namespace
+
+void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
+    const Vec2 way = b - a;
+    const double length = way.norm();
+    const Vec2 side = length > 0 ? Vec2(Vec2(-way.y(), way.x()) * (radius / length)) : Vec2(0, radius);
+    const double low = std::min(a.y(), b.y()) - radius, high = std::max(a.y(), b.y()) + radius;
+    const int row0 = std::max(0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)));
+    const int row1 = std::min(rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)));
+    for (int row = row0; row <= row1; ++row) {
+        // The place is convex: a disc at either end, and what is between the two sides.
+        const double y = box_.lo.y() + (row + 0.5) * cell_;
+        double from = infinity, to = -infinity;
+        for (const Vec2& end : {a, b}) {
+            const double rest = radius * radius - (y - end.y()) * (y - end.y());
+            if (rest < 0) continue;
+            from = std::min(from, end.x() - std::sqrt(rest));
+            to = std::max(to, end.x() + std::sqrt(rest));
+        }
+        for (const double s : {-1.0, 1.0}) {
+            const Vec2 p = a + s * side, q = b + s * side;
+            if ((p.y() - y) * (q.y() - y) > 0 || p.y() == q.y()) continue;
+            const double x = p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+            from = std::min(from, x);
+            to = std::max(to, x);
+        }
+        if (!(from <= to)) continue;
+        const int column0 = std::max(0, int(std::ceil((from - box_.lo.x()) / cell_ - 0.5)));
+        const int column1 = std::min(columns_ - 1, int(std::floor((to - box_.lo.x()) / cell_ - 0.5)));
+        Cell* cells = cells_.data() + std::ptrdiff_t(row) * columns_;
+        double* tops = run_tops_.data() + std::ptrdiff_t(row) * run_columns_;
+        for (int begin = column0; begin <= column1;) {
+            const int start = begin / run * run, end = std::min(column1, start + run - 1);
+            if (tops[begin / run] > z) {
+                for (int column = begin; column <= end; ++column)
+                    for (double* height : {&cells[column].top, &cells[column].middle})
+                        if (*height > z && *height <= top) *height = z;
+                double most = -infinity;
+                for (int column = start; column < std::min(columns_, start + run); ++column)
+                    most = std::max(most, cells[column].top);
+                tops[begin / run] = most;
+            }
+            begin = end + 1;
+        }
+    }
+}
+
+void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
+    const Vec3 way = b - a;
+    short_pieces(way.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        const Vec3 p = a + from * way, q = a + to * way;
+        // Any place of the piece gives a height that is not too low; the nearest is the best on a level one,
+        // the lower end where it goes down steeply.
+        const Vec3& low = p.z() < q.z() ? p : q;
+        if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
+            cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
+                      p.z() + cutter.height());
+        const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
+        near_way(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
+                 [&](Cell& cell, double square, double t) {
+                     const double d = std::sqrt(square);
+                     const double z = p.z() + t * (q.z() - p.z());
+                     const auto lower = [&](double& height, double slack) {
+                         if (height <= low.z() || height > z + cutter.height()) return;
+                         height = std::min(height, z + cutter.above(d + slack));
+                     };
+                     lower(cell.middle, 0);
+                     lower(cell.top, half_diagonal_);
+                     return true;
+                 });
+        if (p.z() != q.z())
+            near_way(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
+                     [&](Cell& cell, double square, double) {
+                         const double d = std::sqrt(square);
+                         const auto lower = [&](double& height, double slack) {
+                             if (height <= low.z() || height > low.z() + cutter.height()) return;
+                             height = std::min(height, low.z() + cutter.above(d + slack));
+                         };
+                         lower(cell.middle, 0);
+                         lower(cell.top, half_diagonal_);
+                         return true;
+                     });
+        return true;
+    });
+}
+
+double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {
+    double height = -infinity;
+    const Vec2 way = b - a;
+    short_pieces(way.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        near_way(
+            *this, a + from * way, a + to * way, cutter.radius() + half_diagonal_, height,
+            [&](const Cell& cell) { return cell.top > height; },
+            [&](const Cell& cell, double square, double) {
+                const double d = std::sqrt(square);
+                height = std::max(height, cell.top - cutter.below(std::max(0.0, d - half_diagonal_)));
+                return true;
+            });
+        return true;
+    });
+    return height;
+}
+
+double StockField::stand_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {
+    double height = -infinity;
+    const Vec2 way = b - a;
+    short_pieces(way.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        near_way(
+            *this, a + from * way, a + to * way, cutter.radius(), height,
+            [&](const Cell& cell) { return cell.middle > height; },
+            [&](const Cell& cell, double square, double) {
+                const double d = std::sqrt(square);
+                height = std::max(height, cell.middle - cutter.below(d));
+                return true;
+            });
+        return true;
+    });
+    return height;
+}
+
+double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, double floor) const {
+    double height = floor;
+    const Vec2 way = b - a;
+    short_pieces(way.norm(), piece_radii * std::max(radius, cell_), [&](double from, double to) {
+        near_way(
+            *this, a + from * way, a + to * way, radius + half_diagonal_, height,
+            [&](const Cell& cell) { return cell.top > height; },
+            [&](const Cell& cell, double, double) {
+                height = std::max(height, cell.top);
+                return true;
+            });
+        return true;
+    });
+    return height;
+}
+
+std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a, const Vec3& b,
+                                       double least) const {
+    std::vector<Interval> all;
+    const Vec3 way = b - a;
+    const double length = way.head<2>().norm();
+    // In bins of a cell's length, so that what comes out is in order.
+    const auto bins = std::size_t(std::max(1.0, std::ceil(length / cell_)));
+    std::vector<char> busy(bins, 0);
+    short_pieces(length, piece_radii * cutter.radius(), [&](double from, double to) {
+        const Vec3 p = a + from * way, q = a + to * way;
+        const double floor = std::min(p.z(), q.z()) + least;
+        near_way(
+            *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
+            [&](const Cell& cell) { return cell.middle > floor; },
+            [&](const Cell& cell, double square, double t) {
+                const double share = from + t * (to - from);
+                char& bin = busy[std::min(bins - 1, std::size_t(share * double(bins)))];
+                if (bin) return true;
+                // Of an upright way the lower end says it.
+                const double z = length > 0 ? p.z() + t * (q.z() - p.z()) : std::min(a.z(), b.z());
+                if (cell.middle - (z + cutter.above(std::sqrt(square))) > least) bin = 1;
+                return true;
+            });
+        return true;
+    });
+    for (std::size_t i = 0; i < bins; ++i) {
+        if (!busy[i]) continue;
+        const double lo = double(i) / double(bins), hi = double(i + 1) / double(bins);
+        if (i > 0 && busy[i - 1])
+            all.back().hi = hi;
+        else
+            all.push_back({lo, hi});
+    }
+    return all;
+}
+
+bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const {
+    bool found = false;
+    const Vec3 way = b - a;
+    const auto look = [&](const Vec3& p, const Vec3& q) {
+        const double floor = std::min(p.z(), q.z()) + least;
+        near_way(
+            *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
+            [&](const Cell& cell) { return cell.middle > floor; },
+            [&](const Cell& cell, double square, double t) {
+                const double d = std::sqrt(square);
+                found = cell.middle - (p.z() + t * (q.z() - p.z()) + cutter.above(d)) > least;
+                return !found;
+            });
+        return !found;
+    };
+    short_pieces(way.head<2>().norm(), piece_radii * cutter.radius(),
+                 [&](double from, double to) { return look(a + from * way, a + to * way); });
+    // Of an upright way the lower end says it.
+    const Vec3& low = a.z() < b.z() ? a : b;
+    if (!found && a.z() != b.z()) look(low, low);
+    return found;
+}
+
+} // namespace facetmill

@@ -1,0 +1,112 @@
+// What stands of the stock, as planners see it: over every cell of a level grid the height of its top.
+// Millimetres, part coordinates, tools with the axis +Z. It shares nothing with the verifier, which judges.
+//
+// Two heights a cell:
+//   top     no material of the cell is higher: what must not be touched is asked here, so that links, shanks
+//           and holders keep clear of what may stand.
+//   middle  over the cell's centre, exact but for the cutter's table: where a cut removes something. A cell
+//           that a wall crosses has a high top for ever; its centre tells whether there is still work.
+//
+// Material is believed to reach down without end, and what the cutting part leaves above its own height
+// stays. So where the field is wrong there is less material than it says.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cutter/cutter.h"
+#include "core/setup/stock_solid.h"
+#include "core/strategy/surface/contact_domain.h"
+
+#include <cmath>
+#include <vector>
+
+namespace facetmill {
+
+/// The lower surface of a cutter in a table.
+class StockCutter {
+public:
+    explicit StockCutter(const CutterProfile& profile);
+
+    double radius() const { return radius_; }
+    double height() const { return height_; }
+    /// Within this distance from the axis the lower surface is flat, for `above` too; 0 where it is not.
+    double flat_radius() const { return flat_radius_; }
+    /// Not below, and not above, the height of the lower surface over the tip at distance rho from the axis;
+    /// infinite beyond the radius.
+    double above(double rho) const { return rho > radius_ ? infinity : table_[knot(rho) + 1]; }
+    double below(double rho) const { return rho > radius_ ? infinity : table_[knot(rho)]; }
+
+private:
+    static constexpr std::size_t pieces = 4096;
+    /// Closer towards the rim, where a ball's surface stands upright: on a ball all steps are alike.
+    std::size_t knot(double rho) const {
+        return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
+    }
+    double radius_, height_, flat_radius_ = 0;
+    std::vector<double> table_;
+};
+
+class StockField {
+public:
+    /// Cells of about `cell`, coarser where they would be more than `most_cells`. Throws
+    /// Error(out_of_range) for a cell that is not above 0; Cancelled within 20 ms.
+    StockField(const StockSolid& solid, double cell, const Progress& progress);
+
+    static constexpr double most_cells = 2e6;
+
+    double cell() const { return cell_; }
+    const Box3& box() const { return box_; } ///< of the solid
+    /// Cells in x and y, and the centre and the heights of one; -inf where there is no material.
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    Vec2 centre(int column, int row) const {
+        return {box_.lo.x() + (column + 0.5) * cell_, box_.lo.y() + (row + 0.5) * cell_};
+    }
+    double top(int column, int row) const { return cells_[at(column, row)].top; }
+    double middle(int column, int row) const { return cells_[at(column, row)].middle; }
+    double highest() const; ///< of all tops
+    /// The cutter moves straight from a to b at feed.
+    void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
+    /// The lowest tip height at which the cutter, moved level and straight from a to b, touches nothing; -inf
+    /// where nothing is.
+    double clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const;
+    /// The same by the heights over the cells' centres: what it touches lower is narrower than a cell.
+    double stand_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const;
+    /// The highest top within `radius` of the way from a to b, if that is above `floor`; else any height not
+    /// above it.
+    double highest_near(const Vec2& a, const Vec2& b, double radius, double floor = -infinity) const;
+    /// Where on the way from a to b (shares 0 to 1 of it, level) the cutter takes away more than `least` of
+    /// height. Cells beside the way count where the axis passes them.
+    std::vector<Interval> work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;
+    bool has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;
+
+private:
+    struct Cell {
+        double top, middle;
+    };
+    std::size_t at(int column, int row) const {
+        return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
+    }
+    void find_run_tops();
+    /// What stands over cells whose centre is within `radius` of the way from a to b, but not above `top`, is
+    /// cut down to z.
+    void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top);
+    void fill_round(const StockSolid& solid);
+    void fill_mesh(const StockSolid& solid, const Progress& progress);
+    /// visit(cell, square of its centre's distance from the way, share of the way nearest to it) for cells
+    /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
+    /// `floor`; ends when visit returns false. Most cells near a way are cut already: `wanted` is asked
+    /// first.
+    template <class Field, class Wanted, class Visit>
+    static void near_way(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                         Wanted&& wanted, Visit&& visit);
+
+    Box3 box_;
+    double cell_ = 1, half_diagonal_ = 1;
+    int columns_ = 0, rows_ = 0;
+    std::vector<Cell> cells_;
+    static constexpr int run = 8; ///< cells of a row
+    int run_columns_ = 0;
+    std::vector<double> run_tops_; ///< the highest top of each run
+};
+
+} // namespace facetmill

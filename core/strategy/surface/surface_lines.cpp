@@ -1,0 +1,213 @@
+#include "core/strategy/surface/surface_lines.h"
+
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+SlicePoint between(const SlicePoint& a, const SlicePoint& b, double t) {
+    SlicePoint p;
+    p.point = a.point + t * (b.point - a.point);
+    p.normal = edge_normal(a.normal, b.normal, t);
+    if (p.normal.isZero()) p.normal = a.normal;
+    p.u = a.u + t * (b.u - a.u);
+    p.facet = t < 0.5 ? a.facet : b.facet;
+    return p;
+}
+
+void measure(SurfaceLine& line) {
+    line.arc.assign(1, 0);
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+        line.arc.push_back(line.arc.back() + (line.points[i].point - line.points[i - 1].point).norm());
+}
+
+/// The runs of a chain that face the tool.
+void add_usable(const SliceChain& chain, const UpSide& up, std::vector<SurfaceLine>& lines) {
+    std::vector<SlicePoint> points = chain.points;
+    for (SlicePoint& p : points)
+        p.normal = up.towards_tool(p.normal);
+    SurfaceLine line;
+    const auto finish = [&] {
+        if (line.points.size() >= 2) {
+            if (line.points.back().u < line.points.front().u)
+                std::reverse(line.points.begin(), line.points.end());
+            measure(line);
+            if (line.length() > 0) lines.push_back(std::move(line));
+        }
+        line = {};
+    };
+    // A closed chain starts at its smallest u: there and where u is largest it is cut in two.
+    const auto by_u = [](const SlicePoint& a, const SlicePoint& b) { return a.u < b.u; };
+    const SlicePoint turn = *std::max_element(points.begin(), points.end(), by_u);
+    if (chain.closed) points.push_back(points.front());
+    for (const SlicePoint& p : points) {
+        if (p.normal.z() > tolerance::vertical_normal_z) {
+            line.points.push_back(p);
+            if (!chain.closed || p.point != turn.point) continue;
+            finish();
+            line.points.push_back(p);
+        } else {
+            finish();
+        }
+    }
+    finish();
+}
+
+} // namespace
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 d = b - a;
+    const double square = d.squaredNorm();
+    const double t = square > 0 ? std::clamp((p - a).dot(d) / square, 0.0, 1.0) : 0.0;
+    return (p - a - t * d).norm();
+}
+
+SlicePoint SurfaceLine::at(double s) const {
+    const auto after = std::lower_bound(arc.begin(), arc.end(), s);
+    const std::size_t i = std::clamp<std::size_t>(std::size_t(after - arc.begin()), 1, points.size() - 1);
+    const double piece = arc[i] - arc[i - 1];
+    const double t = piece > 0 ? (s - arc[i - 1]) / piece : 0.0;
+    if (t >= 0 && t <= 1) return between(points[i - 1], points[i], t);
+    // Beyond an end: straight on, in the direction that the line has there, with the normal of the end.
+    const bool front = t < 0;
+    SlicePoint end = front ? points.front() : points.back();
+    const double beyond = front ? s : s - length();
+    end.point += beyond * direction(s);
+    if (piece > 0) end.u += beyond * (points[i].u - points[i - 1].u) / piece;
+    return end;
+}
+
+Vec3 SurfaceLine::direction(double s) const {
+    const auto after = std::upper_bound(arc.begin(), arc.end(), s);
+    std::size_t i = std::clamp<std::size_t>(std::size_t(after - arc.begin()), 1, points.size() - 1);
+    // Pieces without length have no direction.
+    while (i + 1 < points.size() && !(arc[i] > arc[i - 1]))
+        ++i;
+    while (i > 1 && !(arc[i] > arc[i - 1]))
+        --i;
+    return (points[i].point - points[i - 1].point).normalized();
+}
+
+SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options) {
+    for (SurfaceLine& line : lines) {
+        Chain chain;
+        ends_.push_back({line.points.front().point, line.points.front().u, true});
+        ends_.push_back({line.points.back().point, line.points.back().u, false});
+        const auto [least, most] =
+            std::minmax_element(line.points.begin(), line.points.end(),
+                                [](const SlicePoint& a, const SlicePoint& b) { return a.u < b.u; });
+        ranges_.push_back({least->u, most->u});
+        const auto add = [&](const SlicePoint& p) { chain.push_back(p); };
+        if (options.extension > 0) add(line.at(-options.extension));
+        std::size_t last = 0;
+        add(line.points.front());
+        const auto fill = [&](std::size_t from, std::size_t to) {
+            const double gap = line.arc[to] - line.arc[from];
+            const auto pieces = std::size_t(std::ceil(gap / options.longest));
+            for (std::size_t k = 1; k < pieces; ++k)
+                add(line.at(line.arc[from] + gap * double(k) / double(pieces)));
+            add(line.points[to]);
+        };
+        for (std::size_t i = 2; i < line.points.size(); ++i) {
+            bool keep = line.arc[i] - line.arc[last] > options.longest;
+            const SlicePoint &a = line.points[last], &b = line.points[i];
+            // The tips of the normals too: what is wanted of the line is its raised copy.
+            for (std::size_t k = last + 1; k < i && !keep; ++k) {
+                const SlicePoint& p = line.points[k];
+                keep = distance_to_segment(p.point, a.point, b.point) > options.deviation
+                       || distance_to_segment(p.point + options.longest * p.normal,
+                                              a.point + options.longest * a.normal,
+                                              b.point + options.longest * b.normal)
+                              > 20 * options.deviation;
+            }
+            if (!keep) continue;
+            fill(last, i - 1);
+            last = i - 1;
+        }
+        fill(last, line.points.size() - 1);
+        if (options.extension > 0) add(line.at(line.length() + options.extension));
+        chains_.push_back(std::move(chain));
+    }
+    for (std::size_t c = 0; c < chains_.size(); ++c)
+        for (std::size_t i = 0; i < chains_[c].size(); ++i)
+            by_u_.push_back({chains_[c][i].u, std::uint32_t(c), std::uint32_t(i)});
+    std::sort(by_u_.begin(), by_u_.end(), [](const Reference& a, const Reference& b) {
+        return a.u != b.u ? a.u < b.u : a.chain != b.chain ? a.chain < b.chain : a.place < b.place;
+    });
+}
+
+bool SurfaceSlice::covers(double u0, double u1) const {
+    return std::any_of(ranges_.begin(), ranges_.end(),
+                       [&](const auto& range) { return range[0] <= u1 && range[1] >= u0; });
+}
+
+bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reach, double raise,
+                        std::vector<Vec3>& raised) const {
+    raised.clear();
+    const auto first = std::lower_bound(by_u_.begin(), by_u_.end(), u - reach,
+                                        [](const Reference& r, double at) { return r.u < at; });
+    double least = reach * reach;
+    const Reference* nearest = nullptr;
+    for (auto r = first; r != by_u_.end() && r->u <= u + reach; ++r) {
+        const SlicePoint& place = chains_[r->chain][r->place];
+        // The other side of a thin wall is not the surface that goes on here.
+        if (place.normal.dot(normal) <= 0) continue;
+        const double square = (place.point - p).squaredNorm();
+        if (square < least) {
+            least = square;
+            nearest = &*r;
+        }
+    }
+    if (!nearest) return false;
+    const Chain& places = chains_[nearest->chain];
+    const auto within = [&](std::size_t i) {
+        return std::abs(places[i].u - u) <= reach && (places[i].point - p).squaredNorm() <= 4 * reach * reach;
+    };
+    // One place beyond the reach on either side, so that the line is not cut short.
+    std::size_t begin = nearest->place, end = nearest->place;
+    while (begin > 0 && within(begin))
+        --begin;
+    while (end + 1 < places.size() && within(end))
+        ++end;
+    for (std::size_t i = begin; i <= end; ++i)
+        raised.push_back(places[i].point + raise * places[i].normal);
+    return true;
+}
+
+SurfaceLines::SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
+                           double spacing, const SurfaceSlice::Options& options, const Progress& progress)
+    : slicer_(mesh, geometry, frame, progress), spacing_(spacing), options_(options), up_(mesh, progress) {}
+
+long SurfaceLines::beyond(double v, double from) const {
+    const double at = (v - lo()) / spacing_;
+    return v >= from ? long(std::ceil(at - tolerance::level_angle))
+                     : long(std::floor(at + tolerance::level_angle));
+}
+
+std::vector<SurfaceLine> SurfaceLines::lines(double v) const {
+    std::vector<SurfaceLine> all;
+    for (const SliceChain& chain : slicer_.slice(v))
+        add_usable(chain, up_, all);
+    return all;
+}
+
+std::shared_ptr<const SurfaceSlice> SurfaceLines::slice(long plane) const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto it = slices_.find(plane); it != slices_.end()) return it->second;
+    }
+    // Two threads may both make it; they make the same.
+    auto made = std::make_shared<const SurfaceSlice>(lines(v(plane)), options_);
+    const std::lock_guard lock(mutex_);
+    return slices_.emplace(plane, std::move(made)).first->second;
+}
+
+void SurfaceLines::forget(long below) {
+    const std::lock_guard lock(mutex_);
+    slices_.erase(slices_.begin(), slices_.lower_bound(below));
+}
+
+} // namespace facetmill

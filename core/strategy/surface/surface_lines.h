@@ -1,0 +1,105 @@
+// The surface along many parallel drive planes: the course of the contact points, and the lines on either
+// side of a pass that it has to clear. Slices of slice.h, of the side of the surface that a tool can come to,
+// and kept for those who ask again.
+//
+// Which side: of a closed mesh the outside, of an open one (a sheet, wound either way) the upper. Places that
+// face down, or stand upright to within tolerance::vertical_normal_z, end a line; so does the place where a
+// line would turn back into itself.
+#pragma once
+
+#include "core/strategy/surface/slice.h"
+#include "core/strategy/surface/up_side.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+/// A connected course over the surface in one drive plane; normals are unit, towards the tool.
+struct SurfaceLine {
+    std::vector<SlicePoint> points; ///< at least two, running towards growing u between their ends
+    std::vector<double> arc;        ///< length along the line up to each point, mm
+
+    double length() const { return arc.back(); }
+    /// Point, normal and u at a length along the line; beyond its ends it goes on straight.
+    SlicePoint at(double s) const;
+    /// Unit direction of the line there.
+    Vec3 direction(double s) const;
+};
+
+/// Of p from the segment a b, mm.
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+/// One slice, thinned, so that lines can be looked at near a place.
+class SurfaceSlice {
+public:
+    struct Options {
+        double deviation = 0.001; ///< points may be left out as long as the line stays this near, mm
+        double longest = 1;       ///< of pieces, mm
+        double extension = 0;     ///< open ends are continued straight by this, mm
+    };
+
+    SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options);
+
+    /// The piece of the line that passes `p` nearest, within `reach` of it: its points raised by `raise`.
+    /// False where no line comes as near as `reach`: the surface does not go on there.
+    bool near(const Vec3& p, const Vec3& normal, double u, double reach, double raise,
+              std::vector<Vec3>& raised) const;
+
+    bool empty() const { return chains_.empty(); }
+    /// True where the surface itself has a line at some u0 <= u <= u1.
+    bool covers(double u0, double u1) const;
+    /// Ends of the lines before they were continued: their u, and whether the line begins there.
+    struct End {
+        Vec3 point;
+        double u = 0;
+        bool first = false;
+    };
+    const std::vector<End>& ends() const { return ends_; }
+
+private:
+    using Chain = std::vector<SlicePoint>;
+    struct Reference {
+        double u;
+        std::uint32_t chain, place;
+    };
+    std::vector<Chain> chains_;
+    std::vector<Reference> by_u_;
+    std::vector<End> ends_;
+    std::vector<std::array<double, 2>> ranges_;
+};
+
+/// Lines of drive planes on a lattice: plane k lies at lo() + k * spacing(). Safe from many threads at once.
+class SurfaceLines {
+public:
+    /// `mesh` and `geometry` must outlive this. Throws Cancelled within 20 000 facets.
+    SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame, double spacing,
+                 const SurfaceSlice::Options& options, const Progress& progress);
+
+    double lo() const { return slicer_.lo(); }
+    double hi() const { return slicer_.hi(); }
+    double spacing() const { return spacing_; }
+    double v(long plane) const { return lo() + double(plane) * spacing_; }
+    /// The plane at or next beyond v, away from `from`.
+    long beyond(double v, double from) const;
+
+    /// Lines in the plane v, in all detail, in the order of their smallest u.
+    std::vector<SurfaceLine> lines(double v) const;
+    /// The slice of plane k, kept until `forget`.
+    std::shared_ptr<const SurfaceSlice> slice(long plane) const;
+    /// Slices of planes below k are asked for no more.
+    void forget(long below);
+
+private:
+    MeshSlicer slicer_;
+    double spacing_;
+    SurfaceSlice::Options options_;
+    UpSide up_;
+    mutable std::mutex mutex_;
+    mutable std::map<long, std::shared_ptr<const SurfaceSlice>> slices_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,142 @@
+#include "tests/bench/least_time.h"
+
+#include "core/strategy/five_axis/strip_width.h"
+#include "core/strategy/five_axis/tilted_stepover.h"
+#include "core/strategy/global_local/coverage.h"
+#include "core/strategy/surface/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+/// Directions of travel, over half a turn; each is gone both ways.
+constexpr int directions = 12;
+/// Of the cutter's radius: distance of the planes that are looked at, of the surface's samples, and how far a
+/// contact speaks for them.
+constexpr double plane_share = 0.2, sample_share = 0.1, reach_share = 0.25;
+/// A strip is no wider on the surface than this many times what it is seen from above.
+constexpr double steepest = 0.01;
+
+/// Full strip of a ball where the part is hollow across the travel by `hollowness`, 1/mm.
+double ball_strip(double diameter, double hollowness, double cusp) {
+    const double difference = 2 / diameter - hollowness;
+    return difference * diameter * diameter > 8 * cusp ? std::sqrt(8 * cusp / difference) : diameter;
+}
+
+/// The widest strips of both tools at a sample, mm; 0: no contact came near.
+struct Strips {
+    double flat = 0, ball = 0;
+
+    void widen(const Strips& by) {
+        flat = std::max(flat, by.flat);
+        ball = std::max(ball, by.ball);
+    }
+};
+
+class Search {
+public:
+    Search(const PlanContext& context, const Finish5Settings& settings, double ball_diameter,
+           const Progress& progress)
+        : context_(context), settings_(settings), ball_diameter_(ball_diameter) {
+        const UpSide up(*context.part, progress);
+        if (!context_.geometry) context_.geometry = compute_geometry(*context.part, progress);
+        radius_ = CutterProfile(context.tool.cutter()).max_radius();
+        samples_ =
+            surface_samples(*context.part, context_.geometry->vertex_normals, up, sample_share * radius_);
+        std::vector<Vec3> points;
+        for (const SurfaceSample& s : samples_)
+            points.push_back(s.point);
+        grid_.emplace(std::move(points), reach_share * radius_);
+    }
+
+    LeastTime run(const Progress& progress) {
+        LeastTime least;
+        least.straight_seconds = infinity;
+        std::vector<Strips> best(samples_.size());
+        for (int d = 0; d < directions; ++d) {
+            const double angle = pi * d / directions;
+            const std::vector<Strips> own =
+                along(angle, progress.part(double(d) / directions, double(d + 1) / directions));
+            double seconds = 0;
+            for (std::size_t i = 0; i < samples_.size(); ++i) {
+                best[i].widen(own[i]);
+                seconds += seconds_of(i, std::max(own[i].flat, own[i].ball));
+            }
+            if (!(seconds < least.straight_seconds)) continue;
+            least.straight_seconds = seconds;
+            least.direction = angle;
+        }
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const auto [flat, ball] = best[i];
+            const double seconds = seconds_of(i, std::max(flat, ball));
+            least.area += samples_[i].area;
+            least.seconds += seconds;
+            least.ball_alone_seconds += seconds_of(i, ball);
+            if (flat > ball) continue;
+            least.ball_area += samples_[i].area;
+            least.ball_seconds += seconds;
+        }
+        return least;
+    }
+
+private:
+    /// Where no contact came near, the strip is as wide as the cutter.
+    double seconds_of(std::size_t sample, double width) const {
+        return samples_[sample].area / (width > 0 ? width : 2 * radius_) / (settings_.feed / 60);
+    }
+
+    std::vector<Strips> along(double angle, const Progress& progress) const {
+        Finish5Settings settings = settings_;
+        settings.direction = {angle, ""};
+        const FiveAxisField field(context_, settings, progress.part(0, 0.2));
+        const TiltedStepOver widths(field);
+        const auto& lines = field.lines();
+        const double reach = reach_share * radius_, cusp = field.cusp() - field.chord();
+        const long step = std::max(1L, std::lround(plane_share * radius_ / lines.spacing()));
+        const long end = lines.beyond(lines.hi(), lines.lo());
+        std::vector<Strips> best(samples_.size());
+        for (long plane = 1; plane < end; plane += step)
+            for (const int travel : {1, -1}) {
+                const EstimatedPass pass = widths.widest(plane, travel, progress.part(0.2, 1));
+                for (const auto& contacts : pass.contacts)
+                    for (const auto& c : contacts) {
+                        const Strips here{c.usable ? flat_width(c, field, widths) : 0,
+                                          ball_strip(ball_diameter_, field.hollowness(c.place), cusp)};
+                        grid_->near(c.place.surface, reach, [&](std::size_t i) {
+                            if ((samples_[i].point - c.place.surface).squaredNorm() <= reach * reach
+                                && samples_[i].normal.dot(c.place.frame.normal) > 0)
+                                best[i].widen(here);
+                        });
+                    }
+            }
+        return best;
+    }
+
+    /// On the surface; where that ends within the strip, it is as wide as it can be.
+    double flat_width(const EstimatedPass::Contact& c, const FiveAxisField& field,
+                      const TiltedStepOver& widths) const {
+        const double from_above =
+            std::min((c.width_lo + c.width_hi) / StripWidth::used_width, widths.largest_step());
+        const double slope = std::abs(field.drive().v(c.place.frame.left));
+        return std::min(from_above / std::max(slope, steepest), 2 * radius_);
+    }
+
+    PlanContext context_;
+    const Finish5Settings& settings_;
+    double ball_diameter_, radius_ = 0;
+    std::vector<SurfaceSample> samples_;
+    std::optional<PointGrid> grid_;
+};
+
+} // namespace
+
+LeastTime least_time(const PlanContext& context, const Finish5Settings& settings, double ball_diameter,
+                     const Progress& progress) {
+    return Search(context, settings, ball_diameter, progress.part(0, 0.02)).run(progress.part(0.02, 1));
+}
+
+} // namespace facetmill

@@ -1,0 +1,294 @@
+// What clean-up is made of: rays against every facet, distances from cutters, what stays between two passes,
+// what a cutter leaves in a crease.
+#include "core/strategy/cleanup/border_touch.h"
+#include "core/strategy/cleanup/cleanup.h"
+#include "core/strategy/cleanup/rest_band.h"
+#include "core/strategy/cleanup/strip_passes.h"
+#include "core/strategy/cleanup/touch_up.h"
+#include "core/strategy/surface/point_grid.h"
+#include "tests/property/shapes.h"
+#include "tests/support/random_meshes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+class TestCleanupParts : public QObject {
+    Q_OBJECT
+private slots:
+    void rays_meet_what_all_facets_say() {
+        const auto mesh = soup(400, 30, 5);
+        const FacetGrid grid(*mesh, Progress());
+        Random rng(3);
+        int hits = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 from(uniform(rng, -5, 35), uniform(rng, -5, 35), uniform(rng, -5, 15));
+            Vec3 way(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+            if (i % 3 == 0) way = Vec3(0, 0, i % 2 ? 1 : -1);
+            if (i % 7 == 0) way.y() = 0;
+            if (way.norm() < 1e-3) continue;
+            way.normalize();
+            double least = 25;
+            for (std::size_t f = 0; f < mesh->facet_count(); ++f) {
+                const Vec3 cross = mesh->facet_cross(f);
+                const double slope = cross.dot(way);
+                if (std::abs(slope) < 1e-9) continue;
+                const double t = cross.dot(mesh->corner(f, 0) - from) / slope;
+                if (t < 0 || t >= least) continue;
+                const Vec3 p = from + t * way;
+                bool inside = true;
+                for (int k = 0; k < 3; ++k)
+                    inside = inside
+                             && (mesh->corner(f, (k + 1) % 3) - mesh->corner(f, k))
+                                        .cross(p - mesh->corner(f, k))
+                                        .dot(cross)
+                                    >= 0;
+                if (inside) least = t;
+            }
+            const auto hit = grid.first_hit(from, way, 25);
+            QCOMPARE(hit.has_value(), least < 25);
+            if (!hit) continue;
+            ++hits;
+            QVERIFY(std::abs(hit->distance - least) < 1e-7);
+        }
+        QVERIFY(hits > 300);
+    }
+
+    void distances_are_those_to_the_nearest_point_of_the_cutter() {
+        Random rng(4);
+        for (const ShapedTool& t : tools_of_every_shape()) {
+            const CutterProfile profile(t.tool.cutter());
+            const CutterCover cover(profile, 0.001);
+            for (int i = 0; i < 60; ++i) {
+                const Vec3 p(uniform(rng, -8, 8), uniform(rng, -8, 8), uniform(rng, -4, 9));
+                const double rho = std::hypot(p.x(), p.y());
+                double least = infinity;
+                for (double r = 0; r <= profile.max_radius(); r += 0.002) {
+                    // On the surface, and straight above it.
+                    const double z = profile.height_at(std::min(r, profile.max_radius()));
+                    least = std::min(least, std::hypot(rho - r, p.z() - std::max(z, p.z())));
+                    least = std::min(least, std::hypot(rho - r, p.z() - z));
+                }
+                const double found = cover.distance(p);
+                QVERIFY2(found <= least + 1e-9 && found >= least - 0.01,
+                         qPrintable(QString("%1 %2 %3").arg(t.name).arg(found).arg(least)));
+            }
+        }
+    }
+
+    /// Against the lower of two outlines of points of the cutter, level and on a slope.
+    void ridges_are_those_of_the_cutters_outline() {
+        for (const ShapedTool& t : tools_of_every_shape()) {
+            const CutterProfile profile(t.tool.cutter());
+            for (const double slope : {0.0, 0.6})
+                for (const double width : {0.2, 0.7, 1.5}) {
+                    const Vec3 travel(0, 1, 0), across(std::cos(slope), 0, std::sin(slope)),
+                        up(-std::sin(slope), 0, std::cos(slope));
+                    // Heights above the plane that both touch, over places across the travel.
+                    std::vector<double> low(4001, infinity);
+                    const auto cell = [](double x) { return int(std::lround(x * 200)) + 2000; };
+                    double touch = infinity;
+                    for (double r = 0; r <= profile.max_radius(); r += 0.0025)
+                        for (int k = -400; k <= 400; ++k) {
+                            const double x = r * k / 400;
+                            const Vec3 p(x, 0, profile.height_at(r));
+                            const int c = cell(p.dot(across));
+                            if (c >= 0 && c <= 4000)
+                                low[std::size_t(c)] = std::min(low[std::size_t(c)], p.dot(up));
+                            touch = std::min(touch, p.dot(up));
+                        }
+                    // The shaft above the largest radius.
+                    for (double z = 0; z < 4; z += 0.0025)
+                        for (const double x : {-profile.max_radius(), profile.max_radius()}) {
+                            const Vec3 p(x, 0, profile.height_at(profile.max_radius()) + z);
+                            const int c = cell(p.dot(across));
+                            if (c >= 0 && c <= 4000)
+                                low[std::size_t(c)] = std::min(low[std::size_t(c)], p.dot(up));
+                        }
+                    double expected = 0;
+                    const int shift = int(std::lround(width * 200));
+                    // Between the places where each of them touches.
+                    int first = -1, last = -1;
+                    for (int c = 0; c <= 4000; ++c)
+                        if (low[std::size_t(c)] < touch + 1e-4) {
+                            if (first < 0) first = c;
+                            last = c;
+                        }
+                    for (int c = last; c <= first + shift; ++c)
+                        expected =
+                            std::max(expected, std::min(low[std::size_t(c)],
+                                                        c >= shift ? low[std::size_t(c - shift)] : infinity)
+                                                   - touch);
+                    const double found = ridge(profile, width * across, travel);
+                    QVERIFY2(std::abs(found - expected) < 0.02 + 0.05 * expected,
+                             qPrintable(QString("%1 slope %2 width %3: %4, expected %5")
+                                            .arg(t.name)
+                                            .arg(slope)
+                                            .arg(width)
+                                            .arg(found)
+                                            .arg(expected)));
+                }
+        }
+    }
+
+    /// Only on the border, and only with a normal that the surface has not there.
+    void a_cutter_rolls_over_the_border_of_a_sheet_alone() {
+        const Mesh sheet =
+            height_field([](double, double) { return 0.0; }, Vec2(-10, -10), Vec2(10, 10), 10, 10);
+        const Mesh solid = box(Vec3(-10, -10, -5), Vec3(10, 10, 0));
+        const FacetGrid grid(sheet, Progress()), solid_grid(solid, Progress());
+        const UpSide side(sheet, Progress()), solid_side(solid, Progress());
+        const Vec3 up = Vec3::UnitZ(), out = Vec3(std::sin(0.3), 0, std::cos(0.3));
+        for (const Vec3& touch : {Vec3(10, 1, 0), Vec3(10, 2, 0), Vec3(10, 10, 0)}) {
+            QVERIFY(rolls_over_border(sheet, grid, side, touch, out));
+            QVERIFY(!rolls_over_border(sheet, grid, side, touch, up));
+            QVERIFY(!rolls_over_border(solid, solid_grid, solid_side, touch, out));
+        }
+        // On an edge, at a vertex and within a facet.
+        for (const Vec3& touch : {Vec3(4, 1, 0), Vec3(4, 2, 0), Vec3(4.7, 2.1, 0)})
+            QVERIFY(!rolls_over_border(sheet, grid, side, touch, out));
+    }
+
+    /// A crease of 90 degrees, its valley level: a ball of radius R touches R away from it along both flanks,
+    /// and leaves R (sqrt 2 - 1) in it.
+    void a_crease_has_the_band_that_geometry_says() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const PlanContext context = context_of(part, ball_tool(10));
+        const FacetGrid grid(part, Progress());
+        const UpSide side(part, Progress());
+        const CutterProfile profile(context.tool.cutter());
+        const AxialLift lift(context.contact, profile);
+        const CutterCover cover(profile, 0.001);
+        ValleyInput in;
+        in.mesh = &part;
+        in.grid = &grid;
+        in.side = &side;
+        in.lift = &lift;
+        in.cover = &cover;
+        in.tolerance = 0.05;
+        in.ripple = 1;
+        const Valleys valleys = find_valleys(in, Progress());
+        QCOMPARE(valleys.curves.size(), std::size_t(1));
+        for (const PencilPoint& p : valleys.curves[0].points) {
+            if (std::abs(p.center.x()) > 14) continue; // the ends
+            QVERIFY(std::hypot(p.center.y(), p.center.z()) < 1e-4);
+            QVERIFY(std::abs(p.gap - 5 * (std::sqrt(2.0) - 1)) < 1e-4);
+            QVERIFY((p.up - Vec3::UnitZ()).norm() < 1e-4);
+        }
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        QCOMPARE(bands[0].boundaries.size(), std::size_t(1));
+        // The distance is the tolerance at s from the point that is touched: sqrt(R^2 + s^2) = R + tolerance.
+        const double half = 5 - std::sqrt(5.05 * 5.05 - 25.0);
+        QVERIFY2(std::abs(bands[0].width - 2 * half) < 0.1, qPrintable(QString::number(bands[0].width)));
+        QVERIFY(std::abs(bands[0].area / bands[0].length / (2 * half) - 1) < 0.05);
+    }
+
+    /// Of the passes over a crease whole ones are taken away: as little is left as with them.
+    void what_passes_leave_is_touched_up() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const PlanContext context = context_of(part, ball_tool(4));
+        const FacetGrid grid(part, Progress());
+        const UpSide side(part, Progress());
+        const double tolerance = 0.05;
+        const CutterProfile before(ball_tool(10).cutter()), profile(context.tool.cutter());
+        const AxialLift before_lift(context.contact, before), lift(context.contact, profile);
+        const CutterCover before_cover(before, 0.001), cover(profile, 0.001);
+        ValleyInput in;
+        in.mesh = &part;
+        in.grid = &grid;
+        in.side = &side;
+        in.lift = &before_lift;
+        in.cover = &before_cover;
+        in.tolerance = tolerance;
+        in.ripple = 1;
+        const Valleys valleys = find_valleys(in, Progress());
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        StripCutting with;
+        with.mesh = context.part;
+        with.grid = &grid;
+        with.side = &side;
+        with.lift = &lift;
+        with.cover = &cover;
+        with.cusp = tolerance;
+        // The most that is left of the band beyond what the ball must leave in the crease: R (1 / cos 45 - 1)
+        // there, and from the place at which it touches on nothing.
+        const double r = 2;
+        const auto most_left = [&](const std::vector<Pass>& passes) {
+            PointGrid tips(r);
+            for (const Pass& pass : passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                    for (int k = 0; k <= 4; ++k)
+                        tips.add(pass.cl[i - 1].tip + k / 4.0 * (pass.cl[i].tip - pass.cl[i - 1].tip));
+            double most = 0;
+            for (const auto& t : bands[0].band) {
+                const Vec3 p = (t[0] + t[1] + t[2]) / 3;
+                if (std::abs(p.x()) > 4) continue;
+                double left = infinity;
+                tips.near(p, 1.5 * r, [&](std::size_t i) {
+                    left = std::min(left, cover.distance(p - tips.points()[i]));
+                });
+                const double up = std::sqrt(2.0) * std::abs(p.y());
+                most = std::max(most, left - (up < r ? std::hypot(r, r - up) - r : 0));
+            }
+            return most;
+        };
+        const StripCut whole = cut_valley(with, valleys.curves[0], bands[0], Progress());
+        QVERIFY(whole.passes.size() > 5);
+        QVERIFY(most_left(whole.passes) <= 1.05 * tolerance);
+        for (const std::size_t first : {0, 1, 2}) {
+            StripCut cut;
+            for (std::size_t i = 0; i < whole.passes.size(); ++i)
+                if (i % 3 != first) cut.passes.push_back(whole.passes[i]);
+            QVERIFY2(most_left(cut.passes) > 1.5 * tolerance, qPrintable(QString::number(first)));
+            const BandCut band{&bands[0], &cut};
+            touch_up(with, {&band, 1}, Progress());
+            const double left = most_left(cut.passes);
+            QVERIFY2(left <= 1.05 * tolerance, qPrintable(QString("without %1: %2").arg(first).arg(left)));
+            for (const Pass& pass : cut.passes)
+                for (const CutterLocation& c : pass.cl)
+                    QVERIFY(c.tip.z() >= lift.tip_z(c.tip.x(), c.tip.y()) - 1e-9);
+        }
+    }
+
+    /// As Lu has it: a fillet of radius 4 turns by 1/4 per mm. A previous ball of radius 3 fits into it.
+    void the_limit_of_normal_change_finds_fillets_that_the_previous_tool_fits() {
+        const auto fillet = [](double, double y) {
+            const double r = 4, d = std::abs(y), end = r * std::sin(radians(50));
+            return d < end ? r - std::sqrt(r * r - d * d)
+                           : r - r * std::cos(radians(50)) + (d - end) * std::tan(radians(50));
+        };
+        const Mesh part = height_field(fillet, Vec2(-20, -12), Vec2(20, 12), 40, 240);
+        PlanContext context = context_of(part, ball_tool(4));
+        context.further_tools = {ball_tool(6)};
+        CleanupSettings s;
+        s.tool = 2;
+        bool refused = false;
+        try {
+            Cleanup(s).plan(context, Progress());
+        } catch (const Error& e) {
+            refused = e.code() == ErrorCode::empty_result;
+        }
+        QVERIFY(refused);
+        s.normal_change_limit = {0.2, {}};
+        const StrategyResult path = Cleanup(s).plan(context, Progress());
+        QCOMPARE(path.strips.size(), std::size_t(1));
+        QVERIFY(path.strips[0].kind == StripKind::sharp);
+        s.normal_change_limit = {0.3, {}};
+        refused = false;
+        try {
+            Cleanup(s).plan(context, Progress());
+        } catch (const Error& e) {
+            refused = e.code() == ErrorCode::empty_result;
+        }
+        QVERIFY(refused);
+    }
+};
+
+FACETMILL_TEST(TestCleanupParts)
+#include "test_cleanup_parts.moc"

@@ -1,0 +1,373 @@
+// The operation as its users see it: parameters, passes, figures, refusals.
+#include "core/strategy/finish3/finish3.h"
+#include "core/strategy/surface/cutter_cover.h"
+#include "core/strategy/surface/drive_frame.h"
+#include "tests/property/shapes.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+StrategyResult planned(const Mesh& mesh, const Finish3Settings& settings, const Tool& tool = ball_tool(6)) {
+    return Finish3(settings).plan(context_of(mesh, tool), Progress());
+}
+
+const Mesh& level() {
+    static const Mesh mesh =
+        height_field([](double, double) { return 3.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
+    return mesh;
+}
+
+} // namespace
+
+class TestFinish3 : public QObject {
+    Q_OBJECT
+private slots:
+    /// However much may be left, no more than the limit is gouged unless that is asked for.
+    void chord_tolerance_by_itself_is_limited() {
+        for (const double tolerance : {0.02, 0.1, 0.2, 0.75, 5.0}) {
+            Finish3Settings s;
+            s.tolerance = tolerance;
+            QCOMPARE(planned(level(), s).chord_tolerance, std::min(tolerance / 20, 0.01));
+            s.chord_tolerance = {0.3 * tolerance, ""};
+            QCOMPARE(planned(level(), s).chord_tolerance, 0.3 * tolerance);
+        }
+    }
+
+    void it_is_registered() {
+        const auto& kinds = operation_kinds();
+        QVERIFY(
+            std::is_sorted(kinds.begin(), kinds.end(),
+                           [](const OperationKind& a, const OperationKind& b) { return a.kind < b.kind; }));
+        const auto op = make_operation("finish3");
+        QCOMPARE(op->kind(), std::string_view("finish3"));
+        QVERIFY(op->three_axis());
+        std::string message;
+        QCOMPARE(code_of([] { make_operation("finish33"); }, &message), std::string("out_of_range"));
+        QVERIFY(message.find("did you mean 'finish3'") != std::string::npos);
+    }
+
+    void parameters_are_described_and_checked() {
+        auto op = make_operation("finish3");
+        std::set<std::string> keys;
+        for (const ParameterInfo* p : op->parameters()) {
+            keys.insert(p->key);
+            QVERIFY2(!p->label.empty() && !p->help.empty(), p->key.c_str());
+            QVERIFY2(op->get(p->key) == p->default_value, p->key.c_str());
+            op->set(p->key, p->default_value);
+        }
+        for (const char* key :
+             {"name", "tool", "tolerance", "allowance", "feed", "spindle", "clearance", "direction",
+              "stepover", "topology", "pattern", "chord_tolerance", "normal_limit"})
+            QVERIFY2(keys.count(key) == 1, key);
+        op->set("stepover", 0.7);
+        QCOMPARE(std::get<double>(op->get("stepover")), 0.7);
+        QCOMPARE(std::get<double>(op->clone()->get("stepover")), 0.7);
+        for (const auto& [key, value] :
+             std::vector<std::pair<std::string, ParameterValue>>{{"stepover", 0.0},
+                                                                 {"stepover", std::string("wide")},
+                                                                 {"tolerance", 0.0},
+                                                                 {"tolerance", -1.0},
+                                                                 {"tolerance", std::nan("")},
+                                                                 {"topology", std::string("spiral")},
+                                                                 {"pattern", std::string("x")},
+                                                                 {"normal_limit", 0.0},
+                                                                 {"chord_tolerance", infinity},
+                                                                 {"direction", std::string("z")}})
+            QCOMPARE(code_of([&] { op->set(key, value); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { op->set("step_over", 1.0); }), std::string("unknown_key"));
+    }
+
+    void a_constant_step_is_kept() {
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const StrategyResult r = planned(level(), s);
+        QCOMPARE(r.drive_planes, 20);
+        QCOMPARE(r.passes.size(), std::size_t(20));
+        for (std::size_t i = 0; i < r.passes.size(); ++i) {
+            QCOMPARE(r.passes[i].drive, int(i));
+            QVERIFY(std::abs(r.passes[i].offset - (-14.25 + 1.5 * double(i))) < 1e-6);
+            // Zigzag, straight, from border to border, nothing between two points needed.
+            const auto& cl = r.passes[i].cl;
+            QCOMPARE(cl.size(), std::size_t(2));
+            const double from = i % 2 == 0 ? -20 : 20;
+            QVERIFY((cl.front().tip - Vec3(from, r.passes[i].offset, 3)).norm() < 1e-5);
+            QVERIFY((cl.back().tip - Vec3(-from, r.passes[i].offset, 3)).norm() < 1e-5);
+            QCOMPARE(cl.front().axis, Vec3(0, 0, 1));
+        }
+        QCOMPARE(r.stepover_min, 1.5);
+        QCOMPARE(r.stepover_max, 1.5);
+        const double cusp = 3 - std::sqrt(9 - 0.75 * 0.75);
+        const double chord = 0.05 * s.tolerance; // which a level path does not use
+        QVERIFY2(std::abs(r.cusp_max - chord - cusp) < 0.01 * cusp, qPrintable(QString::number(r.cusp_max)));
+        QCOMPARE(r.warnings.size(), std::size_t(1)); // more than the tolerance of 0.05
+        QVERIFY(r.warnings[0].find("step-over") != std::string::npos);
+
+        s.pattern = Finish3Settings::Pattern::oneway;
+        s.stepover = {1, ""};
+        const StrategyResult one = planned(level(), s);
+        QVERIFY(one.warnings.empty());
+        for (const Pass& p : one.passes)
+            QVERIFY(p.cl.front().tip.x() < p.cl.back().tip.x());
+    }
+
+    void both_flanks_of_a_crease_are_cut_data() {
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<double>("direction");
+        QTest::addColumn<double>("moved");
+        for (const double slope : {80, 50, 25}) {
+            // The first pass lies elsewhere to the crease.
+            for (const double moved : {0.0, 0.3, 0.6, 0.9, 1.2})
+                QTest::addRow("%g degrees, moved by %g", slope, moved) << radians(slope) << 0.0 << moved;
+            for (const double direction : {20, 35, 60, 90})
+                QTest::addRow("%g degrees, passes at %g", slope, direction)
+                    << radians(slope) << radians(direction) << 0.0;
+        }
+    }
+
+    /// A floor and a wall that meet in a crease along x. Where the ball that touches both would leave up to a
+    /// quarter of the tolerance, the passes leave no more than that and the tolerance, though no tip touches
+    /// there.
+    void both_flanks_of_a_crease_are_cut() {
+        QFETCH(double, slope);
+        QFETCH(double, direction);
+        QFETCH(double, moved);
+        const double tau = 0.1, r = 6, rise = std::tan(slope);
+        const Mesh crease = height_field([&](double, double y) { return std::max(0.0, rise * y); },
+                                         Vec2(-14, -14 - moved), Vec2(14, 14 + moved), 4, 2);
+        Finish3Settings settings;
+        settings.tolerance = tau;
+        settings.direction = {direction, ""};
+        const StrategyResult path = planned(crease, settings, ball_tool(2 * r));
+        const Vec3 wall(0, std::cos(slope), std::sin(slope)); // up it
+        // Distance of the contacts of the ball that touches both from the crease.
+        const double seat = r * std::tan(0.5 * slope);
+        const double inside = std::sqrt((r + 0.25 * tau) * (r + 0.25 * tau) - r * r);
+        const auto left = [&](const Vec3& p) {
+            double least = infinity;
+            for (const Pass& pass : path.passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+                    const Vec3 from = pass.cl[i - 1].tip + Vec3(0, 0, r),
+                               way = pass.cl[i].tip - pass.cl[i - 1].tip;
+                    const double t = way.squaredNorm() > 0
+                                         ? std::clamp((p - from).dot(way) / way.squaredNorm(), 0.0, 1.0)
+                                         : 0;
+                    least = std::min(least, (p - from - t * way).norm() - r);
+                }
+            return least;
+        };
+        double worst = 0;
+        Vec3 at = Vec3::Zero();
+        for (int i = -40; i <= 40; ++i)
+            for (int k = 0; k <= 40; ++k) {
+                const double away = seat - inside + 0.1 * k, x = 0.1 * i;
+                for (const Vec3& flank : {Vec3(0, -1, 0), wall}) {
+                    const Vec3 p = Vec3(x, 0, 0) + away * flank;
+                    // Of the ball that touches both, farther in.
+                    const double least = std::hypot(r, std::max(seat - away, 0.0)) - r;
+                    if (const double e = left(p) - least; e > worst) {
+                        worst = e;
+                        at = p;
+                    }
+                }
+            }
+        const QString figures = QString("%1 at (%2, %3, %4); %5 planes, expected %6")
+                                    .arg(worst)
+                                    .arg(at.x())
+                                    .arg(at.y())
+                                    .arg(at.z())
+                                    .arg(path.drive_planes)
+                                    .arg(path.cusp_max);
+        qInfo("%s", qPrintable(figures));
+        QVERIFY2(worst > 0.3 * tau && worst <= 1.02 * tau, qPrintable(figures));
+    }
+
+    void any_direction_covers_the_part() {
+        Finish3Settings s;
+        for (const double angle : {0.3, -1.0, 2.5}) {
+            s.direction = {angle, ""};
+            const StrategyResult r = planned(level(), s);
+            QCOMPARE(r.direction, angle);
+            const DriveFrame frame(angle);
+            double lo = infinity, hi = -infinity;
+            for (const Vec3& v : level().vertices) {
+                lo = std::min(lo, frame.v(v));
+                hi = std::max(hi, frame.v(v));
+            }
+            QVERIFY(r.passes.front().offset - lo < 1.1 && hi - r.passes.back().offset < 1.1);
+            for (const Pass& p : r.passes)
+                for (const CutterLocation& c : p.cl)
+                    QVERIFY(std::abs(frame.v(c.tip) - p.offset) < 1e-9);
+        }
+    }
+
+    void an_adaptive_step_needs_fewer_passes_than_a_constant_one() {
+        // Level on one side, steep on the other.
+        const Mesh m = height_field([](double, double y) { return y < 0 ? 0 : 0.06 * y * y; }, Vec2(-10, -20),
+                                    Vec2(10, 20), 4, 160);
+        Finish3Settings s;
+        s.direction = {0, "x"};
+        const StrategyResult adaptive = planned(m, s);
+        QVERIFY(adaptive.cusp_max <= s.tolerance);
+        QVERIFY(adaptive.stepover_min < 0.7 * adaptive.stepover_max);
+        // As many planes at a constant distance leave more than the tolerance.
+        const double range = adaptive.passes.back().offset - adaptive.passes.front().offset;
+        s.stepover = {range / (adaptive.drive_planes - 1), ""};
+        QVERIFY(planned(m, s).cusp_max > 1.2 * s.tolerance);
+        // A constant step that keeps the tolerance makes many more.
+        s.stepover = {adaptive.stepover_min, ""};
+        QVERIFY(planned(m, s).drive_planes > 1.3 * adaptive.drive_planes);
+    }
+
+    void contacts_are_on_the_part_and_normals_turn_slowly() {
+        const Mesh m = height_field([](double x, double y) { return std::sqrt(900 - x * x - y * y); },
+                                    Vec2(-15, -10), Vec2(15, 10), 60, 40);
+        Finish3Settings s;
+        s.normal_limit = radians(2);
+        const StrategyResult r = planned(m, s);
+        const CutterCover cover(CutterProfile(ball_tool(6).cutter()), 0.001);
+        std::size_t turns = 0;
+        for (const Pass& p : r.passes) {
+            QCOMPARE(p.cc.size(), p.cl.size());
+            for (std::size_t i = 0; i < p.cc.size(); ++i) {
+                const CutterContact& c = p.cc[i];
+                QVERIFY(std::abs(c.point.norm() - 30) < 0.02);
+                QVERIFY((c.point + cover.tip_offset(c.normal) - p.cl[i].tip).norm() < 0.01);
+                if (i == 0) continue;
+                ++turns;
+                QVERIFY(std::acos(std::min(1.0, c.normal.dot(p.cc[i - 1].normal)))
+                        <= radians(2) + radians(1.5));
+            }
+        }
+        QVERIFY(turns > 100);
+    }
+
+    void a_hole_splits_passes() {
+        const Mesh m =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 40, 30),
+                 [](const Vec3& p) { return std::hypot(p.x(), p.y()) > 6; });
+        Finish3Settings s;
+        s.stepover = {1, ""};
+        const StrategyResult r = planned(m, s);
+        QVERIFY(r.passes.size() > std::size_t(r.drive_planes));
+        for (std::size_t i = 0; i + 1 < r.passes.size(); ++i)
+            QVERIFY(r.passes[i].drive <= r.passes[i + 1].drive);
+    }
+
+    void tessellation_tolerances_are_taken_off() {
+        Finish3Settings s;
+        PlanContext context = context_of(level(), ball_tool(6));
+        const StrategyResult plain = Finish3(s).plan(context, Progress());
+        context.tessellation_tolerance = {0.01, 0.02};
+        const StrategyResult safe = Finish3(s).plan(context, Progress());
+        // Lifted by the inner tolerance, and only what both leave of the tolerance for cusps.
+        QVERIFY(std::abs(safe.passes[0].cl[0].tip.z() - plain.passes[0].cl[0].tip.z() - 0.02) < 1e-6);
+        QVERIFY(safe.cusp_max <= 0.02);
+        QVERIFY(safe.drive_planes > plain.drive_planes);
+        context.tessellation_tolerance = {0.03, 0.03};
+        std::string message;
+        QCOMPARE(code_of([&] { Finish3(s).plan(context, Progress()); }, &message),
+                 std::string("out_of_range"));
+        QVERIFY(message.find("tessellation") != std::string::npos);
+    }
+
+    void nothing_to_cut_is_an_error_with_a_reason() {
+        Mesh wall;
+        wall.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 0, 10), Vec3(0, 0, 10)};
+        wall.facets = {{0, 1, 2}, {0, 2, 3}};
+        std::string message;
+        QCOMPARE(code_of([&] { planned(wall, {}); }, &message), std::string("empty_result"));
+        QVERIFY(message.find("upright") != std::string::npos);
+        // A part a thousand times larger than the tool is for: told at once.
+        Mesh huge = level();
+        for (Vec3& v : huge.vertices)
+            v *= 25000;
+        QCOMPARE(code_of([&] { planned(huge, {}); }, &message), std::string("limit_exceeded"));
+        QVERIFY(message.find("units") != std::string::npos);
+        Finish3Settings s;
+        s.stepover = {1e-5, ""};
+        QCOMPARE(code_of([&] { planned(level(), s); }), std::string("limit_exceeded"));
+    }
+
+    void steep_places_and_short_tools_are_reported() {
+        Tool tool = ball_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 12;
+        tool.shank_length = 30;
+        const auto has = [](const StrategyResult& r, const char* word) {
+            for (const auto& w : r.warnings)
+                if (w.find(word) != std::string::npos) return true;
+            return false;
+        };
+        Finish3Settings s;
+        s.stepover = {2, ""};
+        QVERIFY(has(planned(step(0, 12), s, tool), "shank"));
+        QVERIFY(!has(planned(step(0, 3), s, tool), "shank"));
+        QVERIFY(!has(planned(step(0, 12), s, ball_tool(6)), "shank"));
+        tool.shank_diameter = 6;
+        tool.holder = {{40, 20}};
+        tool.shank_length = 2;
+        QVERIFY(has(planned(step(0, 12), s, tool), "holder"));
+    }
+
+    /// What an earlier cut has cleared to within the tolerance is left out, and nothing else.
+    void the_rest_is_cut_where_it_stands() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() += 2;
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const StrategyResult whole = Finish3(s).plan(context, Progress());
+        s.rest_only = true;
+        QVERIFY(Finish3(s).reads_stock());
+        const StrategyResult all = Finish3(s).plan(context, Progress());
+        QCOMPARE(all.passes.size(), whole.passes.size());
+        // A flat end clears x < 4 to the surface.
+        auto cuts = std::make_shared<EarlierCuts>();
+        cuts->cutter = AptCutter::flat(10, 40);
+        const double z = whole.passes[0].cl[0].tip.z();
+        for (double y = -20; y <= 20; y += 4)
+            cuts->motions.push_back({Vec3(-30, y, z), Vec3(-1, y, z)});
+        context.earlier = {cuts};
+        const StrategyResult rest = Finish3(s).plan(context, Progress());
+        QCOMPARE(rest.passes.size(), whole.passes.size());
+        for (const Pass& p : rest.passes) {
+            double lo = infinity, hi = -infinity;
+            for (const CutterLocation& c : p.cl) {
+                lo = std::min(lo, c.tip.x());
+                hi = std::max(hi, c.tip.x());
+                QVERIFY(std::abs(c.tip.z() - z) < 1e-6);
+            }
+            QCOMPARE(p.cc.size(), p.cl.size());
+            // In by a radius before the first material, and to the end.
+            QVERIFY2(lo > -4.5 && lo < 1.5, qPrintable(QString::number(lo)));
+            QVERIFY(hi > 19);
+        }
+        for (double y = -20; y <= 20; y += 4)
+            cuts->motions.push_back({Vec3(-1, y, z), Vec3(30, y, z)});
+        QCOMPARE(code_of([&] { Finish3(s).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
+    void a_solid_is_passed_once() {
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const Mesh solid = box(Vec3(-20, -15, 0), Vec3(20, 15, 3));
+        const StrategyResult r = planned(solid, s);
+        QCOMPARE(r.passes.size(), std::size_t(20));
+        for (const Pass& p : r.passes)
+            for (const CutterLocation& c : p.cl)
+                QVERIFY(std::abs(c.tip.z() - 3) < 1e-6);
+    }
+};
+
+FACETMILL_TEST(TestFinish3)
+#include "test_finish3.moc"

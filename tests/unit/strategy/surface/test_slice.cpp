@@ -1,0 +1,241 @@
+// Drive planes and slices of meshes: nothing missed, nothing doubled.
+#include "core/strategy/surface/contact_domain.h"
+#include "core/strategy/surface/slice.h"
+#include "core/strategy/surface/travel_direction.h"
+#include "tests/property/shapes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <random>
+#include <set>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+std::vector<SliceChain> sliced(const Mesh& mesh, double offset, double angle = 0) {
+    const auto geometry = compute_geometry(mesh, Progress());
+    return MeshSlicer(mesh, *geometry, DriveFrame(angle), Progress()).slice(offset);
+}
+
+double length_of(const std::vector<SliceChain>& chains) {
+    double sum = 0;
+    for (const SliceChain& c : chains) {
+        for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
+            sum += (c.points[i + 1].point - c.points[i].point).norm();
+        if (c.closed) sum += (c.points.front().point - c.points.back().point).norm();
+    }
+    return sum;
+}
+
+/// Length of the cut of each facet by itself, summed.
+double length_by_facet(const Mesh& mesh, double offset, const DriveFrame& frame) {
+    double sum = 0;
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        std::vector<Vec3> cut;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 p = mesh.corner(f, k), q = mesh.corner(f, (k + 1) % 3);
+            const double a = frame.v(p) - offset, b = frame.v(q) - offset;
+            if ((a >= 0) != (b >= 0)) cut.push_back(p + (q - p) * (a / (a - b)));
+        }
+        if (cut.size() == 2) sum += (cut[1] - cut[0]).norm();
+    }
+    return sum;
+}
+
+void verify_sound(const std::vector<SliceChain>& chains, double offset, const DriveFrame& frame) {
+    for (const SliceChain& c : chains) {
+        QVERIFY(c.points.size() >= 2);
+        for (std::size_t i = 0; i < c.points.size(); ++i) {
+            QVERIFY(std::abs(frame.v(c.points[i].point) - offset) < 1e-9);
+            QVERIFY(std::abs(c.points[i].normal.norm() - 1) < 1e-9);
+            if (i > 0) QVERIFY(c.points[i].point != c.points[i - 1].point);
+        }
+        if (c.closed) QVERIFY(c.points.front().point != c.points.back().point);
+    }
+}
+
+} // namespace
+
+class TestSlice : public QObject {
+    Q_OBJECT
+private slots:
+    void right_angles_are_exact() {
+        for (int k = -4; k <= 4; ++k) {
+            const DriveFrame f(k * 0.5 * pi);
+            QVERIFY(std::abs(f.along.x()) + std::abs(f.along.y()) == 1);
+            QCOMPARE(f.along.dot(f.across), 0.0);
+            QCOMPARE(f.along.x() * f.across.y() - f.along.y() * f.across.x(), 1.0);
+        }
+        const DriveFrame f(0.7);
+        const Vec3 p(3, -2, 5);
+        QVERIFY((f.point(f.u(p), f.v(p), p.z()) - p).norm() < 1e-12);
+    }
+
+    void intervals_are_found_as_by_a_scan() {
+        std::mt19937_64 rng(7);
+        std::uniform_real_distribution<double> at(-50, 50), width(0, 1);
+        std::vector<std::pair<double, double>> items;
+        for (int i = 0; i < 3000; ++i) {
+            const double lo = at(rng), w = i % 100 == 0 ? 60 : std::pow(width(rng), 4);
+            items.emplace_back(lo, i % 50 == 7 ? lo - 1 : lo + w); // some are empty
+        }
+        const IntervalIndex index(
+            items.size(), [&](std::size_t i) { return items[i]; }, Progress());
+        for (int q = 0; q < 500; ++q) {
+            const double lo = at(rng), hi = lo + (q % 2) * width(rng);
+            std::multiset<std::size_t> found, expected;
+            index.visit(lo, hi, [&](std::size_t i) { found.insert(i); });
+            for (std::size_t i = 0; i < items.size(); ++i)
+                if (items[i].first <= items[i].second && items[i].second >= lo && items[i].first <= hi)
+                    expected.insert(i);
+            for (const std::size_t i : expected)
+                QVERIFY(found.count(i) == 1);
+            // Beyond the expected only what rounding to float lets in.
+            for (const std::size_t i : found) {
+                QVERIFY(found.count(i) == 1);
+                QVERIFY(items[i].second >= lo - 1e-4 && items[i].first <= hi + 1e-4);
+            }
+        }
+        const IntervalIndex none(
+            0, [](std::size_t) { return std::pair(0.0, 1.0); }, Progress());
+        none.visit(-1, 1, [](std::size_t) { QFAIL("an empty index holds nothing"); });
+    }
+
+    void a_plane_through_vertices_gives_one_chain() {
+        const Mesh m = height_field([](double, double) { return 2.0; }, Vec2(0, 0), Vec2(10, 10), 10, 10);
+        for (const double v : {1.0, 5.0, 10.0, 3.3}) { // on rows of vertices, on the last row, between
+            const auto chains = sliced(m, v);
+            QCOMPARE(chains.size(), std::size_t(1));
+            QVERIFY(!chains[0].closed);
+            verify_sound(chains, v, DriveFrame(0));
+            QVERIFY(std::abs(length_of(chains) - 10) < 1e-12);
+            QVERIFY(chains[0].points.front().u < chains[0].points.back().u);
+        }
+        QVERIFY(sliced(m, -0.1).empty());
+        QVERIFY(sliced(m, 10.1).empty());
+    }
+
+    void solids_give_closed_chains() {
+        const Mesh b = box(Vec3(0, 0, 0), Vec3(10, 6, 4));
+        for (const double v : {3.0, 6.0}) { // inside, and in the plane of a face: its outline, once
+            const auto chains = sliced(b, v);
+            QCOMPARE(chains.size(), std::size_t(1));
+            QVERIFY(chains[0].closed);
+            verify_sound(chains, v, DriveFrame(0));
+            QVERIFY(std::abs(length_of(chains) - 28) < 1e-9);
+        }
+        const auto half = sliced(dome(10, 60), 0.0);
+        QCOMPARE(half.size(), std::size_t(1));
+        QVERIFY(half[0].closed);
+        QVERIFY(std::abs(length_of(half) - (10 * pi + 20)) < 0.01);
+    }
+
+    void a_hole_splits_a_slice() {
+        const Mesh m =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-10, -10), Vec2(10, 10), 20, 20),
+                 [](const Vec3& p) { return p.norm() > 4; });
+        const auto chains = sliced(m, 0.25);
+        QCOMPARE(chains.size(), std::size_t(2));
+        QVERIFY(chains[0].points.back().u < chains[1].points.front().u);
+    }
+
+    void odd_meshes_lose_and_double_nothing() {
+        std::mt19937_64 rng(3);
+        Mesh odd = height_field([](double x, double y) { return std::sin(x) + 0.3 * y; }, Vec2(-6, -6),
+                                Vec2(6, 6), 24, 24);
+        for (std::size_t f = 0; f < odd.facets.size(); f += 3)
+            std::swap(odd.facets[f][0], odd.facets[f][1]); // windings at random
+        // A third sheet on inner edges: non-manifold.
+        const auto n = Index(odd.vertices.size());
+        odd.vertices.emplace_back(0, 0, 9);
+        for (Index k = 0; k < 10; ++k)
+            odd.facets.push_back({300 + k, 301 + k, n});
+        std::uniform_real_distribution<double> offset(-7, 7);
+        for (int i = 0; i < 60; ++i) {
+            const double angle = 0.3 * (i % 7), v = i % 3 == 0 ? std::round(offset(rng)) * 0.5 : offset(rng);
+            const DriveFrame frame(angle);
+            const auto chains = sliced(odd, v, angle);
+            verify_sound(chains, v, frame);
+            QVERIFY(std::abs(length_of(chains) - length_by_facet(odd, v, frame)) < 1e-8);
+        }
+    }
+
+    void normals_run_along_edges() {
+        const double radius = 20;
+        const Mesh m = height_field([&](double x, double) { return std::sqrt(radius * radius - x * x); },
+                                    Vec2(-15, -5), Vec2(15, 5), 120, 4);
+        const auto chains = sliced(m, 0.6);
+        QCOMPARE(chains.size(), std::size_t(1));
+        double sum = 0;
+        std::size_t count = 0;
+        for (const SlicePoint& p : chains[0].points)
+            if (std::abs(p.point.x()) < 14) {
+                const Vec3 exact = Vec3(p.point.x(), 0, p.point.z()).normalized();
+                QVERIFY(p.normal.dot(exact) > std::cos(0.01));
+            }
+        add_normal_change(chains[0], 0.05, sum, count);
+        QVERIFY(count > 100);
+        // Around a cylinder normals turn by 1/R per length.
+        QVERIFY(std::abs(std::sqrt(sum / double(count)) * radius - 1) < 0.05);
+    }
+
+    void travel_follows_the_smaller_change_of_normals() {
+        const auto direction = [](const Mesh& m, const NumberOrWord& asked) {
+            return travel_direction(asked, context_of(m, ball_tool(6)), Progress());
+        };
+        const Vec2 lo(-20, -10), hi(20, 10);
+        const Mesh along_y = height_field([](double x, double) { return std::sin(0.5 * x); }, lo, hi, 80, 10);
+        const Mesh along_x = height_field([](double, double y) { return std::sin(0.5 * y); }, lo, hi, 20, 40);
+        const Mesh level = height_field([](double, double) { return 0.0; }, lo, hi, 4, 4);
+        QCOMPARE(direction(along_y, {0, "auto"}), 0.5 * pi);
+        QCOMPARE(direction(along_x, {0, "auto"}), 0.0);
+        QCOMPARE(direction(level, {0, "auto"}), 0.0); // alike: along the longer side
+        QCOMPARE(direction(turned(level, 0.5 * pi), {0, "auto"}), 0.5 * pi);
+        QCOMPARE(direction(along_x, {0, "y"}), 0.5 * pi);
+        QCOMPARE(direction(along_x, {0.3, ""}), 0.3);
+    }
+
+    void the_domain_is_the_part_moved_by_the_contact() {
+        const CutterProfile profile(AptCutter::ball(6, 50));
+        const CutterCover cover(profile, 0.005);
+        const double slope = 0.6;
+        const Mesh m =
+            height_field([&](double x, double) { return slope * x; }, Vec2(-10, -5), Vec2(10, 5), 4, 2);
+        const ContactDomain domain(m, DriveFrame(0), cover, 0, Progress());
+        const auto line = domain.line(0.3, 0);
+        QCOMPARE(line.size(), std::size_t(1));
+        // A ball of radius 3 touches the slope 3 sin(angle) uphill of its tip, that is towards +x.
+        const double move = -3 * slope / std::hypot(1, slope);
+        QVERIFY(std::abs(line[0].lo - (-10 + move)) < 1e-5 && std::abs(line[0].hi - (10 + move)) < 1e-5);
+        QVERIFY(std::abs(domain.lo() + 5) < 1e-5 && std::abs(domain.hi() - 5) < 1e-5);
+        QVERIFY(domain.line(5.1, 0).empty());
+        QVERIFY(!domain.strip(4.9, 5.1, 0).empty());
+        const double lowest = -10 * slope - 3 * (1 - 1 / std::hypot(1, slope));
+        QVERIFY2(std::abs(domain.lowest_tip() - (-10 * slope + 3 / std::hypot(1, slope) - 3)) < 1e-9,
+                 qPrintable(QString::number(lowest)));
+    }
+
+    void walls_ask_for_nothing_and_ridges_are_closed() {
+        const CutterCover cover(CutterProfile(AptCutter::ball(6, 50)), 0.005);
+        const ContactDomain wall(step(0, 5), DriveFrame(0), cover, 0, Progress());
+        QVERIFY(std::abs(wall.lo() + 15) < 1e-5 && std::abs(wall.hi() - 15) < 1e-5);
+        // Over a ridge the moved sides part by 2 r sin 45; the edge closes the domain between them.
+        const Mesh ridge =
+            height_field([](double x, double) { return -std::abs(x); }, Vec2(-10, -5), Vec2(10, 5), 2, 1);
+        const auto line = ContactDomain(ridge, DriveFrame(0), cover, 0, Progress()).line(0.1, 0);
+        QCOMPARE(line.size(), std::size_t(1));
+        QVERIFY(std::abs(line[0].length() - (20 + 6 * std::sqrt(0.5))) < 1e-5);
+        const Mesh holed =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-10, -10), Vec2(10, 10), 20, 20),
+                 [](const Vec3& p) { return p.norm() > 4; });
+        const ContactDomain domain(holed, DriveFrame(0), cover, 0, Progress());
+        QCOMPARE(domain.line(0.25, 0.1).size(), std::size_t(2));
+        QCOMPARE(domain.line(0.25, 20).size(), std::size_t(1));
+    }
+};
+
+FACETMILL_TEST(TestSlice)
+#include "test_slice.moc"
