@@ -14,7 +14,7 @@ namespace facetmill::cli {
 namespace {
 
 constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
-constexpr std::size_t most_points = 200'000'000;
+constexpr std::size_t max_points = 200'000'000;
 constexpr int decimals = 9;
 constexpr double per_digit = 1e9;
 
@@ -38,7 +38,7 @@ Grid parse_grid(const std::string& text) {
     count(std::string_view(text).substr(0, x), grid.nx);
     count(std::string_view(text).substr(x + 1), grid.ny);
     if (grid.nx == 0 || grid.ny == 0) bad("has no points");
-    if (grid.nx > most_points || grid.ny > most_points / grid.nx) bad("has too many points");
+    if (grid.nx > max_points || grid.ny > max_points / grid.nx) bad("has too many points");
     return grid;
 }
 
@@ -93,7 +93,7 @@ std::vector<Vec2> read_points(const std::string& path, double largest, const Pro
         if (fields == 1)
             throw Error(ErrorCode::syntax, where(), "there is only one number", "write x y on each line");
         if (fields == 0) continue;
-        if (points.size() == most_points)
+        if (points.size() == max_points)
             throw Error(ErrorCode::limit_exceeded, where(), "there are too many points", "split the file");
         points.emplace_back(v[0], v[1]);
     }

@@ -49,10 +49,10 @@ bool is_project(const std::string& path) {
 /// The surface of what is left, no finer than a picture shows.
 StockPatches cut_stock(const StockSolid& solid, const std::vector<VerifyProgram>& programs,
                        const Verification& verification, const Progress& progress) {
-    constexpr double most_triangles = 1.5e6, triangles_per_square = 2.4; // of the lattice
+    constexpr double max_triangles = 1.5e6, triangles_per_square = 2.4; // of the lattice
     const Vec3 s = solid.box.size();
     const double area = 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
-    const double coarsest = std::sqrt(triangles_per_square * area / most_triangles);
+    const double coarsest = std::sqrt(triangles_per_square * area / max_triangles);
     if (verification.used.resolution < coarsest) {
         StockPlayback again(solid, programs, coarsest, progress);
         again.go_to(double(again.motion_count()), progress.part(0.0, 0.8));
@@ -158,7 +158,7 @@ void run(const Arguments& arguments, Session& session) {
                 const Progress verifying = progress.part(planned, 0.55);
                 const auto programs = verify_programs(project, plan);
                 VerifySettings settings = verify_settings(project, plan.get());
-                settings.most_samples = 400'000; // a picture shows no more
+                settings.max_samples = 400'000; // a picture shows no more
                 request.verification = std::make_shared<const Verification>(
                     verify(*plan->part->mesh, plan->stock, programs, settings, verifying));
                 // It would hide the colours.

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where someone asks for a spacing, memory is the limit.
-constexpr std::size_t most_samples_asked_for = 10'000'000;
+constexpr std::size_t max_samples_asked_for = 10'000'000;
 
 double positive_length(const Arguments& arguments, const char* option, double per) {
     if (!arguments.has(option)) return 0;
@@ -77,7 +77,7 @@ void run(const Arguments& arguments, Session& session) {
     }
     settings.resolution = resolution;
     settings.sample_spacing = spacing;
-    if (spacing > 0) settings.most_samples = most_samples_asked_for;
+    if (spacing > 0) settings.max_samples = max_samples_asked_for;
     const StockSolid stock = stock_solid(project.stock, *part);
     Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
     for (std::string& warning : stock_warnings(project.stock, *part, project.unit))

@@ -20,13 +20,13 @@ public:
         : p_(painter), ink_(ink), accent_(accent) {
         pen(ink_);
     }
-    void pen(const QColor& colour, double width = 1.7) {
-        p_.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    void pen(const QColor& color, double width = 1.7) {
+        p_.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         p_.setBrush(Qt::NoBrush);
     }
-    void fill(const QColor& colour) {
+    void fill(const QColor& color) {
         p_.setPen(Qt::NoPen);
-        p_.setBrush(colour);
+        p_.setBrush(color);
     }
     QColor faint(const QColor& c, int alpha = 60) const {
         return QColor(c.red(), c.green(), c.blue(), alpha);
@@ -117,7 +117,7 @@ void draw_tool(Sheet& s) {
 }
 
 /// The ground of a verdict, unlike the discs of planning; leaves a white pen.
-void draw_shield(Sheet& s, const QColor& colour) {
+void draw_shield(Sheet& s, const QColor& color) {
     QPainterPath path(QPointF(12, 2.5));
     path.lineTo(20, 5.2);
     path.lineTo(20, 11);
@@ -125,12 +125,12 @@ void draw_shield(Sheet& s, const QColor& colour) {
     path.cubicTo(7.5, 20, 4, 16.5, 4, 11);
     path.lineTo(4, 5.2);
     path.closeSubpath();
-    s.fill(colour);
+    s.fill(color);
     s.painter().drawPath(path);
     s.pen(Qt::white, 2.2);
 }
 
-void draw(Sheet& s, Icon which, const SignalColours& colours) {
+void draw(Sheet& s, Icon which, const SignalColors& colors) {
     switch (which) {
     case Icon::new_project:
         draw_page(s);
@@ -213,8 +213,8 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         s.line(17.5, 6.5, 6.5, 17.5);
         break;
     case Icon::plan:
-        s.pen(colours.good, 1.7);
-        s.painter().setBrush(s.faint(colours.good, 190));
+        s.pen(colors.good, 1.7);
+        s.painter().setBrush(s.faint(colors.good, 190));
         s.polygon({{6.5, 4}, {20, 12}, {6.5, 20}});
         break;
     case Icon::verify:
@@ -223,7 +223,7 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         s.circle(10.5, 10, 6.8);
         s.pen(s.ink(), 2.4);
         s.line(15.6, 15.2, 20.8, 20.6);
-        s.pen(colours.good, 2.1);
+        s.pen(colors.good, 2.1);
         s.polyline({{7.4, 10.2}, {9.8, 12.6}, {13.8, 7.6}});
         break;
     case Icon::play:
@@ -260,8 +260,8 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         break;
     }
     case Icon::cancel:
-        s.pen(colours.bad, 1.7);
-        s.painter().setBrush(s.faint(colours.bad, 190));
+        s.pen(colors.bad, 1.7);
+        s.painter().setBrush(s.faint(colors.bad, 190));
         s.rect(5.5, 5.5, 13, 13, 1.5);
         break;
     case Icon::pick:
@@ -354,58 +354,58 @@ void draw(Sheet& s, Icon which, const SignalColours& colours) {
         break;
     }
     case Icon::not_planned:
-        s.pen(colours.quiet, 2);
+        s.pen(colors.quiet, 2);
         s.circle(12, 12, 7);
         break;
     case Icon::planning:
-        s.pen(s.faint(colours.busy, 90), 2.6);
+        s.pen(s.faint(colors.busy, 90), 2.6);
         s.circle(12, 12, 7);
-        s.pen(colours.busy, 2.6);
+        s.pen(colors.busy, 2.6);
         s.arc(12, 12, 7, 90, -110);
         break;
     case Icon::planned:
-        s.fill(colours.good);
+        s.fill(colors.good);
         s.circle(12, 12, 8.5);
         s.pen(Qt::white, 2.2);
         s.polyline({{8, 12.4}, {11, 15.4}, {16.3, 9}});
         break;
     case Icon::stale:
-        s.pen(colours.attention, 2.3);
+        s.pen(colors.attention, 2.3);
         s.arc(12, 12, 7, 60, -300);
-        s.fill(colours.attention);
+        s.fill(colors.attention);
         s.polygon({{13.2, 2.2}, {18.6, 6}, {12.6, 9.2}});
         break;
     case Icon::failed:
     case Icon::error:
-        s.fill(colours.bad);
+        s.fill(colors.bad);
         s.circle(12, 12, 8.5);
         s.pen(Qt::white, 2.2);
         s.line(9, 9, 15, 15);
         s.line(15, 9, 9, 15);
         break;
     case Icon::verified:
-        draw_shield(s, colours.good);
+        draw_shield(s, colors.good);
         s.polyline({{8.2, 11.8}, {11, 14.6}, {16, 8.6}});
         break;
     case Icon::verify_failed:
-        draw_shield(s, colours.bad);
+        draw_shield(s, colors.bad);
         s.line(9, 8.4, 15, 14.4);
         s.line(15, 8.4, 9, 14.4);
         break;
     case Icon::verify_stale:
-        s.pen(colours.quiet, 2);
+        s.pen(colors.quiet, 2);
         s.circle(12, 12, 8.2);
         s.polyline({{12, 7}, {12, 12}, {15.6, 14}});
         break;
     case Icon::information:
-        s.fill(colours.busy);
+        s.fill(colors.busy);
         s.circle(12, 12, 8.5);
         s.pen(Qt::white, 2.2);
         s.line(12, 11.5, 12, 16.5);
         s.line(12, 7.6, 12, 7.7);
         break;
     case Icon::warning:
-        s.fill(colours.attention);
+        s.fill(colors.attention);
         s.polygon({{12, 3}, {22, 20.5}, {2, 20.5}});
         s.pen(Qt::white, 2.2);
         s.line(12, 9.5, 12, 14);
@@ -431,9 +431,9 @@ public:
         painter->translate(rect.x() + (rect.width() - side) / 2.0, rect.y() + (rect.height() - side) / 2.0);
         painter->scale(side / 24.0, side / 24.0);
         Sheet sheet(*painter, ink, accent);
-        SignalColours colours = signal_colours(palette);
-        if (selected) colours.quiet = colours.busy = ink; // rings would drown in the highlight
-        draw(sheet, which_, colours);
+        SignalColors colors = signal_colors(palette);
+        if (selected) colors.quiet = colors.busy = ink; // rings would drown in the highlight
+        draw(sheet, which_, colors);
         painter->restore();
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -466,8 +466,8 @@ QIcon application_icon() {
         p.setPen(Qt::NoPen);
         p.setBrush(QColor(0x1d2b3a));
         p.drawRoundedRect(QRectF(2, 2, 60, 60), 12, 12);
-        const auto facet = [&](QColor colour, std::initializer_list<QPointF> corners) {
-            p.setBrush(colour);
+        const auto facet = [&](QColor color, std::initializer_list<QPointF> corners) {
+            p.setBrush(color);
             p.drawPolygon(corners.begin(), int(corners.size()));
         };
         facet(QColor(0x2f7fc1), {{8, 44}, {22, 34}, {30, 52}});

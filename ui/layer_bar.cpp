@@ -107,25 +107,25 @@ LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
         if (e.layer == ViewLayer::others) box->hide(); // until there are any
         boxes_.push_back(box);
     }
-    auto* colours = new QWidget(this);
-    auto* row = new QHBoxLayout(colours);
+    auto* colors = new QWidget(this);
+    auto* row = new QHBoxLayout(colors);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(5);
-    quantity_ = new QComboBox(colours);
+    quantity_ = new QComboBox(colors);
     quantity_->setObjectName(QStringLiteral("path_quantity"));
     quantity_->setToolTip(tr("What the colours of the path mean; their scale stands in the view"));
     quantity_->setFocusPolicy(Qt::TabFocus);
     for (std::size_t q = 0; q < path_quantities; ++q)
         quantity_->addItem(ui::text(path_quantity_label(PathQuantity(q))));
-    auto* label = new QLabel(tr("Path by"), colours);
+    auto* label = new QLabel(tr("Path by"), colors);
     label->setBuddy(quantity_);
     row->addWidget(label);
     row->addWidget(quantity_);
-    scale_ = new ScaleStrip(colours);
+    scale_ = new ScaleStrip(colors);
     scale_->hide();
     row->addWidget(scale_);
     connect(quantity_, &QComboBox::currentIndexChanged, this, &LayerBar::quantity_chosen);
-    flow->addWidget(colours);
+    flow->addWidget(colors);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);

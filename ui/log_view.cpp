@@ -9,21 +9,20 @@
 namespace facetmill::ui {
 
 namespace {
-constexpr int most_entries = 5000;
+constexpr int max_entries = 5000;
 }
 
 LogView::LogView(QWidget* parent) : QPlainTextEdit(parent) {
     setObjectName(QStringLiteral("log"));
     setReadOnly(true);
     setFrameShape(QFrame::NoFrame);
-    setMaximumBlockCount(most_entries);
+    setMaximumBlockCount(max_entries);
     setLineWrapMode(QPlainTextEdit::WidgetWidth);
     setPlaceholderText(tr("Nothing has happened yet."));
 }
 
 void LogView::add(MessageBar::Kind kind, const QString& line) {
-    if (entries_.size() >= most_entries)
-        entries_.erase(entries_.begin(), entries_.begin() + most_entries / 10);
+    if (entries_.size() >= max_entries) entries_.erase(entries_.begin(), entries_.begin() + max_entries / 10);
     entries_.push_back({kind, QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), line});
     const QScrollBar* bar = verticalScrollBar();
     const bool at_end = bar->value() >= bar->maximum() - 2;
@@ -32,13 +31,13 @@ void LogView::add(MessageBar::Kind kind, const QString& line) {
 }
 
 void LogView::append(const Entry& entry) {
-    const SignalColours signal = signal_colours(palette());
-    const QColor colour = entry.kind == MessageBar::Kind::error     ? signal.bad
-                          : entry.kind == MessageBar::Kind::warning ? signal.attention
-                                                                    : palette().color(QPalette::Text);
+    const SignalColors signal = signal_colors(palette());
+    const QColor color = entry.kind == MessageBar::Kind::error     ? signal.bad
+                         : entry.kind == MessageBar::Kind::warning ? signal.attention
+                                                                   : palette().color(QPalette::Text);
     appendHtml(
         QStringLiteral("<span style=\"color:%1\">%2&nbsp;&nbsp;</span><span style=\"color:%3\">%4</span>")
-            .arg(signal.quiet.name(), entry.time, colour.name(), entry.line.toHtmlEscaped()));
+            .arg(signal.quiet.name(), entry.time, color.name(), entry.line.toHtmlEscaped()));
 }
 
 void LogView::changeEvent(QEvent* event) {

@@ -1,25 +1,25 @@
 #include "ui/main_window.h"
 
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
 #include "ui/parameter_form.h"
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
-#include "ui/region_desk.h"
+#include "ui/region_controller.h"
 #include "ui/region_dialog.h"
 #include "ui/report_view.h"
-#include "ui/rough_desk.h"
+#include "ui/rough_controller.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
-#include "ui/strip_desk.h"
+#include "ui/strip_controller.h"
 #include "ui/text.h"
-#include "ui/unrolled_desk.h"
-#include "ui/verification_desk.h"
+#include "ui/unrolled_controller.h"
+#include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 #include "ui/view_cube.h"
 #include "ui/viewport.h"
@@ -63,23 +63,23 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     sample_folder_ =
         QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/samples");
 
-    auto* centre = new QWidget(this);
-    auto* column = new QVBoxLayout(centre);
+    auto* center = new QWidget(this);
+    auto* column = new QVBoxLayout(center);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    message_ = new MessageBar(centre);
-    viewport_ = new Viewport(centre);
+    message_ = new MessageBar(center);
+    viewport_ = new Viewport(center);
     viewport_->setObjectName(QStringLiteral("viewport"));
-    layers_ = new LayerBar(centre);
-    desk_ = new VerificationDesk(document_, *viewport_, *layers_, job_, this);
+    layers_ = new LayerBar(center);
+    controller_ = new VerificationController(document_, *viewport_, *layers_, job_, this);
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
-    rough_ = new RoughDesk(document_, *viewport_, this);
+    rough_ = new RoughController(document_, *viewport_, this);
     column->addWidget(rough_->bar());
-    regions_ = new RegionDesk(document_, *viewport_, this);
-    column->addWidget(desk_->bar());
+    regions_ = new RegionController(document_, *viewport_, this);
+    column->addWidget(controller_->bar());
     column->addWidget(layers_);
-    setCentralWidget(centre);
+    setCentralWidget(center);
 
     build_docks();
     build_actions();
@@ -114,7 +114,7 @@ MainWindow::~MainWindow() {
     delete rough_;
     delete regions_;
     delete cspace_;
-    delete desk_;
+    delete controller_;
     delete takeCentralWidget();
 }
 
@@ -137,15 +137,15 @@ void MainWindow::build_docks() {
     properties_dock_ = dock(tr("Parameters"), "properties_dock", properties_, Qt::LeftDockWidgetArea);
     report_dock_ = dock(tr("Report"), "report_dock", report_, Qt::RightDockWidgetArea);
     verification_dock_ =
-        dock(tr("Verification"), "verification_dock", desk_->panel(), Qt::RightDockWidgetArea);
+        dock(tr("Verification"), "verification_dock", controller_->panel(), Qt::RightDockWidgetArea);
     tabifyDockWidget(report_dock_, verification_dock_);
     build_cspace();
     build_unrolled();
     build_strips();
     report_dock_->raise();
-    tree_->set_verification(desk_->model());
-    tree_->tree()->installEventFilter(desk_);
-    desk_->panel()->findings()->installEventFilter(desk_);
+    tree_->set_verification(controller_->model());
+    tree_->tree()->installEventFilter(controller_);
+    controller_->panel()->findings()->installEventFilter(controller_);
     log_dock_ = dock(tr("Log"), "log_dock", log_, Qt::BottomDockWidgetArea);
     build_inspection();
 }
@@ -192,7 +192,7 @@ void MainWindow::connect_parts() {
         rough_->show_node(tree_->selected());
         regions_->show_node(tree_->selected());
         if (const auto node = tree_->selected(); node && node->kind == TreeNode::Kind::stock_after)
-            desk_->show_stock_after(node->index);
+            controller_->show_stock_after(node->index);
         if (shown_alone() != drawn_alone_) draw_paths(true);
         update_actions();
     });
@@ -208,36 +208,37 @@ void MainWindow::connect_parts() {
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(properties_, &PropertiesPanel::choose_stock, this, &MainWindow::choose_stock);
-    connect(properties_, &PropertiesPanel::edit_regions, regions_, &RegionDesk::open);
-    connect(regions_, &RegionDesk::wanted, this, [this] { layers_->set_shown(ViewLayer::regions, true); });
-    connect(regions_, &RegionDesk::failed, this, &MainWindow::fail);
-    connect(regions_, &RegionDesk::settled, this, &MainWindow::check_settled);
-    connect(rough_, &RoughDesk::layer_changed, this, [this] { draw_paths(); });
-    connect(rough_, &RoughDesk::settled, this, &MainWindow::check_settled);
-    connect(desk_, &VerificationDesk::said, this, &MainWindow::tell);
-    connect(desk_, &VerificationDesk::verify_requested, this, &MainWindow::verify);
-    connect(desk_, &VerificationDesk::verified, this, [this] {
+    connect(properties_, &PropertiesPanel::edit_regions, regions_, &RegionController::open);
+    connect(regions_, &RegionController::wanted, this,
+            [this] { layers_->set_shown(ViewLayer::regions, true); });
+    connect(regions_, &RegionController::failed, this, &MainWindow::fail);
+    connect(regions_, &RegionController::settled, this, &MainWindow::check_settled);
+    connect(rough_, &RoughController::layer_changed, this, [this] { draw_paths(); });
+    connect(rough_, &RoughController::settled, this, &MainWindow::check_settled);
+    connect(controller_, &VerificationController::said, this, &MainWindow::tell);
+    connect(controller_, &VerificationController::verify_requested, this, &MainWindow::verify);
+    connect(controller_, &VerificationController::verified, this, [this] {
         last_failure_.clear();
         verification_dock_->show();
         verification_dock_->raise();
     });
-    connect(desk_, &VerificationDesk::tool_moved, this, [this](const QString& readout) {
+    connect(controller_, &VerificationController::tool_moved, this, [this](const QString& readout) {
         readout_text_ = readout;
         readout_->set_text(readout);
         hide_touch();
         check_settled();
     });
     // What a finding is by is to be seen beside it.
-    connect(desk_->panel(), &VerificationPanel::finding_chosen, this, [this](const Finding& finding) {
-        if (!drawn_alone_ || !finding.by.known() || !desk_->model().any()) return;
-        const VerificationOutcome& judged = desk_->model().outcome();
+    connect(controller_->panel(), &VerificationPanel::finding_chosen, this, [this](const Finding& finding) {
+        if (!drawn_alone_ || !finding.by.known() || !controller_->model().any()) return;
+        const VerificationOutcome& judged = controller_->model().outcome();
         if (finding.by.program < judged.program_operations.size()
             && judged.ids[judged.program_operations[finding.by.program]] != *drawn_alone_)
             layers_->set_shown(ViewLayer::others, true);
     });
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());
-        desk_->layers_changed();
+        controller_->layers_changed();
         if (shown_alone() != drawn_alone_) draw_paths(true);
         viewport_->refresh();
     });
@@ -393,7 +394,7 @@ void MainWindow::update_actions() {
     save_as_->setEnabled(has_part);
     plan_->setEnabled(idle && has_part && document_.operation_count() > 0);
     verify_->setEnabled(plan_->isEnabled());
-    desk_->panel()->set_ready(verify_->isEnabled());
+    controller_->panel()->set_ready(verify_->isEnabled());
     export_->setEnabled(idle && has_part);
     sheet_->setEnabled(idle && has_part);
     picture_->setEnabled(has_part);
@@ -415,8 +416,8 @@ void MainWindow::set_theme(Theme theme) {
     viewport_->view_cube()->update();
     viewport_->refresh();
     cspace_->set_palette(dark ? facetmill::Palette::dark : facetmill::Palette::light);
-    strips_->colour();
-    message_->colour();
+    strips_->color();
+    message_->color();
     for (std::size_t i = 0; i < theme_actions_.size(); ++i)
         theme_actions_[i]->setChecked(i == std::size_t(theme));
 }
@@ -461,8 +462,9 @@ void MainWindow::ended(const JobEnd& end) {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || display_job_.running() || desk_->busy() || cspace_->busy() || inspection_->busy()
-           || rough_->busy() || strips_->busy() || regions_->busy() || !viewport_->finished();
+    return job_.running() || display_job_.running() || controller_->busy() || cspace_->busy()
+           || inspection_->busy() || rough_->busy() || strips_->busy() || regions_->busy()
+           || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {
@@ -503,7 +505,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (!picked_key_.empty() && event->key() == Qt::Key_Escape) return end_pick();
-    if (!desk_->engaged() && cspace_->active()) {
+    if (!controller_->engaged() && cspace_->active()) {
         const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
         switch (event->key()) {
         case Qt::Key_Left:
@@ -518,7 +520,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
             break;
         }
     }
-    if (desk_->take_key(*event)) return;
+    if (controller_->take_key(*event)) return;
     if (tool_at_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
         const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
         step_tool(event->key() == Qt::Key_Left ? -by : by);

@@ -26,21 +26,21 @@ class QToolButton;
 
 namespace facetmill::ui {
 
-class CSpaceDesk;
+class CSpaceController;
 class ElidedLabel;
-class InspectionDesk;
+class InspectionController;
 class LayerBar;
 class LogView;
 class ProjectTree;
 class PropertiesPanel;
-class RegionDesk;
+class RegionController;
 class ReportView;
-class RoughDesk;
+class RoughController;
 class StartHint;
-class StripDesk;
+class StripController;
 class ToolDialog;
-class UnrolledDesk;
-class VerificationDesk;
+class UnrolledController;
+class VerificationController;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -83,13 +83,13 @@ public:
     LayerBar& layers() { return *layers_; }
     MessageBar& message_bar() { return *message_; }
     ReportView& report() { return *report_; }
-    VerificationDesk& verification() { return *desk_; }
-    CSpaceDesk& cspace() { return *cspace_; }
-    InspectionDesk& inspection() { return *inspection_; }
-    UnrolledDesk& unrolled() { return *unrolled_; }
-    RoughDesk& roughing() { return *rough_; }
-    RegionDesk& regions() { return *regions_; }
-    StripDesk& strips() { return *strips_; }
+    VerificationController& verification() { return *controller_; }
+    CSpaceController& cspace() { return *cspace_; }
+    InspectionController& inspection() { return *inspection_; }
+    UnrolledController& unrolled() { return *unrolled_; }
+    RoughController& roughing() { return *rough_; }
+    RegionController& regions() { return *regions_; }
+    StripController& strips() { return *strips_; }
     BackgroundJob& job() { return job_; }
 
 signals:
@@ -218,13 +218,13 @@ private:
     ReportView* report_ = nullptr;
     LogView* log_ = nullptr;
     LayerBar* layers_ = nullptr;
-    VerificationDesk* desk_ = nullptr;
-    CSpaceDesk* cspace_ = nullptr;
-    InspectionDesk* inspection_ = nullptr;
-    UnrolledDesk* unrolled_ = nullptr;
-    RoughDesk* rough_ = nullptr;
-    RegionDesk* regions_ = nullptr;
-    StripDesk* strips_ = nullptr;
+    VerificationController* controller_ = nullptr;
+    CSpaceController* cspace_ = nullptr;
+    InspectionController* inspection_ = nullptr;
+    UnrolledController* unrolled_ = nullptr;
+    RoughController* rough_ = nullptr;
+    RegionController* regions_ = nullptr;
+    StripController* strips_ = nullptr;
     MessageBar* message_ = nullptr;
     QDockWidget *project_dock_ = nullptr, *properties_dock_ = nullptr, *report_dock_ = nullptr,
                 *log_dock_ = nullptr, *verification_dock_ = nullptr, *cspace_dock_ = nullptr,

@@ -1,12 +1,12 @@
 // The configuration-space room in the window: its dock, and the tool in the part view at its postures.
 #include "ui/main_window.h"
 
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 #include "ui/elided_label.h"
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 #include "ui/settings.h"
 #include "ui/text.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QDockWidget>
@@ -19,7 +19,7 @@
 namespace facetmill::ui {
 
 void MainWindow::build_cspace() {
-    cspace_ = new CSpaceDesk(document_, this);
+    cspace_ = new CSpaceController(document_, this);
     cspace_dock_ = new QDockWidget(tr("Configuration space"), this);
     cspace_dock_->setObjectName(QStringLiteral("cspace_dock"));
     cspace_dock_->setWidget(cspace_->panel());
@@ -28,11 +28,11 @@ void MainWindow::build_cspace() {
     connect(cspace_dock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
         if (seen) cspace_->look();
     });
-    connect(cspace_, &CSpaceDesk::tool_wanted, this, &MainWindow::show_cspace_tool);
-    connect(cspace_, &CSpaceDesk::failed, this, &MainWindow::fail);
-    connect(cspace_, &CSpaceDesk::told, this,
+    connect(cspace_, &CSpaceController::tool_wanted, this, &MainWindow::show_cspace_tool);
+    connect(cspace_, &CSpaceController::failed, this, &MainWindow::fail);
+    connect(cspace_, &CSpaceController::told, this,
             [this](const QString& what) { tell(MessageBar::Kind::information, what, false); });
-    connect(cspace_, &CSpaceDesk::settled, this, &MainWindow::check_settled);
+    connect(cspace_, &CSpaceController::settled, this, &MainWindow::check_settled);
     connect(cspace_->panel(), &CSpacePanel::picture_requested, this, [this] { export_cspace(false); });
     connect(cspace_->panel(), &CSpacePanel::table_requested, this, [this] { export_cspace(true); });
 }

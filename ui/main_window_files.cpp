@@ -10,7 +10,7 @@
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
 #include "ui/text.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QBuffer>
@@ -304,9 +304,9 @@ void MainWindow::export_with_dialog() {
 }
 
 bool MainWindow::may_export() {
-    const QString doubt = desk_->doubt();
+    const QString doubt = controller_->doubt();
     if (doubt.isEmpty()) return true;
-    const Verdict verdict = desk_->model().verdict();
+    const Verdict verdict = controller_->model().verdict();
     QMessageBox box(QMessageBox::Warning, tr("Export unverified programs?"), doubt, QMessageBox::Cancel,
                     this);
     box.setInformativeText(verdict == Verdict::failed
@@ -346,7 +346,7 @@ void MainWindow::export_to(const QString& folder) {
         [=](const Progress& p) {
             *written = write_plan(*project, *plan, target, p.part(0, 1, "Writing programs"));
         },
-        [this, written, doubt = desk_->doubt()](const JobEnd& end) {
+        [this, written, doubt = controller_->doubt()](const JobEnd& end) {
             if (!end.done()) return;
             last_failure_.clear();
             for (const auto& path : *written)
@@ -378,7 +378,7 @@ bool MainWindow::may_write_sheet() {
                                            "it stands. Press Plan (F5) first."));
         return false;
     }
-    if (desk_->model().current()) return true;
+    if (controller_->model().current()) return true;
     tell(MessageBar::Kind::warning, tr("A setup sheet begins with the verdict of the verification. Press "
                                        "Verify (F6) first."));
     return false;
@@ -397,7 +397,7 @@ void MainWindow::save_sheet(const QString& path) {
     viewport_->full_picture().save(&buffer, "PNG");
     auto project = std::make_shared<Project>(document_.project());
     const auto plan = document_.complete_plan(); // what was verified, with what is said of the stock
-    const auto verification = desk_->model().outcome().verification;
+    const auto verification = controller_->model().outcome().verification;
     const std::filesystem::path target = path_of(path);
     job_.start(
         tr("Writing the setup sheet"),

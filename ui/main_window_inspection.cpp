@@ -1,10 +1,10 @@
 // Charts and colours of the path in the window: their dock, and how cursor and tool go together.
 #include "ui/main_window.h"
 
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 #include "ui/playback_controller.h"
 #include "ui/settings.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -15,7 +15,7 @@
 namespace facetmill::ui {
 
 void MainWindow::build_inspection() {
-    inspection_ = new InspectionDesk(document_, *viewport_, *layers_, this);
+    inspection_ = new InspectionController(document_, *viewport_, *layers_, this);
     chart_dock_ = new QDockWidget(tr("Charts"), this);
     chart_dock_->setObjectName(QStringLiteral("chart_dock"));
     chart_dock_->setWidget(inspection_->panel());
@@ -32,17 +32,17 @@ void MainWindow::build_inspection() {
     connect(chart_dock_->toggleViewAction(), &QAction::triggered, this, [this](bool on) {
         if (on) chart_dock_->raise();
     });
-    connect(inspection_, &InspectionDesk::place_wanted, this, &MainWindow::show_motion);
-    connect(inspection_, &InspectionDesk::step_wanted, this, &MainWindow::step_tool);
-    connect(inspection_, &InspectionDesk::failed, this, &MainWindow::fail);
-    connect(inspection_, &InspectionDesk::told, this,
+    connect(inspection_, &InspectionController::place_wanted, this, &MainWindow::show_motion);
+    connect(inspection_, &InspectionController::step_wanted, this, &MainWindow::step_tool);
+    connect(inspection_, &InspectionController::failed, this, &MainWindow::fail);
+    connect(inspection_, &InspectionController::told, this,
             [this](const QString& what) { tell(MessageBar::Kind::information, what, false); });
-    connect(inspection_, &InspectionDesk::settled, this, &MainWindow::check_settled);
+    connect(inspection_, &InspectionController::settled, this, &MainWindow::check_settled);
     connect(inspection_->panel(), &InspectionPanel::picture_requested, this, [this] { export_chart(false); });
     connect(inspection_->panel(), &InspectionPanel::table_requested, this, [this] { export_chart(true); });
-    const PlaybackController* playback = &desk_->playback();
+    const PlaybackController* playback = &controller_->playback();
     connect(playback, &PlaybackController::moved, this, [this, playback] {
-        if (!desk_->engaged() || !playback->loaded()) return;
+        if (!controller_->engaged() || !playback->loaded()) return;
         const PlaybackTrack& track = playback->track();
         const double position = playback->position();
         const MotionPlace at = track.place(position);

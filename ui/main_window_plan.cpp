@@ -2,19 +2,19 @@
 #include "ui/main_window.h"
 
 #include "core/job/stock_solid.h"
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 #include "ui/elided_label.h"
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
-#include "ui/region_desk.h"
-#include "ui/rough_desk.h"
-#include "ui/strip_desk.h"
+#include "ui/region_controller.h"
+#include "ui/rough_controller.h"
+#include "ui/strip_controller.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
-#include "ui/unrolled_desk.h"
-#include "ui/verification_desk.h"
+#include "ui/unrolled_controller.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <algorithm>
@@ -92,9 +92,9 @@ void MainWindow::show_stock() {
 
 void MainWindow::verify() {
     if (job_.running() || !document_.has_part()) return;
-    if (properties_->commit() && desk_->can_verify()) {
+    if (properties_->commit() && controller_->can_verify()) {
         message_->dismiss();
-        desk_->verify();
+        controller_->verify();
         return;
     }
     plan(); // or says why it cannot
@@ -202,7 +202,7 @@ void MainWindow::planned(const std::shared_ptr<PlanWork>& work, const JobEnd& en
     const bool on_operation = node && node->kind == TreeNode::Kind::operation;
     if (!on_operation && !work->wanted.empty())
         tree_->select({TreeNode::Kind::operation, work->wanted.front()});
-    if (verify_now) desk_->verify(); // unless an operation failed: then that is what was said
+    if (verify_now) controller_->verify(); // unless an operation failed: then that is what was said
 }
 
 void MainWindow::select_last_operation() {
@@ -284,7 +284,7 @@ void MainWindow::draw_paths(bool keep_tool) {
             if (other_layers) {
                 inspection_->set_shown((*display)->sources);
                 if (!keep_tool
-                    || (!desk_->engaged()
+                    || (!controller_->engaged()
                         && !(tool_at_
                              && (*display)->sources[tool_at_->source].shows_motion(motion_of(*tool_at_)))))
                     show_start_of_path();
@@ -367,7 +367,7 @@ void MainWindow::show_tool_at(const PathPick& pick) {
     readout_text_ = readout;
     readout_->set_text(readout);
     viewport_->refresh();
-    desk_->tool_put(shown_results_[pick.source], pick.motion);
+    controller_->tool_put(shown_results_[pick.source], pick.motion);
     inspection_->set_place(pick.source, motion_of(pick));
     unrolled_->set_place(pick.source, motion_of(pick));
     follow_cspace(pick);

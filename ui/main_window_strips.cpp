@@ -3,9 +3,9 @@
 #include "ui/main_window.h"
 
 #include "ui/elided_label.h"
-#include "ui/region_desk.h"
-#include "ui/strip_desk.h"
-#include "ui/verification_desk.h"
+#include "ui/region_controller.h"
+#include "ui/strip_controller.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -17,7 +17,7 @@
 namespace facetmill::ui {
 
 void MainWindow::build_strips() {
-    strips_ = new StripDesk(document_, *viewport_, this);
+    strips_ = new StripController(document_, *viewport_, this);
     strips_dock_ = new QDockWidget(tr("Strips"), this);
     strips_dock_->setObjectName(QStringLiteral("strips_dock"));
     strips_dock_->setWidget(strips_->panel());
@@ -25,24 +25,25 @@ void MainWindow::build_strips() {
     tabifyDockWidget(verification_dock_, strips_dock_);
     strips_dock_->hide();
     // Queued: a dock says that it is hidden before what is in it is.
-    connect(strips_dock_, &QDockWidget::visibilityChanged, strips_, &StripDesk::look, Qt::QueuedConnection);
+    connect(strips_dock_, &QDockWidget::visibilityChanged, strips_, &StripController::look,
+            Qt::QueuedConnection);
     connect(strips_dock_->toggleViewAction(), &QAction::triggered, this, [this](bool on) {
         if (on) strips_dock_->raise();
     });
-    connect(strips_, &StripDesk::touch_wanted, this, &MainWindow::show_touch);
-    connect(strips_, &StripDesk::touch_gone, this, [this] {
+    connect(strips_, &StripController::touch_wanted, this, &MainWindow::show_touch);
+    connect(strips_, &StripController::touch_gone, this, [this] {
         hide_touch();
-        if (desk_->engaged()) return;
+        if (controller_->engaged()) return;
         if (const auto pick = tool_at_)
             show_tool_at(*pick);
         else
             hide_tool();
         viewport_->refresh();
     });
-    connect(strips_, &StripDesk::strips_shown, regions_, &RegionDesk::give_way);
-    connect(regions_, &RegionDesk::ended, strips_, &StripDesk::show_again);
-    connect(strips_, &StripDesk::failed, this, &MainWindow::fail);
-    connect(strips_, &StripDesk::settled, this, &MainWindow::check_settled);
+    connect(strips_, &StripController::strips_shown, regions_, &RegionController::give_way);
+    connect(regions_, &RegionController::ended, strips_, &StripController::show_again);
+    connect(strips_, &StripController::failed, this, &MainWindow::fail);
+    connect(strips_, &StripController::settled, this, &MainWindow::check_settled);
 }
 
 /// A newly planned clean-up brings the list to light, once; in a narrow window only its tab.
@@ -73,7 +74,7 @@ void MainWindow::show_touch(const Tool& tool, const CleanupRecord::Touch& touch)
     scene.set_tool_pose(CutterLocation{touch.tip, Vec3::UnitZ()});
     scene.set_marker(Marker{touch.center, Vec3::Zero()});
     scene.set_touches({touch.touch[0], touch.touch[1]});
-    desk_->tool_taken();
+    controller_->tool_taken();
     readout_text_.clear();
     readout_->set_text({});
     viewport_->refresh();

@@ -3,8 +3,8 @@
 
 #include "ui/playback_controller.h"
 #include "ui/settings.h"
-#include "ui/unrolled_desk.h"
-#include "ui/verification_desk.h"
+#include "ui/unrolled_controller.h"
+#include "ui/verification_controller.h"
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -15,7 +15,7 @@
 namespace facetmill::ui {
 
 void MainWindow::build_unrolled() {
-    unrolled_ = new UnrolledDesk(document_, this);
+    unrolled_ = new UnrolledController(document_, this);
     unrolled_dock_ = new QDockWidget(tr("Unrolled"), this);
     unrolled_dock_->setObjectName(QStringLiteral("unrolled_dock"));
     unrolled_dock_->setWidget(unrolled_->panel());
@@ -28,16 +28,16 @@ void MainWindow::build_unrolled() {
     connect(unrolled_dock_->toggleViewAction(), &QAction::triggered, this, [this](bool on) {
         if (on) unrolled_dock_->raise();
     });
-    connect(unrolled_, &UnrolledDesk::place_wanted, this, &MainWindow::show_motion);
-    connect(unrolled_, &UnrolledDesk::step_wanted, this, &MainWindow::step_tool);
-    connect(unrolled_, &UnrolledDesk::failed, this, &MainWindow::fail);
-    connect(unrolled_, &UnrolledDesk::told, this,
+    connect(unrolled_, &UnrolledController::place_wanted, this, &MainWindow::show_motion);
+    connect(unrolled_, &UnrolledController::step_wanted, this, &MainWindow::step_tool);
+    connect(unrolled_, &UnrolledController::failed, this, &MainWindow::fail);
+    connect(unrolled_, &UnrolledController::told, this,
             [this](const QString& what) { tell(MessageBar::Kind::information, what, false); });
-    connect(unrolled_, &UnrolledDesk::settled, this, &MainWindow::check_settled);
-    connect(unrolled_, &UnrolledDesk::picture_requested, this, &MainWindow::export_unrolled);
-    const PlaybackController* playback = &desk_->playback();
+    connect(unrolled_, &UnrolledController::settled, this, &MainWindow::check_settled);
+    connect(unrolled_, &UnrolledController::picture_requested, this, &MainWindow::export_unrolled);
+    const PlaybackController* playback = &controller_->playback();
     connect(playback, &PlaybackController::moved, this, [this, playback] {
-        if (!desk_->engaged() || !playback->loaded()) return;
+        if (!controller_->engaged() || !playback->loaded()) return;
         const PlaybackTrack& track = playback->track();
         const MotionPlace at = track.place(playback->position());
         if (const auto source = source_of(track.operation(at.program).result))

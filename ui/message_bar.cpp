@@ -37,7 +37,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
 void MessageBar::show_message(Kind kind, const QString& message) {
     kind_ = kind;
     text_->setText(message);
-    colour();
+    color();
     show();
 }
 
@@ -50,9 +50,9 @@ void MessageBar::dismiss() {
     text_->clear();
 }
 
-void MessageBar::colour() {
+void MessageBar::color() {
     const QPalette window = QApplication::palette();
-    const SignalColours signal = signal_colours(window);
+    const SignalColors signal = signal_colors(window);
     const QColor mark = kind_ == Kind::error     ? signal.bad
                         : kind_ == Kind::warning ? signal.attention
                                                  : signal.busy;

@@ -20,7 +20,7 @@ public:
     /// The message that is shown, or nothing.
     QString message() const;
     /// The colours of the present theme.
-    void colour();
+    void color();
 
 public slots:
     void dismiss();

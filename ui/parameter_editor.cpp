@@ -22,7 +22,7 @@ void mark_line(QWidget* widget, bool invalid) {
     QPalette palette;
     if (invalid) {
         const QPalette base = widget->parentWidget() ? widget->parentWidget()->palette() : QPalette();
-        const QColor bad = signal_colours(base).bad;
+        const QColor bad = signal_colors(base).bad;
         const QColor ground = base.color(QPalette::Base);
         palette = base;
         palette.setColor(QPalette::Text, bad);

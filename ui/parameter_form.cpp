@@ -298,7 +298,7 @@ void ParameterForm::show_error(Row& row, const QString& message, bool invalid) {
     row.error->setText(message);
     row.error->setVisible(!message.isEmpty());
     QPalette palette = row.error->palette();
-    palette.setColor(QPalette::WindowText, signal_colours(this->palette()).bad);
+    palette.setColor(QPalette::WindowText, signal_colors(this->palette()).bad);
     row.error->setPalette(palette);
     row.editor->mark(invalid);
     if (was_valid != valid()) emit validity_changed(!was_valid);

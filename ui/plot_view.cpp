@@ -22,7 +22,7 @@ namespace {
 constexpr double margin = 8, tick_length = 4, key_gap = 14, key_sample = 18;
 constexpr double headroom = 0.06; ///< of the height, above and below the curves
 /// Limits are in view from the beginning where they leave the curves at least this share of the height.
-constexpr double least_share = 0.4;
+constexpr double min_share = 0.4;
 constexpr double mark_room =
     14; ///< along the axis for one in full size; where there is less they are smaller
 
@@ -97,7 +97,7 @@ QRectF PlotView::whole() const {
               [&](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
     for (const double v : limits) {
         const double with_low = std::min(low, v), with_high = std::max(high, v);
-        if (curves < least_share * (with_high - with_low)) break;
+        if (curves < min_share * (with_high - with_low)) break;
         low = with_low;
         high = with_high;
     }
@@ -173,10 +173,10 @@ void PlotView::paint_axes(QPainter& p, const QRectF& in, const Look& look) const
     p.setRenderHint(QPainter::Antialiasing, false);
     // Upright.
     // In a low chart closer together: one tick alone says nothing.
-    const int most_y = std::max(
+    const int max_y = std::max(
         {3, int(in.height() / (1.6 * fm.height())), std::min(5, int(in.height() / (1.1 * fm.height())))});
-    const double step_y = round_step(view_.height(), most_y);
-    for (const double v : round_ticks(view_.top(), view_.bottom(), most_y)) {
+    const double step_y = round_step(view_.height(), max_y);
+    for (const double v : round_ticks(view_.top(), view_.bottom(), max_y)) {
         const double y = std::round(place_of(view_.left(), v, in).y()) + 0.5;
         p.setPen(look.grid);
         p.drawLine(QPointF(in.left(), y), QPointF(in.right(), y));
@@ -187,10 +187,10 @@ void PlotView::paint_axes(QPainter& p, const QRectF& in, const Look& look) const
     }
     // Along.
     const double wide = fm.horizontalAdvance(QStringLiteral("−00000.0"));
-    const int most_x = std::max(2, int(in.width() / (1.4 * wide)));
-    const double step_x = round_step(view_.width(), most_x);
+    const int max_x = std::max(2, int(in.width() / (1.4 * wide)));
+    const double step_x = round_step(view_.width(), max_x);
     double written = -infinity;
-    for (const double v : round_ticks(view_.left(), view_.right(), most_x)) {
+    for (const double v : round_ticks(view_.left(), view_.right(), max_x)) {
         const double x = std::round(place_of(v, view_.top(), in).x()) + 0.5;
         p.setPen(look.grid);
         p.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));

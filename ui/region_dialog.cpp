@@ -36,7 +36,7 @@ constexpr const char* keys[] = {"lead_limit",  "assumed_lead_limit",  "rework_of
                                 "rework_tool", "machining_direction", "view_direction"};
 /// Growing goes by this share of the offset, at least by one digit of what is shown.
 constexpr double step_share = 0.25;
-constexpr double least_step_mm = 0.25, least_step_inch = 0.01;
+constexpr double min_step_mm = 0.25, min_step_inch = 0.01;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_in_minutes = 300 * 60; ///< beyond it the axis of time counts hours
 
@@ -119,7 +119,7 @@ RegionDialog::RegionDialog(QWidget* parent) : QDialog(parent, Qt::Tool) {
     all->addLayout(foot);
     show_no_regions({});
     clear_advice({});
-    colour();
+    color();
 }
 
 RegionDialog::~RegionDialog() {
@@ -271,7 +271,7 @@ void RegionDialog::show_settings(const GlobalLocal& operation, LengthUnit unit,
     }
     form_->set_values(operation, unit);
     unit_ = unit;
-    const double smallest = unit == LengthUnit::inch ? least_step_inch * mm_per_inch : least_step_mm;
+    const double smallest = unit == LengthUnit::inch ? min_step_inch * mm_per_inch : min_step_mm;
     step_ = std::max(smallest, step_share * operation.settings().rework_offset);
 }
 
@@ -307,7 +307,7 @@ void RegionDialog::show_regions(const std::vector<ReworkRegion>& regions, const 
         put(reason_column, sentence(text(r.strip.reason)));
     }
     filling_ = false;
-    colour();
+    color();
     for (const int c : {name_column, area_column, grow_column, tool_column})
         table_->resizeColumnToContents(c);
     stack_->setCurrentWidget(table_);
@@ -544,10 +544,10 @@ void RegionDialog::set_busy(bool busy, double fraction, const QString& label) {
         status_->setText(label + QChar(0x2026));
 }
 
-void RegionDialog::colour() {
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, signal_colours(palette()).bad);
-    problem_->setPalette(colours);
+void RegionDialog::color() {
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
+    problem_->setPalette(colors);
     // As the view draws them.
     const auto view = is_dark(palette()) ? facetmill::Palette::dark : facetmill::Palette::light;
     filling_ = true;
@@ -561,7 +561,7 @@ void RegionDialog::colour() {
 
 void RegionDialog::changeEvent(QEvent* event) {
     QDialog::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && problem_) colour();
+    if (event->type() == QEvent::PaletteChange && problem_) color();
 }
 
 bool RegionDialog::eventFilter(QObject* watched, QEvent* event) {

@@ -1,6 +1,6 @@
 // "Settings of Rework Region" of a global-local operation (Wang 3.4): limits and directions that decide the
 // regions, the regions as they would be, and what other limits and tools would take. It shows and asks; the
-// desk (region_desk.h) finds the regions and keeps what is asked.
+// desk (region_controller.h) finds the regions and keeps what is asked.
 #pragma once
 
 #include "core/strategy/global_local/tool_advice.h"
@@ -93,7 +93,7 @@ private:
     void update_buttons();
     void fill_chart();
     void show_cursor();
-    void colour();
+    void color();
     bool over_lead() const;
     QString estimate_text(const StrategyEstimate& e) const;
 

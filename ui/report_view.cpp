@@ -18,11 +18,11 @@ public:
     explicit Facts(const QPalette& palette)
         : quiet_(palette.color(QPalette::PlaceholderText).name()),
           line_(palette.color(QPalette::Mid).name()) {}
-    Facts& add(const QString& name, const QString& value, const QString& colour = {}) {
+    Facts& add(const QString& name, const QString& value, const QString& color = {}) {
         rows_ += QStringLiteral("<tr><td style=\"color:%1; padding:1px 10px 1px 0\">%2</td>"
                                 "<td style=\"padding:1px 0%4\">%3</td></tr>")
                      .arg(quiet_, name.toHtmlEscaped(), value.toHtmlEscaped(),
-                          colour.isEmpty() ? QString() : QStringLiteral("; color:") + colour);
+                          color.isEmpty() ? QString() : QStringLiteral("; color:") + color);
         return *this;
     }
     QString html() const {
@@ -58,9 +58,9 @@ QString heading(const QString& title) {
         .arg(title.toHtmlEscaped());
 }
 
-QString note(const QString& text, const QColor& colour) {
+QString note(const QString& text, const QColor& color) {
     return QStringLiteral("<p style=\"margin:6px 0 2px 0; color:%1\">%2</p>")
-        .arg(colour.name(), text.toHtmlEscaped());
+        .arg(color.name(), text.toHtmlEscaped());
 }
 
 } // namespace
@@ -110,7 +110,7 @@ void ReportView::refresh() {
 }
 
 QString ReportView::part_html() const {
-    const SignalColours signal = signal_colours(palette());
+    const SignalColors signal = signal_colors(palette());
     const auto& part = document_.part();
     const QString name = path_text(document_.project().part_path().filename());
     QString html = heading(elided(name, 30));
@@ -156,16 +156,16 @@ QString ReportView::part_html() const {
 }
 
 QString ReportView::operation_html(std::size_t i) const {
-    const SignalColours signal = signal_colours(palette());
+    const SignalColors signal = signal_colors(palette());
     const Operation& operation = document_.operation(i);
     const OperationState state = document_.state(i);
     const LengthUnit unit = document_.unit();
     QString html = heading(elided(text(operation.common().name), 30));
-    const QColor colour = state == OperationState::planned  ? signal.good
-                          : state == OperationState::stale  ? signal.attention
-                          : state == OperationState::failed ? signal.bad
-                                                            : signal.quiet;
-    html += note(state_text(state), colour);
+    const QColor color = state == OperationState::planned  ? signal.good
+                         : state == OperationState::stale  ? signal.attention
+                         : state == OperationState::failed ? signal.bad
+                                                           : signal.quiet;
+    html += note(state_text(state), color);
     if (state == OperationState::failed) return html + note(sentence(document_.failure(i)), signal.bad);
     const auto result = document_.result(i);
     if (!result)
@@ -228,7 +228,7 @@ QString ReportView::operation_html(std::size_t i) const {
 }
 
 QString ReportView::operations_html() const {
-    const SignalColours signal = signal_colours(palette());
+    const SignalColors signal = signal_colors(palette());
     QString html = heading(tr("Operations"));
     if (document_.operation_count() == 0)
         return html + note(tr("There is no operation yet. Add one below the tree."), signal.quiet);

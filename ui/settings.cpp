@@ -9,8 +9,8 @@ namespace facetmill::ui::settings {
 
 namespace {
 
-constexpr int most_recent_files = 10;
-constexpr int most_remembered_units = 200;
+constexpr int max_recent_files = 10;
+constexpr int max_remembered_units = 200;
 
 /// Paths hold characters that separate groups in setting keys.
 QString key_of(const QString& path) {
@@ -27,7 +27,7 @@ void add_recent_file(const QString& path) {
     QStringList all = recent_files();
     all.removeAll(path);
     all.prepend(path);
-    while (all.size() > most_recent_files)
+    while (all.size() > max_recent_files)
         all.removeLast();
     QSettings().setValue(QStringLiteral("recent_files"), all);
 }
@@ -50,7 +50,7 @@ std::optional<LengthUnit> remembered_unit(const QString& path) {
 void remember_unit(const QString& path, LengthUnit unit) {
     QSettings s;
     s.beginGroup(QStringLiteral("units"));
-    if (s.childKeys().size() >= most_remembered_units) s.remove(QString());
+    if (s.childKeys().size() >= max_remembered_units) s.remove(QString());
     const std::string_view name = unit_name(unit);
     s.setValue(key_of(path), QString::fromLatin1(name.data(), qsizetype(name.size())));
 }

@@ -151,7 +151,7 @@ void apply_theme(QApplication& app, Theme theme) {
     QToolTip::setPalette(palette);
 }
 
-SignalColours signal_colours(const QPalette& palette) {
+SignalColors signal_colors(const QPalette& palette) {
     if (is_dark(palette))
         return {QColor(0x5cc98a), QColor(0xf0b849), QColor(0xff7b72), QColor(0x6cb2ee), QColor(0x8794a1)};
     return {QColor(0x1c7c46), QColor(0xa86400), QColor(0xc0271d), QColor(0x1f6fb2), QColor(0x66727f)};

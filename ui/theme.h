@@ -22,10 +22,10 @@ QPalette light_palette();
 QPalette dark_palette();
 
 /// Colours with a meaning, in the shade that is readable on the palette's window.
-struct SignalColours {
+struct SignalColors {
     QColor good, attention, bad, busy, quiet;
 };
-SignalColours signal_colours(const QPalette& palette);
+SignalColors signal_colors(const QPalette& palette);
 bool is_dark(const QPalette& palette);
 
 } // namespace facetmill::ui

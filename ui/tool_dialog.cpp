@@ -205,7 +205,7 @@ void ToolDialog::read_holder() {
         for (int k = 0; k < 2; ++k) {
             QTableWidgetItem* item = holder_->item(i, k);
             const bool good = item && parse_number(utf8(item->text().trimmed()), values[k]) && values[k] > 0;
-            if (item) item->setForeground(good ? QBrush() : QBrush(signal_colours(palette()).bad));
+            if (item) item->setForeground(good ? QBrush() : QBrush(signal_colors(palette()).bad));
             if (!good)
                 holder_problem_ = tr("Holder section %1: %2 must be a number above 0")
                                       .arg(i + 1)
@@ -248,9 +248,9 @@ void ToolDialog::validate() {
         form_->set_error(marked_, check_message_);
     const QString why = problem();
     problem_->setText(why);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, signal_colours(palette()).bad);
-    problem_->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
+    problem_->setPalette(colors);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
     sketch_->set_tool(tool_, unit_);
     const QString name = text(tool_.shape_name());

@@ -12,11 +12,11 @@ namespace facetmill::ui {
 
 namespace {
 
-struct Colours {
+struct Colors {
     QColor paper, ink, quiet, cutter, shank, holder, axis;
 };
 
-Colours colours_of(const QPalette& palette) {
+Colors colors_of(const QPalette& palette) {
     const bool dark = is_dark(palette);
     return {palette.color(QPalette::Base),
             palette.color(QPalette::Text),
@@ -92,12 +92,12 @@ QPainterPath ToolSketch::cutter_path(double scale) const {
     for (const ProfilePiece& piece : pieces_) {
         if (piece.kind == ProfilePiece::Kind::arc) {
             const double from =
-                std::atan2(piece.from.y() - piece.centre.y(), piece.from.x() - piece.centre.x());
-            const double to = std::atan2(piece.to.y() - piece.centre.y(), piece.to.x() - piece.centre.x());
+                std::atan2(piece.from.y() - piece.center.y(), piece.from.x() - piece.center.x());
+            const double to = std::atan2(piece.to.y() - piece.center.y(), piece.to.x() - piece.center.x());
             for (int i = 1; i < 32; ++i) {
                 const double a = from + (to - from) * i / 32.0;
-                add(piece.centre.x() + piece.radius * std::cos(a),
-                    piece.centre.y() + piece.radius * std::sin(a));
+                add(piece.center.x() + piece.radius * std::cos(a),
+                    piece.center.y() + piece.radius * std::sin(a));
             }
         }
         add(piece.to.x(), piece.to.y());
@@ -115,13 +115,13 @@ QPainterPath ToolSketch::cutter_path(double scale) const {
 void ToolSketch::paintEvent(QPaintEvent*) {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
-    const Colours c = colours_of(palette());
+    const Colors c = colors_of(palette());
     p.fillRect(rect(), c.paper);
     p.setPen(c.quiet);
     p.setBrush(Qt::NoBrush);
     p.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     if (!has_tool_) {
-        p.setPen(signal_colours(palette()).bad);
+        p.setPen(signal_colors(palette()).bad);
         p.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                    why_not_.isEmpty() ? tr("No tool") : tr("These values make no cutter.\n%1").arg(why_not_));
         return;
@@ -139,7 +139,7 @@ void ToolSketch::paintEvent(QPaintEvent*) {
 }
 
 void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
-    const Colours c = colours_of(palette());
+    const Colors c = colors_of(palette());
     double length = cutter_height_ + tool_.shank_length,
            radius = std::max(cutter_radius_, tool_.shank_diameter / 2);
     for (const HolderSection& h : tool_.holder) {
@@ -157,12 +157,12 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
 
     const QPen outline(c.ink, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     double z = cutter_height_;
-    const auto cylinder = [&](double diameter, double height, const QColor& colour) {
+    const auto cylinder = [&](double diameter, double height, const QColor& color) {
         if (diameter <= 0 || height <= 0) return;
         QLinearGradient shade(-diameter / 2 * scale, 0, diameter / 2 * scale, 0);
-        shade.setColorAt(0, colour.darker(125));
-        shade.setColorAt(0.35, colour.lighter(112));
-        shade.setColorAt(1, colour.darker(135));
+        shade.setColorAt(0, color.darker(125));
+        shade.setColorAt(0.35, color.lighter(112));
+        shade.setColorAt(1, color.darker(135));
         p.setBrush(shade);
         p.setPen(outline);
         p.drawRect(QRectF(-diameter / 2 * scale, -(z + height) * scale, diameter * scale, height * scale));
@@ -212,7 +212,7 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
 }
 
 void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
-    const Colours c = colours_of(palette());
+    const Colors c = colors_of(palette());
     // The part of the cutter that has a shape: a long straight flute above it says nothing.
     const double shown = std::min(
         cutter_height_, std::max(2.2 * cutter_radius_, 1.3 * (tool_.corner_radius + 0.2 * cutter_radius_)));
@@ -251,18 +251,18 @@ void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
               Qt::AlignHCenter);
     for (const ProfilePiece& piece : pieces_) {
         if (piece.kind != ProfilePiece::Kind::arc || piece.radius * scale < 4) continue;
-        const QPointF centre(piece.centre.x() * scale, -piece.centre.y() * scale);
-        const double a = (std::atan2(piece.from.y() - piece.centre.y(), piece.from.x() - piece.centre.x())
-                          + std::atan2(piece.to.y() - piece.centre.y(), piece.to.x() - piece.centre.x()))
+        const QPointF center(piece.center.x() * scale, -piece.center.y() * scale);
+        const double a = (std::atan2(piece.from.y() - piece.center.y(), piece.from.x() - piece.center.x())
+                          + std::atan2(piece.to.y() - piece.center.y(), piece.to.x() - piece.center.x()))
                          / 2;
-        const QPointF on(centre.x() + piece.radius * scale * std::cos(a),
-                         centre.y() - piece.radius * scale * std::sin(a));
+        const QPointF on(center.x() + piece.radius * scale * std::cos(a),
+                         center.y() - piece.radius * scale * std::sin(a));
         p.setBrush(palette().color(QPalette::Text));
-        p.drawEllipse(centre, 1.8, 1.8);
+        p.drawEllipse(center, 1.8, 1.8);
         p.setBrush(Qt::NoBrush);
         const QPointF out =
-            on + (on - centre) / std::max(1.0, std::hypot(on.x() - centre.x(), on.y() - centre.y())) * 16;
-        p.drawLine(centre, out);
+            on + (on - center) / std::max(1.0, std::hypot(on.x() - center.x(), on.y() - center.y())) * 16;
+        p.drawLine(center, out);
         p.drawText(QRectF(out.x() + 2, out.y() - 6, 100, 16), Qt::AlignLeft | Qt::AlignVCenter,
                    QStringLiteral("r ") + shown_length(piece.radius, unit_, 5));
     }

@@ -20,10 +20,10 @@ namespace {
 
 constexpr double margin = 8, tick_length = 4, label_gap = 3, bar_width = 12, bar_gap = 10;
 /// Side of the smallest frame.
-constexpr double least_frame = 64;
+constexpr double min_frame = 64;
 constexpr double angle_step = 90, full_turn = 360;
 /// Of all: no less is shown.
-constexpr double most_zoom = 1e-3;
+constexpr double max_zoom = 1e-3;
 
 QString number(double v, double step) {
     const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
@@ -84,8 +84,8 @@ void UnrolledView::hold_window() {
         from = std::clamp(0.5 * (from + to) - 0.5 * size, low, high - size);
         to = from + size;
     };
-    held(window_.from, window_.to, most_zoom * (all.to - all.from), all.from, all.to);
-    held(window_.low, window_.high, most_zoom * full_turn, 0, full_turn);
+    held(window_.from, window_.to, max_zoom * (all.to - all.from), all.from, all.to);
+    held(window_.low, window_.high, max_zoom * full_turn, 0, full_turn);
     image_ = {};
     update();
 }
@@ -131,19 +131,19 @@ QRectF UnrolledView::frame(const QSize& size, const QFontMetricsF& fm, bool titl
         margin + fm.height() + 4 + fm.horizontalAdvance(QStringLiteral("360.0°")) + tick_length + label_gap;
     const double top = margin + fm.height() * (titled ? 2.4 : 1.0);
     const double bottom = size.height() - margin - 2 * fm.height() - tick_length - 2;
-    const double height = std::max(bottom - top, least_frame);
+    const double height = std::max(bottom - top, min_frame);
     double widest = 0;
     if (path_)
         for (const auto& [unused, label] : depth_ticks(*path_, height, fm))
             widest = std::max(widest, fm.horizontalAdvance(label));
     const double right = size.width() - margin - bar_gap - bar_width - tick_length - label_gap - widest;
-    return {left, top, std::max(right - left, least_frame), height};
+    return {left, top, std::max(right - left, min_frame), height};
 }
 
 QSize UnrolledView::minimumSizeHint() const {
     const QSize probe(1000, 1000);
     const QRectF in = frame(probe, QFontMetricsF(font()), false);
-    return {probe.width() - int(in.width() - least_frame), probe.height() - int(in.height() - least_frame)};
+    return {probe.width() - int(in.width() - min_frame), probe.height() - int(in.height() - min_frame)};
 }
 
 QRectF UnrolledView::frame() const {
@@ -171,9 +171,9 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
     p.drawImage(in, image);
     // Length along the axis.
     p.setPen(ink);
-    const int most_x = std::max(2, int(in.width() / (fm.horizontalAdvance(QStringLiteral("−000.0")) + 16)));
-    const double step_x = round_step(window.to - window.from, most_x);
-    for (const double v : round_ticks(window.from, window.to, most_x)) {
+    const int max_x = std::max(2, int(in.width() / (fm.horizontalAdvance(QStringLiteral("−000.0")) + 16)));
+    const double step_x = round_step(window.to - window.from, max_x);
+    for (const double v : round_ticks(window.from, window.to, max_x)) {
         const double x = in.left() + in.width() * (v - window.from) / (window.to - window.from);
         p.setPen(grid);
         p.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
@@ -189,15 +189,15 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
     const auto y_of = [&](double angle) {
         return in.bottom() - in.height() * (angle - window.low) / (window.high - window.low);
     };
-    const int most_angles = std::max(2, int(in.height() / (2.2 * fm.height())));
+    const int max_angles = std::max(2, int(in.height() / (2.2 * fm.height())));
     const bool quarters = window.high - window.low >= 2 * angle_step;
-    const double step_angle = quarters ? angle_step : round_step(window.high - window.low, most_angles);
+    const double step_angle = quarters ? angle_step : round_step(window.high - window.low, max_angles);
     std::vector<double> angles;
     if (quarters)
         for (double v = 0; v <= full_turn; v += angle_step)
             angles.push_back(v);
     else
-        angles = round_ticks(window.low, window.high, most_angles);
+        angles = round_ticks(window.low, window.high, max_angles);
     for (const double v : angles) {
         const double y = y_of(v);
         if (y < in.top() - 0.5 || y > in.bottom() + 0.5) continue;

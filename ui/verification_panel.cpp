@@ -21,7 +21,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr std::size_t most_listed = 1000; // findings: more nobody goes through one by one
+constexpr std::size_t max_listed = 1000; // findings: more nobody goes through one by one
 enum Column { kind_column, depth_column, goto_column, operation_column };
 constexpr int finding_role = Qt::UserRole;
 
@@ -175,10 +175,10 @@ void VerificationPanel::show_figures() {
 }
 
 void VerificationPanel::show_verdict() {
-    const SignalColours signal = signal_colours(palette());
+    const SignalColors signal = signal_colors(palette());
     const Verdict verdict = model_.verdict();
     Icon which = Icon::information;
-    QColor colour = palette().color(QPalette::WindowText);
+    QColor color = palette().color(QPalette::WindowText);
     QString line = verdict_text(verdict), note;
     switch (verdict) {
     case Verdict::none:
@@ -189,7 +189,7 @@ void VerificationPanel::show_verdict() {
         break;
     case Verdict::verified: {
         which = Icon::verified;
-        colour = signal.good;
+        color = signal.good;
         line = tr("Verified: no gouge, no collision");
         const double uncut = model_.verification().figures.uncut_fraction;
         if (uncut > 0) note = tr("Material is left on %1 of the area.").arg(percent(uncut));
@@ -197,12 +197,12 @@ void VerificationPanel::show_verdict() {
     }
     case Verdict::failed:
         which = Icon::verify_failed;
-        colour = signal.bad;
+        color = signal.bad;
         line = tr("Failed: %1").arg(model_.failure_text());
         break;
     case Verdict::stale:
         which = Icon::verify_stale;
-        colour = signal.attention;
+        color = signal.attention;
         line = tr("Out of date");
         note = tr("The project has changed since. What is shown here is of the plan as it was.");
         break;
@@ -212,9 +212,9 @@ void VerificationPanel::show_verdict() {
     QFont bold = font();
     bold.setBold(true);
     verdict_->setFont(bold);
-    QPalette coloured = palette();
-    coloured.setColor(QPalette::WindowText, colour);
-    verdict_->setPalette(coloured);
+    QPalette colored = palette();
+    colored.setColor(QPalette::WindowText, color);
+    verdict_->setPalette(colored);
     note_->setText(note);
     note_->setVisible(!note.isEmpty());
     verify_->setVisible(verdict == Verdict::none || verdict == Verdict::stale);
@@ -224,16 +224,16 @@ void VerificationPanel::show_verdict() {
 QString VerificationPanel::figures_html() const {
     const Verification& v = model_.verification();
     const LengthUnit unit = document_.unit();
-    const SignalColours signal = signal_colours(palette());
+    const SignalColors signal = signal_colors(palette());
     const QString quiet = signal.quiet.name();
     const auto number = [&](double mm) {
         return text(format_number(mm / mm_per(unit), 2)).replace(QChar('-'), QChar(0x2212));
     };
-    const auto row = [&](const QString& name, const QString& value, const QString& colour = {}) {
+    const auto row = [&](const QString& name, const QString& value, const QString& color = {}) {
         return QStringLiteral("<tr><td style=\"color:%1; padding:1px 10px 1px 0\">%2</td>"
                               "<td align=\"right\" style=\"padding:1px 0%4\">%3</td></tr>")
             .arg(quiet, name.toHtmlEscaped(), value.toHtmlEscaped(),
-                 colour.isEmpty() ? QString() : QStringLiteral("; color:") + colour);
+                 color.isEmpty() ? QString() : QStringLiteral("; color:") + color);
     };
     const auto length = [&](double mm) { return shown_length(mm, unit, 3); };
     const DeviationFigures& f = v.figures;
@@ -261,11 +261,10 @@ QString VerificationPanel::figures_html() const {
     QString bands;
     for (const SlopeBand& b : v.bands) {
         if (b.figures.samples == 0) continue;
-        const auto cell = [&](const QString& value, const QString& colour = {}) {
+        const auto cell = [&](const QString& value, const QString& color = {}) {
             return QStringLiteral(
                        "<td align=\"right\" style=\"white-space:nowrap; padding:1px 0 1px 2px%2\">%1</td>")
-                .arg(value.toHtmlEscaped(),
-                     colour.isEmpty() ? QString() : QStringLiteral("; color:") + colour);
+                .arg(value.toHtmlEscaped(), color.isEmpty() ? QString() : QStringLiteral("; color:") + color);
         };
         bands += QStringLiteral("<tr><td style=\"white-space:nowrap; color:%1; padding:1px 0\">%2–%3°</td>")
                      .arg(quiet, QString::number(std::lround(degrees(b.from))),
@@ -292,18 +291,18 @@ QString VerificationPanel::figures_html() const {
 
 void VerificationPanel::fill_findings() {
     const auto& all = model_.findings();
-    findings_title_->setText(all.empty() ? tr("Nothing was found.")
-                             : all.size() > most_listed
-                                 ? tr("Found %1 places; the first %2 of them:")
-                                       .arg(count_text(all.size()), count_text(most_listed))
-                                 : tr("Found (click to go there):"));
+    findings_title_->setText(
+        all.empty() ? tr("Nothing was found.")
+        : all.size() > max_listed
+            ? tr("Found %1 places; the first %2 of them:").arg(count_text(all.size()), count_text(max_listed))
+            : tr("Found (click to go there):"));
     findings_->setVisible(!all.empty());
     if (listed_ == &model_.outcome() && listed_unit_ == document_.unit()) return;
     listed_ = &model_.outcome();
     listed_unit_ = document_.unit();
     findings_->setSortingEnabled(false);
     findings_->clear();
-    const std::size_t n = std::min(all.size(), most_listed);
+    const std::size_t n = std::min(all.size(), max_listed);
     for (std::size_t i = 0; i < n; ++i) {
         const Finding& f = all[i];
         auto* item = new SortedItem;

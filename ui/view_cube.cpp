@@ -48,9 +48,9 @@ ViewCube::ViewCube(QWidget* parent) : QWidget(parent) {
     // The corners of the square belong to the view below: a drag that begins there is one of the view.
     const double reach = half_edge * std::sqrt(3.0) + 2;
     const QPointF middle(side / 2.0, side / 2.0);
-    const auto disc = [](const QPointF& centre, double radius) {
+    const auto disc = [](const QPointF& center, double radius) {
         const int r = int(std::ceil(radius));
-        return QRegion(int(centre.x()) - r, int(centre.y()) - r, 2 * r, 2 * r, QRegion::Ellipse);
+        return QRegion(int(center.x()) - r, int(center.y()) - r, 2 * r, 2 * r, QRegion::Ellipse);
     };
     setMask(disc(middle, reach) + disc(house.center(), house_radius + 1));
 }
@@ -68,7 +68,7 @@ QPointF ViewCube::project(const Vec3& p) const {
     return {side / 2.0 + p.dot(right) * half_edge, side / 2.0 - p.dot(upward) * half_edge};
 }
 
-std::optional<QPointF> ViewCube::face_centre(StandardView view) const {
+std::optional<QPointF> ViewCube::face_center(StandardView view) const {
     if (view == StandardView::iso) return house.center();
     for (const Face& f : faces())
         if (f.view == view && seen(f.outward)) return project(f.outward);

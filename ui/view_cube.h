@@ -21,7 +21,7 @@ public:
     /// The face under a point of the widget; `iso` for the house in the corner.
     std::optional<StandardView> face_at(const QPointF& at) const;
     /// Middle of a face on the screen, if it can be seen.
-    std::optional<QPointF> face_centre(StandardView view) const;
+    std::optional<QPointF> face_center(StandardView view) const;
 
 signals:
     void chosen(facetmill::StandardView view);

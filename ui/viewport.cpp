@@ -445,8 +445,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         move(by);
         break;
     case Drag::zoom: {
-        const QPointF centre = device(press_);
-        scene_.zoom_at(centre.x(), centre.y(), std::exp(-by.y() * 0.01));
+        const QPointF center = device(press_);
+        scene_.zoom_at(center.x(), center.y(), std::exp(-by.y() * 0.01));
         fitted_ = false;
         emit camera_changed();
         refresh();

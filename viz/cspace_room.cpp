@@ -81,7 +81,7 @@ void RoomTriangles::add(const Vec3& a, const Vec3& b, const Vec3& c, const Rgb& 
 namespace {
 
 constexpr double top_alpha = 0.30, wall_alpha = 0.38, blocked_top_alpha = 0.16;
-constexpr std::size_t most_lines = 24; // of a surface in each direction
+constexpr std::size_t max_lines = 24; // of a surface in each direction
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `x`.
 double round_step(double x) {
@@ -147,12 +147,12 @@ Post between(const Post& a, const Post& b, double t) {
 struct CSpaceRoom::Builder {
     const CSpaceContent& content;
     CSpaceRoom& room;
-    Side lambda, omega;
+    Side lead, yaw;
 
     std::size_t node(std::size_t i, std::size_t j) const {
-        return content.grid.node(lambda.node[i], omega.node[j]);
+        return content.grid.node(lead.node[i], yaw.node[j]);
     }
-    Vec2 at(std::size_t i, std::size_t j) const { return {lambda.at[i], omega.at[j]}; }
+    Vec2 at(std::size_t i, std::size_t j) const { return {lead.at[i], yaw.at[j]}; }
     double z(double delta) const { return delta / room.delta_max * height; }
     /// So that steep walls of a surface stay surfaces, without numbers that no picture holds.
     double bounded(double delta) const { return std::clamp(z(delta), -20 * height, 20 * height); }
@@ -179,9 +179,9 @@ struct CSpaceRoom::Builder {
     static void add_line(RoomSegments& to, Vec3 a, Vec3 b, double lo, double hi) {
         if (a.z() > b.z()) std::swap(a, b);
         if (b.z() < lo || a.z() > hi) return;
-        const Vec3 from = a, way = b - a;
-        if (a.z() < lo) a = from + (lo - from.z()) / way.z() * way;
-        if (b.z() > hi) b = from + (hi - from.z()) / way.z() * way;
+        const Vec3 from = a, route = b - a;
+        if (a.z() < lo) a = from + (lo - from.z()) / route.z() * route;
+        if (b.z() > hi) b = from + (hi - from.z()) / route.z() * route;
         for (const Vec3* v : {&a, &b})
             for (int k = 0; k < 3; ++k)
                 to.push_back(float((*v)[k]));
@@ -197,8 +197,8 @@ struct CSpaceRoom::Builder {
     }
 
     void add_bottom() {
-        for (std::size_t i = 0; i + 1 < lambda.at.size(); ++i)
-            for (std::size_t j = 0; j + 1 < omega.at.size(); ++j) {
+        for (std::size_t i = 0; i + 1 < lead.at.size(); ++i)
+            for (std::size_t j = 0; j + 1 < yaw.at.size(); ++j) {
                 double h[2][2];
                 bool finite = true;
                 for (std::size_t p = 0; p < 2; ++p)
@@ -208,7 +208,7 @@ struct CSpaceRoom::Builder {
                         h[p][q] = finite ? bounded(v) : 0;
                     }
                 if (!finite) continue;
-                const double centre = (h[0][0] + h[0][1] + h[1][0] + h[1][1]) / 4;
+                const double center = (h[0][0] + h[0][1] + h[1][0] + h[1][1]) / 4;
                 quarters(i, j,
                          [&](std::size_t ni, std::size_t nj, int p, int q, const Vec2& lo, const Vec2& mid,
                              const Vec2& hi) {
@@ -216,7 +216,7 @@ struct CSpaceRoom::Builder {
                              const std::vector<Vec3> quad{
                                  {x, y, h[p][q]},
                                  {mid.x(), y, (h[0][q] + h[1][q]) / 2},
-                                 {mid.x(), mid.y(), centre},
+                                 {mid.x(), mid.y(), center},
                                  {x, mid.y(), (h[p][0] + h[p][1]) / 2},
                              };
                              const Rgb color = posture_block_color(content.block[node(ni, nj)]);
@@ -227,8 +227,8 @@ struct CSpaceRoom::Builder {
     }
 
     void add_map() {
-        for (std::size_t i = 0; i + 1 < lambda.at.size(); ++i)
-            for (std::size_t j = 0; j + 1 < omega.at.size(); ++j)
+        for (std::size_t i = 0; i + 1 < lead.at.size(); ++i)
+            for (std::size_t j = 0; j + 1 < yaw.at.size(); ++j)
                 quarters(i, j,
                          [&](std::size_t ni, std::size_t nj, int p, int q, const Vec2& lo, const Vec2& mid,
                              const Vec2& hi) {
@@ -248,8 +248,8 @@ struct CSpaceRoom::Builder {
             const Vec2 p = at(i, j), q = at(k, l);
             add_line(to, {p.x(), p.y(), bounded(a)}, {q.x(), q.y(), bounded(b)}, 0, height);
         };
-        const std::size_t ni = lambda.at.size(), nj = omega.at.size();
-        const std::size_t si = (ni - 1) / most_lines + 1, sj = (nj - 1) / most_lines + 1;
+        const std::size_t ni = lead.at.size(), nj = yaw.at.size();
+        const std::size_t si = (ni - 1) / max_lines + 1, sj = (nj - 1) / max_lines + 1;
         for (std::size_t i = 0; i < ni; ++i)
             for (std::size_t j = 0; j < nj; ++j) {
                 if (i + 1 < ni && (j % sj == 0 || j + 1 == nj)) line(i, j, i + 1, j);
@@ -283,7 +283,7 @@ struct CSpaceRoom::Builder {
     /// Free and not: S1, and the walls where the free volume ends.
     void add_volume() {
         const Rgb blue = cspace_top_color();
-        const std::size_t ni = lambda.at.size(), nj = omega.at.size();
+        const std::size_t ni = lead.at.size(), nj = yaw.at.size();
         for (std::size_t i = 0; i + 1 < ni; ++i)
             for (std::size_t j = 0; j + 1 < nj; ++j) {
                 const std::size_t corners[4][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
@@ -345,11 +345,11 @@ struct CSpaceRoom::Builder {
 
 CSpaceRoom::CSpaceRoom(const CSpaceContent& content, LengthUnit unit) {
     const PostureGrid& grid = content.grid;
-    lambda_lo_ = grid.lambda.front();
-    lambda_hi_ = grid.lambda.back();
-    omega_lo_ = grid.omega.front();
-    omega_hi_ = grid.omega.back();
-    const double l = lambda_hi_ - lambda_lo_, o = omega_hi_ - omega_lo_, longest = std::max(l, o);
+    lead_lo_ = grid.lead.front();
+    lead_hi_ = grid.lead.back();
+    yaw_lo_ = grid.yaw.front();
+    yaw_hi_ = grid.yaw.back();
+    const double l = lead_hi_ - lead_lo_, o = yaw_hi_ - yaw_lo_, longest = std::max(l, o);
     constexpr double least = 0.45;
     size.x() = longest > 0 ? std::max(least, l / longest) : least;
     size.y() = longest > 0 ? std::max(least, o / longest) : least;
@@ -360,8 +360,8 @@ CSpaceRoom::CSpaceRoom(const CSpaceContent& content, LengthUnit unit) {
     delta_max = steps * step * mm;
     for (int k = 0; k <= int(steps); ++k)
         delta_ticks.push_back(k * step * mm);
-    lambda_ticks = angle_ticks(lambda_lo_, lambda_hi_);
-    omega_ticks = angle_ticks(omega_lo_, omega_hi_);
+    lead_ticks = angle_ticks(lead_lo_, lead_hi_);
+    yaw_ticks = angle_ticks(yaw_lo_, yaw_hi_);
 
     const auto side = [](const std::vector<double>& values, double length) {
         Side s;
@@ -372,7 +372,7 @@ CSpaceRoom::CSpaceRoom(const CSpaceContent& content, LengthUnit unit) {
         }
         return s;
     };
-    Builder builder{content, *this, side(grid.lambda, size.x()), side(grid.omega, size.y())};
+    Builder builder{content, *this, side(grid.lead, size.x()), side(grid.yaw, size.y())};
     builder.add_bottom();
     builder.add_map();
     builder.add_lines(content.bottom, bottom_lines);
@@ -382,8 +382,7 @@ CSpaceRoom::CSpaceRoom(const CSpaceContent& content, LengthUnit unit) {
 
 Vec3 CSpaceRoom::place(const PostureValue& p) const {
     const auto share = [](double v, double lo, double hi) { return hi > lo ? (v - lo) / (hi - lo) : 0.5; };
-    return {size.x() * share(p.lambda, lambda_lo_, lambda_hi_),
-            size.y() * share(p.omega, omega_lo_, omega_hi_),
+    return {size.x() * share(p.lead, lead_lo_, lead_hi_), size.y() * share(p.yaw, yaw_lo_, yaw_hi_),
             height * std::clamp(p.delta / delta_max, 0.0, 1.0)};
 }
 
@@ -391,7 +390,7 @@ PostureValue CSpaceRoom::value(const Vec3& at) const {
     const auto along = [](double x, double length, double lo, double hi) {
         return lo + std::clamp(x / length, 0.0, 1.0) * (hi - lo);
     };
-    return {along(at.x(), size.x(), lambda_lo_, lambda_hi_), along(at.y(), size.y(), omega_lo_, omega_hi_),
+    return {along(at.x(), size.x(), lead_lo_, lead_hi_), along(at.y(), size.y(), yaw_lo_, yaw_hi_),
             std::clamp(at.z() / height, 0.0, 1.0) * delta_max};
 }
 

@@ -63,8 +63,8 @@ struct CSpaceRoom {
     RoomTriangles volume; ///< S1 and the walls of the free volume, translucent
     RoomTriangles map;    ///< on the floor
     RoomSegments bottom_lines, top_lines;
-    std::vector<double> lambda_ticks, omega_ticks; ///< radians
-    std::vector<double> delta_ticks;               ///< mm
+    std::vector<double> lead_ticks, yaw_ticks; ///< radians
+    std::vector<double> delta_ticks;           ///< mm
 
     /// Lifts above the room stand at its top.
     Vec3 place(const PostureValue& posture) const;
@@ -79,7 +79,7 @@ struct CSpaceRoom {
 
 private:
     struct Builder;
-    double lambda_lo_ = 0, lambda_hi_ = 0, omega_lo_ = 0, omega_hi_ = 0;
+    double lead_lo_ = 0, lead_hi_ = 0, yaw_lo_ = 0, yaw_hi_ = 0;
 };
 
 } // namespace facetmill

@@ -236,7 +236,7 @@ struct CSpaceScene::Impl {
             if (k != a.front && (k + 1) % 4 != a.front)
                 line(at(p, CSpaceRoom::height), at(q, CSpaceRoom::height));
         }
-        for (const Axis* axis : {&a.lambda, &a.omega, &a.delta})
+        for (const Axis* axis : {&a.lead, &a.yaw, &a.delta})
             for (const Tick& t : axis->ticks)
                 line(t.at, t.at + tick * axis->outward);
         frame.set(data_of(lines));
@@ -254,7 +254,7 @@ struct CSpaceScene::Impl {
     };
     struct Axes {
         std::size_t front = 0; ///< number of the floor's corner nearest to the eye
-        Axis lambda, omega, delta;
+        Axis lead, yaw, delta;
     };
     /// Along the edges of the floor that are in front, and the upright edge that is farthest to the left.
     Axes axes() const {
@@ -277,19 +277,19 @@ struct CSpaceScene::Impl {
         }
         const Vec2 front = corners[a.front];
         const bool far_y = front.y() > 0, far_x = front.x() > 0;
-        a.lambda.name = "Lead, deg";
-        a.lambda.outward = Vec3(0, far_y ? 1 : -1, 0);
-        a.lambda.middle = Vec3(room->size.x() / 2, front.y(), CSpaceRoom::floor);
-        for (const double v : room->lambda_ticks) {
+        a.lead.name = "Lead, deg";
+        a.lead.outward = Vec3(0, far_y ? 1 : -1, 0);
+        a.lead.middle = Vec3(room->size.x() / 2, front.y(), CSpaceRoom::floor);
+        for (const double v : room->lead_ticks) {
             const Vec3 p = room->place({v, 0, 0});
-            a.lambda.ticks.push_back({Vec3(p.x(), front.y(), CSpaceRoom::floor), number(degrees(v))});
+            a.lead.ticks.push_back({Vec3(p.x(), front.y(), CSpaceRoom::floor), number(degrees(v))});
         }
-        a.omega.name = "Yaw, deg";
-        a.omega.outward = Vec3(far_x ? 1 : -1, 0, 0);
-        a.omega.middle = Vec3(front.x(), room->size.y() / 2, CSpaceRoom::floor);
-        for (const double v : room->omega_ticks) {
+        a.yaw.name = "Yaw, deg";
+        a.yaw.outward = Vec3(far_x ? 1 : -1, 0, 0);
+        a.yaw.middle = Vec3(front.x(), room->size.y() / 2, CSpaceRoom::floor);
+        for (const double v : room->yaw_ticks) {
             const Vec3 p = room->place({0, v, 0});
-            a.omega.ticks.push_back({Vec3(front.x(), p.y(), CSpaceRoom::floor), number(degrees(v))});
+            a.yaw.ticks.push_back({Vec3(front.x(), p.y(), CSpaceRoom::floor), number(degrees(v))});
         }
         a.delta.name = "Lift, " + std::string(unit_name(unit));
         a.delta.outward = -Vec3(camera.row(0));
@@ -303,22 +303,22 @@ struct CSpaceScene::Impl {
     void add_axis_notes(OverlayContent& c) {
         const Axes a = axes();
         const auto shown = [&](const Vec3& p) { return Vec2(display_of(p) / ratio); };
-        for (const Axis* axis : {&a.lambda, &a.omega}) {
+        for (const Axis* axis : {&a.lead, &a.yaw}) {
             if (axis->ticks.empty()) continue;
             // Numbers stand off the box in the direction of the ticks as it is seen.
-            Vec2 way = shown(axis->middle + axis->outward) - shown(axis->middle);
-            if (way.norm() < 1e-6) continue;
-            way.normalize();
+            Vec2 route = shown(axis->middle + axis->outward) - shown(axis->middle);
+            if (route.norm() < 1e-6) continue;
+            route.normalize();
             Vec2 last(-1e9, -1e9);
             for (const Tick& t : axis->ticks) {
-                const Vec2 p = shown(t.at) + 15 * way;
+                const Vec2 p = shown(t.at) + 15 * route;
                 if ((p - last).norm() < 24) continue; // they would run into each other
                 c.notes.push_back({p, 0, t.text, false, false});
                 last = p;
             }
             if (small()) continue;
-            const double aside = 0.5 * overlay->note_width(axis->name, true) * std::abs(way.x()) + 28;
-            c.notes.push_back({shown(axis->middle) + aside * way, 0, axis->name, true, false});
+            const double aside = 0.5 * overlay->note_width(axis->name, true) * std::abs(route.x()) + 28;
+            c.notes.push_back({shown(axis->middle) + aside * route, 0, axis->name, true, false});
         }
         Vec2 last(-1e9, -1e9);
         for (const Tick& t : a.delta.ticks) {
@@ -333,8 +333,8 @@ struct CSpaceScene::Impl {
     }
 
     static bool same(const ChosenPosture& a, const ChosenPosture& b) {
-        return a.free && b.free && std::abs(a.posture.lambda - b.posture.lambda) < 1e-6
-               && std::abs(a.posture.omega - b.posture.omega) < 1e-6
+        return a.free && b.free && std::abs(a.posture.lead - b.posture.lead) < 1e-6
+               && std::abs(a.posture.yaw - b.posture.yaw) < 1e-6
                && std::abs(a.posture.delta - b.posture.delta) < 1e-6;
     }
 
@@ -655,7 +655,7 @@ void CSpaceScene::fit() {
 void CSpaceScene::turn(double about_up, double about_right) {
     impl_->fitted = false;
     vtkCamera* camera = impl_->view->GetActiveCamera();
-    const Vec3 focus = vec(camera->GetFocalPoint()), centre = impl_->middle();
+    const Vec3 focus = vec(camera->GetFocalPoint()), center = impl_->middle();
     const Mat3 frame = impl_->camera_frame();
     const Vec3 right = frame.row(0);
     // The lift stays upright on the screen; never quite from above, where that would have no direction.
@@ -663,7 +663,7 @@ void CSpaceScene::turn(double about_up, double about_right) {
     const double tilt = std::clamp(height - about_right, radians(3), radians(87)) - height;
     const Mat3 turned =
         (Eigen::AngleAxisd(about_up, Vec3::UnitZ()) * Eigen::AngleAxisd(-tilt, right)).toRotationMatrix();
-    const Vec3 new_focus = centre + turned * (focus - centre);
+    const Vec3 new_focus = center + turned * (focus - center);
     const Vec3 eye = new_focus + 4 * (turned * Vec3(frame.row(2)));
     camera->SetFocalPoint(new_focus.data());
     camera->SetPosition(eye.data());

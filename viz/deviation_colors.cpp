@@ -117,9 +117,9 @@ Rgb unjudged_color() {
     return rgb(0xA4A9AE);
 }
 
-std::vector<ScaleMark> scale_marks(const DeviationScale& scale, LengthUnit unit, double least_gap) {
+std::vector<ScaleMark> scale_marks(const DeviationScale& scale, LengthUnit unit, double min_gap) {
     std::vector<ScaleMark> marks;
-    const double gap = least_gap * (scale.high - scale.low);
+    const double gap = min_gap * (scale.high - scale.low);
     // In the order of their worth: what comes first keeps its place.
     for (const double v : {scale.low, scale.high, 0.0, scale.tolerance, -scale.gouge_limit}) {
         if (v < scale.low || v > scale.high) continue;

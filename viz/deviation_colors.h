@@ -34,11 +34,11 @@ Rgb unjudged_color();
 Rgb deviation_color_at(double t);
 
 /// Marks beside a bar or under a histogram of the scale: value and text, ascending; ends, zero and the limits
-/// where they stand apart by at least `least_gap` of the scale's width.
+/// where they stand apart by at least `min_gap` of the scale's width.
 struct ScaleMark {
     double value = 0; ///< mm
     std::string label;
 };
-std::vector<ScaleMark> scale_marks(const DeviationScale& scale, LengthUnit unit, double least_gap);
+std::vector<ScaleMark> scale_marks(const DeviationScale& scale, LengthUnit unit, double min_gap);
 
 } // namespace facetmill

@@ -18,7 +18,7 @@ public:
     explicit Lookup(const DeviationScale& scale) : scale_(scale) {
         for (std::size_t i = 0; i <= size; ++i)
             table_[i] = bytes(deviation_color(scale, at(i)));
-        grey_ = bytes(unjudged_color());
+        gray_ = bytes(unjudged_color());
         red_ = bytes(deviation_color_at(-1));
         blue_ = bytes(deviation_color_at(1));
     }
@@ -28,7 +28,7 @@ public:
         const double t = (d - scale_.low) / (scale_.high - scale_.low);
         return table_[std::size_t(std::clamp(t, 0.0, 1.0) * size + 0.5)];
     }
-    const std::array<std::uint8_t, 4>& grey() const { return grey_; }
+    const std::array<std::uint8_t, 4>& gray() const { return gray_; }
 
 private:
     static constexpr std::size_t size = 4096;
@@ -39,7 +39,7 @@ private:
     }
     DeviationScale scale_;
     std::array<std::array<std::uint8_t, 4>, size + 1> table_;
-    std::array<std::uint8_t, 4> grey_, red_, blue_;
+    std::array<std::uint8_t, 4> gray_, red_, blue_;
 };
 
 } // namespace
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
     for (std::size_t i = 0; i < deviation.size(); ++i) {
         const std::uint8_t flag = flags.empty() ? std::uint8_t(DeviationSurface::counted) : flags[i];
         const auto& c =
-            judged(flag, deviation[i], scale.gouge_limit) ? lookup(double(deviation[i])) : lookup.grey();
+            judged(flag, deviation[i], scale.gouge_limit) ? lookup(double(deviation[i])) : lookup.gray();
         std::copy(c.begin(), c.end(), colors.begin() + std::ptrdiff_t(4 * i));
     }
     return colors;
@@ -86,14 +86,14 @@ DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSur
         }
     }
     if (!(display->lowest <= display->highest)) display->lowest = display->highest = 0;
-    display->centre = n > 0 ? display->box.center() : Vec3(Vec3::Zero());
+    display->center = n > 0 ? display->box.center() : Vec3(Vec3::Zero());
     display->points.resize(3 * n);
     display->normals.resize(3 * n);
     display->areas.assign(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
         if (i % check_every == 0) progress.check();
         for (std::size_t k = 0; k < 3; ++k) {
-            display->points[3 * i + k] = float(double(s.points[i][k]) - display->centre[Eigen::Index(k)]);
+            display->points[3 * i + k] = float(double(s.points[i][k]) - display->center[Eigen::Index(k)]);
             display->normals[3 * i + k] = s.normals[i][k];
         }
     }

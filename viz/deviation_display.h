@@ -16,7 +16,7 @@ namespace facetmill {
 
 struct DeviationDisplay {
     std::shared_ptr<const DeviationSurface> surface;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     Box3 box;
     std::vector<float> points, normals;  ///< 3 per sample; points relative to `centre`
     std::vector<std::int32_t> triangles; ///< 3 per triangle

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double margin = 12, padding = 9, row = 18, sample_width = 26, gap = 8;
 constexpr double title_size = 15, text_size = 12;
-constexpr double least_bar = 56, largest_bar = 150;
+constexpr double min_bar = 56, largest_bar = 150;
 constexpr double scale_gap = 9;   // between two scales of the legend // of a scale of colours
 constexpr int dots_per_inch = 72; // a point is a pixel
 constexpr double cap_height = 0.72, descent = 0.21; // of VTK's own font, in font sizes
@@ -299,7 +299,7 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
             std::max(bar_width, std::ceil(2 * padding + std::max(sample_width + gap + label, flat)));
         const double rest = (bar_rests.empty() ? 0 : scale_gap)
                             + row * (3 + (bar.note.empty() ? 0 : 1) + (bar.other ? 1 : 0));
-        if (wide > widest || frame + bar_rest + rest + least_bar * double(bar_rests.size() + 1) > highest)
+        if (wide > widest || frame + bar_rest + rest + min_bar * double(bar_rests.size() + 1) > highest)
             break;
         bar_width = wide;
         bar_rest += rest;
@@ -307,13 +307,13 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     }
     // A small window has room for the scales, or for the entries, or for neither.
     const bool bar = !bar_rests.empty();
-    const double least_bars = least_bar * double(bar_rests.size());
+    const double min_bars = min_bar * double(bar_rests.size());
     double w = bar ? bar_width : 0, h = frame;
     bool entries = !content.legend.empty();
     std::size_t shown = content.legend.size(); // beside a scale as many as there is room for
     if (entries) {
         const double wide = std::max(w, entries_width());
-        const double high = frame + entries_height + (bar ? bar_rest + least_bars : 0);
+        const double high = frame + entries_height + (bar ? bar_rest + min_bars : 0);
         entries = wide <= widest && (bar || high <= 0.55 * height);
         if (entries && high > highest && bar) {
             shown = std::size_t(std::max(0.0, (highest - high + entries_height) / row));
@@ -328,7 +328,7 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     double bar_height = 0;
     if (bar) {
         const double count = double(bar_rests.size());
-        bar_height = std::clamp((highest - h - bar_rest) / count, least_bar, largest_bar);
+        bar_height = std::clamp((highest - h - bar_rest) / count, min_bar, largest_bar);
         h += bar_rest + count * bar_height;
     }
     const LayoutRect r{width - margin - w, margin, width - margin, margin + h};

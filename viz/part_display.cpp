@@ -55,8 +55,8 @@ struct VertexBlock {
 class Splitter {
 public:
     Splitter(const Mesh& mesh, const CornersByVertex& by, const std::vector<Vec3>& facet_normals,
-             const Vec3& centre, std::vector<std::int32_t>& triangles)
-        : mesh_(mesh), by_(by), facet_normals_(facet_normals), centre_(centre), triangles_(triangles) {}
+             const Vec3& center, std::vector<std::int32_t>& triangles)
+        : mesh_(mesh), by_(by), facet_normals_(facet_normals), center_(center), triangles_(triangles) {}
 
     /// Writes the triangles' corners at `v` as numbers within the block.
     void split(std::size_t v, VertexBlock& out) {
@@ -112,7 +112,7 @@ private:
     };
 
     std::int32_t add(std::size_t v, const Vec3& normal, VertexBlock& out) const {
-        const Vec3 p = mesh_.vertices[v] - centre_;
+        const Vec3 p = mesh_.vertices[v] - center_;
         for (int k = 0; k < 3; ++k) {
             out.points.push_back(float(p[k]));
             out.normals.push_back(float(normal[k]));
@@ -123,7 +123,7 @@ private:
     const Mesh& mesh_;
     const CornersByVertex& by_;
     const std::vector<Vec3>& facet_normals_;
-    const Vec3 centre_;
+    const Vec3 center_;
     std::vector<std::int32_t>& triangles_;
     const double cos_crease_ = std::cos(crease_angle);
     std::vector<double> angles_;
@@ -186,7 +186,7 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
             return a;
         });
     if (display->box.empty()) return display;
-    display->centre = display->box.center();
+    display->center = display->box.center();
 
     std::vector<Vec3> facet_normals(mesh.facets.size());
     parallel_for(mesh.facets.size(), block, progress.part(0.1, 0.2),
@@ -205,7 +205,7 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
                         VertexBlock& out = vertex_blocks[begin / block];
                         out.points.reserve(3 * (end - begin));
                         out.normals.reserve(3 * (end - begin));
-                        Splitter splitter(mesh, by, facet_normals, display->centre, display->triangles);
+                        Splitter splitter(mesh, by, facet_normals, display->center, display->triangles);
                         std::vector<std::pair<Index, std::uint32_t>> around;
                         for (std::size_t v = begin; v < end; ++v) {
                             display_of[v] = std::int32_t(out.points.size() / 3);

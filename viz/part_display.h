@@ -22,7 +22,7 @@ struct PartPreview {
 /// far from the origin too coarsely.
 struct PartDisplay {
     MeshPtr mesh;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     Box3 box;
     std::vector<float> points;           ///< 3 per display vertex
     std::vector<float> normals;          ///< 3 per display vertex, unit

@@ -20,7 +20,7 @@ void append(Polylines& lines, const Vec3& p) {
 
 class Dasher {
 public:
-    Dasher(Polylines& out, const Vec3& centre, double dash) : out_(out), centre_(centre), dash_(dash) {}
+    Dasher(Polylines& out, const Vec3& center, double dash) : out_(out), center_(center), dash_(dash) {}
 
     void restart() { phase_ = 0.0; }
     /// Cuts the segment into dashes of 3/5 of the period; the pattern runs on from segment to segment.
@@ -44,11 +44,11 @@ public:
 private:
     void segment(const Vec3& a, const Vec3& b) {
         for (const Vec3& p : {a, b})
-            append(out_, p - centre_);
+            append(out_, p - center_);
         out_.offsets.push_back(std::int32_t(out_.points.size() / 3));
     }
     Polylines& out_;
-    const Vec3 centre_;
+    const Vec3 center_;
     const double dash_;
     double phase_ = 0.0;
 };
@@ -134,8 +134,8 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
     if (n > std::size_t(std::numeric_limits<std::int32_t>::max()) / 8)
         throw Error(ErrorCode::too_large, "path", "has more points than can be drawn",
                     "use a larger tolerance");
-    display->centre = display->box.center();
-    const Vec3& centre = display->centre;
+    display->center = display->box.center();
+    const Vec3& center = display->center;
 
     // Dashes of a fixed length on the part, longer where there would be too many of them.
     const double dash = std::max(display->box.diagonal() / 60.0, rapid_length / 200'000.0);
@@ -149,7 +149,7 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 for (const CutterContact& c : pass.cc) {
                     tick();
                     if (!c.point.allFinite()) continue;
-                    append(display->contacts, c.point - centre);
+                    append(display->contacts, c.point - center);
                     if (before) {
                         contact_length += (c.point - before->point).norm();
                         ++contact_steps;
@@ -161,17 +161,17 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
         if (s.contacts && !s.hidden && s.layer < 0) {
             for (const CutterContact& c : s.contacts->cleanup) {
                 tick();
-                if (c.point.allFinite()) append(display->left_points, c.point - centre);
+                if (c.point.allFinite()) append(display->left_points, c.point - center);
             }
             if (s.contacts->five_axis)
                 for (const FiveAxisRecord::Point& p : s.contacts->five_axis->points) {
                     tick();
-                    if (p.place.kept) append(display->kept_points, p.place.surface - centre);
+                    if (p.place.kept) append(display->kept_points, p.place.surface - center);
                 }
         }
         if (!s.motions) continue;
         const auto& motions = s.motions->motions;
-        Dasher rapid(display->motions[std::size_t(MotionKind::rapid)], centre, dash);
+        Dasher rapid(display->motions[std::size_t(MotionKind::rapid)], center, dash);
         bool open = false; // a polyline of the kind of motion i - 1 is being built
         for (std::size_t i = 1; i < motions.size(); ++i) {
             tick();
@@ -191,9 +191,9 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 rapid.add(from.to.tip, to.to.tip);
                 continue;
             }
-            if (!open) append(line, from.to.tip - centre);
+            if (!open) append(line, from.to.tip - center);
             open = true;
-            append(line, to.to.tip - centre);
+            append(line, to.to.tip - center);
         }
         if (open) finish(display->motions[std::size_t(motions.back().kind)], false);
     }

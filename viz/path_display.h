@@ -43,7 +43,7 @@ struct Polylines {
 
 struct PathDisplay {
     std::vector<PathSource> sources;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     Box3 box; ///< of all CC and CL points
     Polylines contacts;
     /// Dots, 3 numbers each as in Polylines: contact points left to clean-up, and those of a posture kept by

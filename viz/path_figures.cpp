@@ -22,18 +22,18 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 std::vector<std::size_t> turning_points(const std::vector<Motion>& motions, const MachineMotion& run,
                                         int joint) {
     std::vector<std::size_t> turns;
-    int way = 0;
+    int route = 0;
     std::size_t last = 0;
     for (std::size_t i = 1; i < motions.size(); ++i) {
         if (motions[i].kind == MotionKind::rapid) {
-            way = 0;
+            route = 0;
             continue;
         }
         const double step = run.motions[i].at[joint] - run.motions[i - 1].at[joint];
         if (std::abs(step) <= tolerance::level_angle) continue;
         const int now = step > 0 ? 1 : -1;
-        if (way == -now) turns.push_back(last);
-        way = now;
+        if (route == -now) turns.push_back(last);
+        route = now;
         last = i;
     }
     return turns;
@@ -56,11 +56,11 @@ PathFiguresPtr path_figures(const std::shared_ptr<const OperationResult>& operat
     for (std::size_t i = 0; i < n; ++i) {
         if (i % check_every == 0) progress.check();
         const MotionJoints& m = run.motions[i];
-        const double way = i > 0 ? (motions[i].to.tip - motions[i - 1].to.tip).norm() : 0.0;
-        figures->length.push_back(length += way);
+        const double route = i > 0 ? (motions[i].to.tip - motions[i - 1].to.tip).norm() : 0.0;
+        figures->length.push_back(length += route);
         figures->elapsed.push_back(elapsed += m.seconds);
         figures->seconds.push_back(m.seconds);
-        figures->feed.push_back(m.seconds > 0 && way > 0 ? way / m.seconds * 60 : none);
+        figures->feed.push_back(m.seconds > 0 && route > 0 ? route / m.seconds * 60 : none);
         double rate = 0;
         for (int k = 0; k < machine.joints(); ++k)
             rate = std::max(rate, std::abs(m.rates[std::size_t(k)]) / machine.speed(k));

@@ -180,7 +180,7 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
         if (!o->elapsed.empty()) longest = std::max(longest, o->elapsed.back());
     }
     if (box.empty()) return nullptr;
-    path->centre = box.center();
+    path->center = box.center();
     double per = 1;
     switch (quantity) {
     case PathQuantity::kind:
@@ -222,7 +222,7 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
             TintedPath::Lines& lines = path->lines[std::size_t(motions[m].kind)];
             const auto first = std::int32_t(lines.values.size());
             lines.segments.insert(lines.segments.end(), {first, first + 1});
-            for (const Vec3& p : {Vec3(from - path->centre), Vec3(to - path->centre)})
+            for (const Vec3& p : {Vec3(from - path->center), Vec3(to - path->center)})
                 lines.points.insert(lines.points.end(), {float(p.x()), float(p.y()), float(p.z())});
             lines.values.insert(lines.values.end(), {float(values.before(m)), float(values.at[m])});
         }
@@ -251,8 +251,8 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
 }
 
 ColorBar TintedPath::bar() const {
-    constexpr int steps = 120, most_marks = 5;
-    constexpr double least_gap = 0.12;
+    constexpr int steps = 120, max_marks = 5;
+    constexpr double min_gap = 0.12;
     ColorBar bar;
     bar.title = std::string(path_quantity_label(quantity)) + " (" + unit + ")";
     if (quantity == PathQuantity::joint_rate) bar.note = "of the largest speed";
@@ -263,8 +263,8 @@ ColorBar TintedPath::bar() const {
     bar.has_below = below;
     bar.has_above = above;
     bar.marks.emplace_back(0.0, format_number(low, 3));
-    for (const double v : round_ticks(low, high, most_marks))
-        if (const double at = (v - low) / (high - low); at > least_gap && at < 1 - least_gap)
+    for (const double v : round_ticks(low, high, max_marks))
+        if (const double at = (v - low) / (high - low); at > min_gap && at < 1 - min_gap)
             bar.marks.emplace_back(at, format_number(v, 3));
     bar.marks.emplace_back(1.0, format_number(high, 3));
     if (unknown) bar.other = {unknown_color(), "no value"};

@@ -44,7 +44,7 @@ struct TintedPath {
         bool empty() const { return values.empty(); }
     };
     PathQuantity quantity = PathQuantity::kind;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     std::array<Lines, motion_kinds> lines;   ///< by MotionKind; empty where no motion of the kind has a value
     std::array<Lines, motion_kinds> preview; ///< fewer segments, of long paths only
     std::string unit;                        ///< "°", "mm", "in/min", "s", "min", "%"

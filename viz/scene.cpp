@@ -96,13 +96,13 @@ void Scene::set_part(PartDisplayPtr part) {
     } else {
         const auto surface = triangle_pieces(p->points, p->normals, p->triangles, elements_in_piece);
         vtkPolyData* like = surface.front();
-        impl_->set_pieces(impl_->part_surface, impl_->more_surface, surface, p->centre);
+        impl_->set_pieces(impl_->part_surface, impl_->more_surface, surface, p->center);
         impl_->set_pieces(impl_->part_edges, impl_->more_edges,
-                          segment_pieces(like, p->edges, elements_in_piece), p->centre);
-        impl_->part_lines.set_data(segment_pieces(like, p->lines, p->lines.size()).front(), p->centre);
+                          segment_pieces(like, p->edges, elements_in_piece), p->center);
+        impl_->part_lines.set_data(segment_pieces(like, p->lines, p->lines.size()).front(), p->center);
         const PartPreview& preview = p->preview;
         impl_->part_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
-                                     p->centre);
+                                     p->center);
     }
     impl_->apply_visibility();
 }
@@ -129,8 +129,8 @@ void Scene::set_stock_shape(StockShapePtr shape) {
     impl_->stock = Box3();
     if (const StockShapePtr& s = impl_->stock_shape) {
         impl_->stock = s->box;
-        impl_->stock_faces.set_data(triangle_data(s->points, {}, s->triangles), s->centre);
-        impl_->stock_lines.set_data(segment_data(s->points, s->segments), s->centre);
+        impl_->stock_faces.set_data(triangle_data(s->points, {}, s->triangles), s->center);
+        impl_->stock_lines.set_data(segment_data(s->points, s->segments), s->center);
     }
     impl_->apply_visibility();
 }
@@ -152,7 +152,7 @@ void Scene::set_levels(const std::optional<LevelMarks>& levels) {
         segments.clear();
         if (!levels) continue;
         const Box3& box = levels->box;
-        const Vec3 centre = box.center();
+        const Vec3 center = box.center();
         for (std::size_t i = 0; i < levels->heights.size(); ++i) {
             if ((levels->chosen == i) != (k == 1)) continue;
             const auto first = std::int32_t(points.size() / 3);
@@ -160,12 +160,12 @@ void Scene::set_levels(const std::optional<LevelMarks>& levels) {
                                        {box.hi.x(), box.lo.y()},
                                        {box.hi.x(), box.hi.y()},
                                        {box.lo.x(), box.hi.y()}})
-                for (const double v : {x - centre.x(), y - centre.y(), levels->heights[i] - centre.z()})
+                for (const double v : {x - center.x(), y - center.y(), levels->heights[i] - center.z()})
                     points.push_back(float(v));
             for (std::int32_t c = 0; c < 4; ++c)
                 segments.insert(segments.end(), {first + c, first + (c + 1) % 4});
         }
-        if (!segments.empty()) impl_->level_lines[k].set_data(segment_data(points, segments), centre);
+        if (!segments.empty()) impl_->level_lines[k].set_data(segment_data(points, segments), center);
     }
     impl_->apply_visibility();
 }
@@ -183,7 +183,7 @@ void Scene::set_path_tint(TintedPathPtr tint) {
         }
         const auto data = segment_data(lines.points, lines.segments);
         set_point_colors({data}, lines.rgba);
-        a.set_data(data, t.centre);
+        a.set_data(data, t.center);
     };
     for (std::size_t k = 0; k < motion_kinds; ++k) {
         set(impl_->tint_lines[k], t.lines[k]);
@@ -196,17 +196,17 @@ void Scene::set_path(PathDisplayPtr path) {
     set_path_tint(nullptr);
     const PathDisplayPtr old = std::move(impl_->path);
     impl_->path = std::move(path);
-    const auto set = [](SceneActor& a, vtkPolyData* data, const Vec3& centre) { a.set_data(data, centre); };
+    const auto set = [](SceneActor& a, vtkPolyData* data, const Vec3& center) { a.set_data(data, center); };
     static const PathDisplay none;
     const PathDisplay& p = impl_->path ? *impl_->path : none;
-    set(impl_->contact_lines, polyline_data(p.contacts), p.centre);
-    set(impl_->contact_dots, dot_data(p.contacts), p.centre);
-    set(impl_->contact_preview, polyline_data(p.contacts_preview), p.centre);
-    set(impl_->left_dots, dot_data(p.left_points), p.centre);
-    set(impl_->kept_dots, dot_data(p.kept_points), p.centre);
+    set(impl_->contact_lines, polyline_data(p.contacts), p.center);
+    set(impl_->contact_dots, dot_data(p.contacts), p.center);
+    set(impl_->contact_preview, polyline_data(p.contacts_preview), p.center);
+    set(impl_->left_dots, dot_data(p.left_points), p.center);
+    set(impl_->kept_dots, dot_data(p.kept_points), p.center);
     for (std::size_t k = 0; k < motion_kinds; ++k) {
-        set(impl_->motion_lines[k], polyline_data(p.motions[k]), p.centre);
-        set(impl_->motion_preview[k], polyline_data(p.motions_preview[k]), p.centre);
+        set(impl_->motion_lines[k], polyline_data(p.motions[k]), p.center);
+        set(impl_->motion_preview[k], polyline_data(p.motions_preview[k]), p.center);
     }
     impl_->apply_visibility();
 }

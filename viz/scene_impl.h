@@ -27,7 +27,7 @@ struct SceneActor {
     bool filled = false;
 
     SceneActor();
-    void set_data(vtkPolyData* data, const Vec3& centre);
+    void set_data(vtkPolyData* data, const Vec3& center);
     void clear();
     /// Property, colours of points and place before or behind the surface are those of another.
     void look_like(SceneActor& other);
@@ -51,7 +51,7 @@ struct Scene::Impl {
     void update_frame(); ///< before every frame
     /// Splits among `first`, which must have its looks already, and as many more actors as it takes.
     void set_pieces(SceneActor& first, std::vector<std::unique_ptr<SceneActor>>& more,
-                    const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& centre);
+                    const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& center);
     /// What the steps of a picture draw before the last one: visible actors with many cells.
     std::vector<std::vector<SceneActor*>> heavy_groups();
     void set_clipping_range(); ///< from what is visible

@@ -47,9 +47,9 @@ SceneActor::SceneActor() {
     actor->VisibilityOff();
 }
 
-void SceneActor::set_data(vtkPolyData* data, const Vec3& centre) {
+void SceneActor::set_data(vtkPolyData* data, const Vec3& center) {
     mapper->SetInputData(data);
-    actor->SetPosition(centre.x(), centre.y(), centre.z());
+    actor->SetPosition(center.x(), center.y(), center.z());
     filled = data->GetNumberOfCells() > 0;
 }
 

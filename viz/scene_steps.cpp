@@ -32,7 +32,7 @@ std::size_t SceneActor::elements() const {
 }
 
 void Scene::Impl::set_pieces(SceneActor& first, std::vector<std::unique_ptr<SceneActor>>& more,
-                             const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& centre) {
+                             const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Vec3& center) {
     forget_steps();
     for (auto& piece : more)
         renderer->RemoveActor(piece->actor);
@@ -41,11 +41,11 @@ void Scene::Impl::set_pieces(SceneActor& first, std::vector<std::unique_ptr<Scen
         first.clear();
         return;
     }
-    first.set_data(pieces.front(), centre);
+    first.set_data(pieces.front(), center);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         auto piece = std::make_unique<SceneActor>();
         piece->look_like(first);
-        piece->set_data(pieces[i], centre);
+        piece->set_data(pieces[i], center);
         renderer->AddActor(piece->actor);
         more.push_back(std::move(piece));
     }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double band_opacity = 0.45, off_opacity = 0.22;
 /// Regions with a line of their own in the legend, and with a label.
-constexpr std::size_t most_entries = 10, most_labels = 10;
+constexpr std::size_t max_entries = 10, max_labels = 10;
 /// Layout pixels: between two lines of a label, and around it.
 constexpr double label_line = 16, label_room = 6;
 
@@ -49,9 +49,9 @@ void Scene::set_strips(StripDisplayPtr strips) {
     });
     for (std::size_t i = 0; i < s.strips.size(); ++i) {
         const StripDisplay::One& one = s.strips[i];
-        impl_->strip_handles[i]->set_data(dot_data(one.handles), s.centre);
-        impl_->strip_bands[i]->set_data(triangle_data(one.points, {}, one.triangles), s.centre);
-        impl_->strip_lines[i]->set_data(segment_data(one.line_points, one.segments), s.centre);
+        impl_->strip_handles[i]->set_data(dot_data(one.handles), s.center);
+        impl_->strip_bands[i]->set_data(triangle_data(one.points, {}, one.triangles), s.center);
+        impl_->strip_lines[i]->set_data(segment_data(one.line_points, one.segments), s.center);
     }
     impl_->color_strips();
     impl_->apply_line_widths();
@@ -81,7 +81,7 @@ std::optional<Vec3> Scene::pick_strip_handle(double x, double y, double radius) 
     for (const StripDisplay::One& one : impl_->strips->strips)
         for (std::size_t i = 0; i + 2 < one.handles.size(); i += 3) {
             const Vec3 p =
-                impl_->strips->centre
+                impl_->strips->center
                 + Vec3(double(one.handles[i]), double(one.handles[i + 1]), double(one.handles[i + 2]));
             const double away = (display_of(p) - Vec2(x, y)).norm();
             if (away > least) continue;
@@ -117,7 +117,7 @@ bool Scene::Impl::shows_strips() const {
 void Scene::Impl::add_strip_legend(std::vector<LegendEntry>& entries) const {
     if (!shows_strips()) return;
     using Sample = LegendEntry::Sample;
-    const std::size_t n = strips->strips.size(), shown = n > most_entries ? most_entries - 1 : n;
+    const std::size_t n = strips->strips.size(), shown = n > max_entries ? max_entries - 1 : n;
     for (std::size_t i = 0; i < shown; ++i) {
         const StripDisplay::One& one = strips->strips[i];
         entries.push_back({Sample::surface, strip_color(one.color, one.enabled, palette), 1,
@@ -168,7 +168,7 @@ std::vector<OverlayNote> Scene::Impl::strip_notes(const OverlayLayout& layout) c
     };
     std::size_t labels = 0;
     for (const std::size_t i : order) {
-        if (labels == most_labels) break;
+        if (labels == max_labels) break;
         const StripDisplay::One& one = all[i];
         const Vec2 at = display_of(one.label_at) / ratio;
         if (!at.allFinite()) continue;

@@ -23,14 +23,14 @@ vtkSmartPointer<vtkPolyData> patch_data(const StockPatch& patch) {
 } // namespace
 
 std::vector<FindingMark> finding_marks(const Verification& verification) {
-    constexpr std::size_t most_collisions = 400; // more of them say no more
+    constexpr std::size_t max_collisions = 400; // more of them say no more
     using Kind = FindingMark::Kind;
     std::vector<FindingMark> marks;
     for (const DeviationExtreme& e : verification.gouges)
         marks.push_back({Kind::gouge, e.point});
     for (const DeviationExtreme& e : verification.excess)
         marks.push_back({Kind::excess, e.point});
-    const std::size_t n = verification.collisions.size(), stride = n / most_collisions + 1;
+    const std::size_t n = verification.collisions.size(), stride = n / max_collisions + 1;
     for (std::size_t i = 0; i < n; i += stride)
         marks.push_back({Kind::collision, verification.collisions[i].place});
     return marks;
@@ -92,10 +92,10 @@ void Scene::set_deviation(DeviationDisplayPtr deviation) {
     } else {
         impl_->deviation_data = triangle_pieces(d->points, d->normals, d->triangles, elements_in_piece);
         impl_->deviation_scale = d->scale;
-        impl_->set_pieces(impl_->deviation_surface, impl_->more_deviation, impl_->deviation_data, d->centre);
+        impl_->set_pieces(impl_->deviation_surface, impl_->more_deviation, impl_->deviation_data, d->center);
         const PartPreview& preview = d->preview;
         impl_->deviation_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
-                                          d->centre);
+                                          d->center);
         impl_->deviation_rgba = d->colors;
         impl_->deviation_preview_rgba = d->preview_colors;
         impl_->color_deviation();

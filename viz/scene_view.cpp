@@ -39,14 +39,14 @@ std::pair<Vec3, Vec3> view_vectors(StandardView view) {
 /// The rectangle r grown by `by` and the shadow of a box, given by its centre and the flat images of its
 /// three half edges, have a point in common (separating axes: the rectangle's two and the three edges'
 /// normals).
-bool meets(const LayoutRect& r, double by, const Vec2& centre, const std::array<Vec2, 3>& half) {
+bool meets(const LayoutRect& r, double by, const Vec2& center, const std::array<Vec2, 3>& half) {
     if (r.empty()) return false;
     const Vec2 middle((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2), extent(r.width() / 2 + by, r.height() / 2 + by);
     const auto apart = [&](const Vec2& axis) {
         const double reach = std::abs(axis.x()) * extent.x() + std::abs(axis.y()) * extent.y()
                              + std::abs(axis.dot(half[0])) + std::abs(axis.dot(half[1]))
                              + std::abs(axis.dot(half[2]));
-        return std::abs(axis.dot(centre - middle)) > reach;
+        return std::abs(axis.dot(center - middle)) > reach;
     };
     if (apart({1, 0}) || apart({0, 1})) return false;
     for (const Vec2& h : half)
@@ -56,7 +56,7 @@ bool meets(const LayoutRect& r, double by, const Vec2& centre, const std::array<
 
 struct Fit {
     double pixels_per_mm = 0;
-    Vec2 centre; ///< of the box on the screen, layout pixels, y down
+    Vec2 center; ///< of the box on the screen, layout pixels, y down
 };
 
 /// The largest scale at which a box's shadow stays clear of the things in the corners. `half` are the flat
@@ -74,9 +74,9 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
     const LayoutRect all{0, 0, width, height};
     Fit best{scale_in(all), Vec2(width / 2, height / 2)};
     double best_score = 0;
-    for (int way = 0; way < 81; ++way) {
+    for (int route = 0; route < 81; ++route) {
         LayoutRect r = all;
-        for (int i = 0, rest = way; i < 4; ++i, rest /= 3) {
+        for (int i = 0, rest = route; i < 4; ++i, rest /= 3) {
             const LayoutRect& t = things[std::size_t(i)];
             if (t.empty()) continue;
             const bool left = i == 0 || i == 2, top = i < 2;
@@ -99,18 +99,18 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
         // As near to the window's middle as it stays clear.
         const Vec2 own((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2), middle(width / 2, height / 2);
         for (const double t : {1.0, 0.75, 0.5, 0.25, 0.0}) {
-            const Vec2 centre = own + t * (middle - own);
+            const Vec2 center = own + t * (middle - own);
             bool clear = true;
             for (const LayoutRect& thing : things)
-                clear = clear && !meets(thing, 7, centre, drawn);
+                clear = clear && !meets(thing, 7, center, drawn);
             if (!clear) continue;
             // A little smaller is better than far off the middle; the last factor settles ties the same way
             // on every machine.
             const double score =
-                scale * (1.0 - 0.3 * (centre - middle).norm() / (width + height)) * (1.0 - 1e-6 * way);
+                scale * (1.0 - 0.3 * (center - middle).norm() / (width + height)) * (1.0 - 1e-6 * route);
             if (score > best_score) {
                 best_score = score;
-                best = {scale, centre};
+                best = {scale, center};
             }
             break;
         }
@@ -243,7 +243,7 @@ void Scene::fit(bool with_tool) {
         const double per_mm = f.pixels_per_mm;
         if (std::isfinite(per_mm) && per_mm > 0) {
             scale = height / 2 / per_mm;
-            const Vec2 off = (f.centre - Vec2(width / 2, height / 2)) / per_mm; // of the box from the middle
+            const Vec2 off = (f.center - Vec2(width / 2, height / 2)) / per_mm; // of the box from the middle
             focal -= frame.row(0).transpose() * off.x() - frame.row(1).transpose() * off.y();
         }
         distance = std::max(2 * box.diagonal(), 1e-3);

@@ -86,7 +86,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
             a.add(b);
             return a;
         });
-    centre_ = all.center();
+    center_ = all.center();
     const double margin = box_margin * all.diagonal();
     slack_ = 4 * margin;
 
@@ -117,7 +117,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
         Box box = empty_box();
         for (std::size_t j = i * arity; j < std::min(n, (i + 1) * arity); ++j)
             for (int c = 0; c < 3; ++c) {
-                const Vec3 p = mesh.corner(order_[j], c) - centre_;
+                const Vec3 p = mesh.corner(order_[j], c) - center_;
                 for (std::size_t k = 0; k < 3; ++k) {
                     box.lo[k] = std::min(box.lo[k], down(p[Eigen::Index(k)] - margin));
                     box.hi[k] = std::max(box.hi[k], up(p[Eigen::Index(k)] + margin));
@@ -160,7 +160,7 @@ bool SightTree::meets(const Box& box, const Vec3& origin, const Vec3& direction,
 SightHit SightTree::first(const Mesh& mesh, const Vec3& origin, const Vec3& direction) const {
     SightHit best;
     if (levels_.empty()) return best;
-    const Vec3 from = origin - centre_;
+    const Vec3 from = origin - center_;
     struct Node {
         std::size_t level, index;
     };

@@ -39,7 +39,7 @@ private:
     };
     bool meets(const Box& box, const Vec3& origin, const Vec3& direction, double before) const;
 
-    Vec3 centre_ = Vec3::Zero(); ///< of the boxes' coordinates
+    Vec3 center_ = Vec3::Zero(); ///< of the boxes' coordinates
     double slack_ = 0;           ///< of distances, mm
     std::vector<std::uint32_t> order_;
     std::vector<std::vector<Box>> levels_; ///< the boxes of `arity` facets, of `arity` of these, ...

@@ -59,7 +59,7 @@ StockShapePtr make_stock_shape(const StockSolid& solid, const Progress& progress
     if (solid.box.empty()) return nullptr;
     auto shape = std::make_shared<StockShape>();
     shape->box = solid.box;
-    shape->centre = solid.box.center();
+    shape->center = solid.box.center();
     switch (solid.kind) {
     case StockSolid::Kind::box:
         make_box(*shape);
@@ -69,7 +69,7 @@ StockShapePtr make_stock_shape(const StockSolid& solid, const Progress& progress
         break;
     case StockSolid::Kind::mesh: {
         const PartDisplayPtr display = prepare_part_display(solid.mesh, progress);
-        shape->centre = display->centre;
+        shape->center = display->center;
         shape->points = display->points;
         shape->triangles = display->triangles;
         shape->segments = display->lines;

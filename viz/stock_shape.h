@@ -13,7 +13,7 @@ namespace facetmill {
 /// Positions are relative to `centre`, mm.
 struct StockShape {
     Box3 box;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     std::vector<float> points;           ///< 3 per vertex
     std::vector<std::int32_t> triangles; ///< 3 per triangle
     std::vector<std::int32_t> segments;  ///< 2 per line

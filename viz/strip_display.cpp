@@ -16,7 +16,7 @@ constexpr double handles_share = 1.0 / 48;
 /// Corners that are the same place become one point: a third of what the facets bring.
 class Points {
 public:
-    Points(std::vector<float>& to, const Vec3& centre) : to_(to), centre_(centre) {}
+    Points(std::vector<float>& to, const Vec3& center) : to_(to), center_(center) {}
     std::int32_t add(const Vec3& p) {
         const auto [it, is_new] =
             made_.try_emplace(std::tuple(p.x(), p.y(), p.z()), std::int32_t(to_.size() / 3));
@@ -24,14 +24,14 @@ public:
         return it->second;
     }
     std::int32_t append(const Vec3& p) {
-        const Vec3 q = p - centre_;
+        const Vec3 q = p - center_;
         to_.insert(to_.end(), {float(q.x()), float(q.y()), float(q.z())});
         return std::int32_t(to_.size() / 3) - 1;
     }
 
 private:
     std::vector<float>& to_;
-    Vec3 centre_;
+    Vec3 center_;
     std::map<std::tuple<double, double, double>, std::int32_t> made_;
 };
 
@@ -62,7 +62,7 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
         for (const auto& curve : s.centers)
             for (const Vec3& p : curve)
                 display->box.add(p);
-    if (!display->box.empty()) display->centre = display->box.center();
+    if (!display->box.empty()) display->center = display->box.center();
     std::size_t number = 0;
     for (const Strip& s : strips) {
         StripDisplay::One one;
@@ -73,7 +73,7 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
         one.detail = s.reason;
         one.detail += s.tool > 0 ? " · tool " + std::to_string(s.tool) : " · no tool yet";
         if (!s.enabled) one.detail = "switched off · " + one.detail;
-        Points points(one.points, display->centre);
+        Points points(one.points, display->center);
         Vec3 middle = Vec3::Zero();
         double weight = 0;
         for (std::size_t f = 0; f < s.band.size(); ++f) {
@@ -95,7 +95,7 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
                 one.label_at = at;
             }
         }
-        Points lines(one.line_points, display->centre), handles(one.handles, display->centre);
+        Points lines(one.line_points, display->center), handles(one.handles, display->center);
         const auto add_line = [&](const std::vector<Vec3>& line, bool closed) {
             std::int32_t first = -1, last = -1;
             for (const Vec3& p : line) {
@@ -109,14 +109,14 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
         for (const auto& loop : s.boundaries) {
             progress.check();
             add_line(loop, true);
-            double length = 0, way = infinity;
+            double length = 0, route = infinity;
             for (std::size_t i = 0; i < loop.size(); ++i)
                 length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                if (i > 0) way += (loop[i] - loop[i - 1]).norm();
-                if (way < handles_share * length) continue;
+                if (i > 0) route += (loop[i] - loop[i - 1]).norm();
+                if (route < handles_share * length) continue;
                 handles.append(loop[i]);
-                way = 0;
+                route = 0;
             }
         }
         for (const auto& curve : s.centers)

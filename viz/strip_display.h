@@ -29,7 +29,7 @@ struct StripDisplay {
         std::vector<float> handles;         ///< points of the boundaries that can be dragged; 3 each
     };
     std::vector<One> strips;
-    Vec3 centre = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
     Box3 box;
 };
 

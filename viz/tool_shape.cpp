@@ -22,7 +22,7 @@ Stretch line(const Vec2& a, const Vec2& b) {
 
 Stretch arc(const ProfilePiece& piece) {
     const auto angle_of = [&](const Vec2& p) {
-        return std::atan2(p.y() - piece.centre.y(), p.x() - piece.centre.x());
+        return std::atan2(p.y() - piece.center.y(), p.x() - piece.center.x());
     };
     const double from = angle_of(piece.from), to = angle_of(piece.to);
     const int steps = std::max(1, int(std::ceil(std::abs(to - from) / arc_step)));
@@ -32,7 +32,7 @@ Stretch arc(const ProfilePiece& piece) {
         const Vec2 out(std::cos(t), std::sin(t));
         s.points.push_back(i == 0       ? piece.from
                            : i == steps ? piece.to
-                                        : Vec2(piece.centre + piece.radius * out));
+                                        : Vec2(piece.center + piece.radius * out));
         s.normals.push_back(out);
     }
     return s;

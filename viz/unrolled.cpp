@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t motions_per_check = 16384;
 constexpr float full_turn = 360;
 /// A scale of one depth alone is this wide, in mm.
-constexpr double least_scale = 1e-3;
+constexpr double min_scale = 1e-3;
 
 } // namespace
 
@@ -53,7 +53,7 @@ UnrolledPathPtr prepare_unrolled(std::shared_ptr<const OperationResult> operatio
         joined = true;
     }
     if (path->places.empty()) return nullptr;
-    if (path->high - path->low < least_scale / per) path->high = path->low + least_scale / per;
+    if (path->high - path->low < min_scale / per) path->high = path->low + min_scale / per;
     if (!(path->from < path->to)) path->to = path->from + 1;
     path->feed = operation->path.stepover_max / per;
     // Lines along the axis keep their angle for most of their way.

@@ -13,11 +13,11 @@ struct LowPlace {
 template <class F>
 LowPlace golden_minimum(F&& f, double lo, double hi, double accuracy, double enough) {
     constexpr double golden = 0.6180339887498949;
-    constexpr int most_steps = 80; // beyond the last bit of any interval
+    constexpr int max_steps = 80; // beyond the last bit of any interval
     LowPlace a{hi - golden * (hi - lo)}, b{lo + golden * (hi - lo)};
     a.value = f(a.at);
     b.value = f(b.at);
-    for (int i = 0; i < most_steps && a.value > enough && b.value > enough && !(hi - lo < accuracy); ++i) {
+    for (int i = 0; i < max_steps && a.value > enough && b.value > enough && !(hi - lo < accuracy); ++i) {
         if (a.value < b.value) {
             hi = b.at;
             b = a;

@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t deepest = 16, most_members = 1000, largest_text = std::size_t(64) << 20;
+constexpr std::size_t deepest = 16, max_members = 1000, largest_text = std::size_t(64) << 20;
 constexpr std::size_t line_width = 110;
 
 /// Builds the value as the text is read, and remembers the way to the present place for messages.
@@ -37,7 +37,7 @@ public:
         Level& level = levels_.back();
         if (level.value->contains(k))
             throw Error(ErrorCode::syntax, place(k), "the key occurs twice", "keep one of them");
-        if (level.value->size() >= most_members)
+        if (level.value->size() >= max_members)
             throw Error(ErrorCode::limit_exceeded, place(k), "the object has too many keys",
                         "check the file");
         level.key = k;
@@ -72,16 +72,16 @@ private:
     };
 
     std::string place(const std::string& last = {}) const {
-        std::string way;
+        std::string route;
         for (std::size_t i = 0; i < levels_.size(); ++i) {
             const Level& l = levels_[i];
             const bool inner = i + 1 == levels_.size();
             if (l.value->is_array())
-                way += "[" + std::to_string(inner ? l.value->size() : l.value->size() - 1) + "]";
+                route += "[" + std::to_string(inner ? l.value->size() : l.value->size() - 1) + "]";
             else if (!inner || !last.empty())
-                way += (way.empty() ? "" : ".") + printable(inner ? last : l.key, 60);
+                route += (route.empty() ? "" : ".") + printable(inner ? last : l.key, 60);
         }
-        return way.empty() ? name_ : name_ + ": " + way;
+        return route.empty() ? name_ : name_ + ": " + route;
     }
 
     template <class T>

@@ -26,7 +26,7 @@ struct PassPoint {
     ContactFrame frame;
     const CSpace* space = nullptr;
     const std::vector<RaisedCurve>* curves = nullptr; ///< so that postures between nodes are judged exactly
-    double cm2_lambda = 0;                            ///< the CM2 lead, held to the lead limits
+    double cm2_lead = 0;                              ///< the CM2 lead, held to the lead limits
     /// Chosen by hand, and free: what every method takes at this point.
     std::optional<PostureValue> kept;
 };

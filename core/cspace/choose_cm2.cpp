@@ -16,18 +16,18 @@ std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const C
             continue;
         }
         ChosenPosture choice;
-        const auto tried = [&](double lambda) {
-            const double bottom = builder.bottom(point.frame, lambda, 0, hint);
-            const double top = builder.top(point.frame, lambda, 0, *point.curves);
+        const auto tried = [&](double lead) {
+            const double bottom = builder.bottom(point.frame, lead, 0, hint);
+            const double top = builder.top(point.frame, lead, 0, *point.curves);
             if (!(bottom <= top)) return false;
-            choice.posture = {lambda, 0, bottom};
+            choice.posture = {lead, 0, bottom};
             choice.free = builder.holds(point.frame, choice.posture);
             return choice.free;
         };
         // Inclined further until it need not be lifted more than the tolerance allows.
-        if (!tried(point.cm2_lambda))
-            for (const double lambda : grid.lambda)
-                if (lambda > point.cm2_lambda && tried(lambda)) break;
+        if (!tried(point.cm2_lead))
+            for (const double lead : grid.lead)
+                if (lead > point.cm2_lead && tried(lead)) break;
         chosen.push_back(choice);
     }
     return chosen;

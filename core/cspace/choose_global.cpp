@@ -89,9 +89,9 @@ private:
 
     void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {
         const ToolPose pose = posture_pose(builder_.input().lift->cutter(), point.frame, posture);
-        const JointClock::Ways ways = clock_.ways(pose);
-        for (int w = 0; w < ways.count; ++w)
-            stops.all.push_back({posture, {pose, ways.at[std::size_t(w)]}, own_cost(posture, top)});
+        const JointClock::Routes routes = clock_.routes(pose);
+        for (int w = 0; w < routes.count; ++w)
+            stops.all.push_back({posture, {pose, routes.at[std::size_t(w)]}, own_cost(posture, top)});
     }
 
     Stops nodes(std::size_t i) const {
@@ -102,13 +102,12 @@ private:
             add(point, *point.kept, 0, stops);
             return stops;
         }
-        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
-            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+        for (std::size_t l = 0; l < grid.lead.size(); ++l)
+            for (std::size_t o = 0; o < grid.yaw.size(); ++o) {
                 const std::size_t n = grid.node(l, o);
                 stops.first.push_back(std::uint32_t(stops.all.size()));
                 if (point.space->block[n] != PostureBlock::free) continue;
-                add(point, {grid.lambda[l], grid.omega[o], point.space->bottom[n]}, point.space->top[n],
-                    stops);
+                add(point, {grid.lead[l], grid.yaw[o], point.space->bottom[n]}, point.space->top[n], stops);
             }
         stops.first.push_back(std::uint32_t(stops.all.size()));
         return stops;
@@ -127,10 +126,10 @@ private:
         std::uint32_t from = 0;
     };
     /// The speeds of the moves next to one, of the round before; nullptr: there is none, or it is no matter.
-    struct Neighbours {
+    struct Neighbors {
         const JointClock::Times *before = nullptr, *after = nullptr;
     };
-    double move_cost(const Stand& a, const Stand& b, const Neighbours& n) const {
+    double move_cost(const Stand& a, const Stand& b, const Neighbors& n) const {
         const double cost = clock_.between(a, b);
         if (!n.before && !n.after) return cost;
         const JointClock::Times v = clock_.speeds(a, b);
@@ -139,7 +138,7 @@ private:
     }
 
     void look(const std::vector<Stop>& before, const std::vector<double>& cost, std::uint32_t begin,
-              std::uint32_t end, const Stop& to, double cos_limit, const Neighbours& n, Link& best) const {
+              std::uint32_t end, const Stop& to, double cos_limit, const Neighbors& n, Link& best) const {
         for (std::uint32_t j = begin; j < end; ++j) {
             if (cost[j] >= best.cost) continue;
             const Stand& s = before[j].stand;
@@ -152,15 +151,15 @@ private:
     /// From nodes near its own; should none of them serve, where one of the two is no node, or between
     /// passes, from all.
     Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to, std::size_t node,
-                       double cos_limit, const Neighbours& n) const {
+                       double cos_limit, const Neighbors& n) const {
         Link best;
         const auto& all = before.all;
         if (!before.first.empty() && node != no_node && cos_limit > -1) {
             // Its own node's first: most others are then too dear already.
             look(all, cost, before.first[node], before.first[node + 1], to, cos_limit, n, best);
             const PostureGrid& grid = *builder_.input().grid;
-            const std::size_t width = grid.omega.size(), l = node / width, o = node % width;
-            const std::size_t l_end = std::min(l + window + 1, grid.lambda.size()),
+            const std::size_t width = grid.yaw.size(), l = node / width, o = node % width;
+            const std::size_t l_end = std::min(l + window + 1, grid.lead.size()),
                               o_end = std::min(o + window + 1, width);
             for (std::size_t i = l - std::min(l, window); i < l_end; ++i) {
                 const std::size_t row = grid.node(i, 0);
@@ -190,13 +189,13 @@ private:
             from[i - begin].assign(here.all.size(), 0);
             // Between passes the axis may turn as far as it likes.
             const double cos_limit = i == own_ ? -2 : cos_limit_;
-            Neighbours neighbours;
+            Neighbors neighbors;
             if (!speeds.empty()) {
-                if (i - begin >= 2) neighbours.before = &speeds[i - begin - 1];
-                if (i + 1 < end) neighbours.after = &speeds[i - begin + 1];
+                if (i - begin >= 2) neighbors.before = &speeds[i - begin - 1];
+                if (i + 1 < end) neighbors.after = &speeds[i - begin + 1];
             }
             const auto link = [&](std::size_t k, std::size_t node) {
-                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit, neighbours);
+                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit, neighbors);
                 if (best.cost > separated.cost) best = separated;
                 next[k] = best.cost + here.all[k].own_cost;
                 from[i - begin][k] = best.from;
@@ -231,15 +230,13 @@ private:
         }
         for (const int l : {0, -1, 1})
             for (const int o : {0, -1, 1}) {
-                const double lambda =
-                    std::clamp(middle.lambda + l * step, grid.lambda.front(), grid.lambda.back());
-                const double omega =
-                    std::clamp(middle.omega + o * step, grid.omega.front(), grid.omega.back());
-                if ((l != 0 && lambda == middle.lambda) || (o != 0 && omega == middle.omega)) continue;
-                const double bottom = builder_.bottom(point.frame, lambda, omega, hint);
-                const double top = builder_.top(point.frame, lambda, omega, *point.curves);
+                const double lead = std::clamp(middle.lead + l * step, grid.lead.front(), grid.lead.back());
+                const double yaw = std::clamp(middle.yaw + o * step, grid.yaw.front(), grid.yaw.back());
+                if ((l != 0 && lead == middle.lead) || (o != 0 && yaw == middle.yaw)) continue;
+                const double bottom = builder_.bottom(point.frame, lead, yaw, hint);
+                const double top = builder_.top(point.frame, lead, yaw, *point.curves);
                 if (!(bottom <= top)) continue;
-                const PostureValue p{lambda, omega, bottom};
+                const PostureValue p{lead, yaw, bottom};
                 if (builder_.holds(point.frame, p)) add(point, p, top, stops);
             }
         return stops;
@@ -275,9 +272,9 @@ private:
                  std::vector<ChosenPosture>& chosen, const Progress& progress) const {
         std::vector<Stop> path = taken(stops, begin, cheapest(stops, begin, end, {}, progress));
         const PostureGrid& grid = *builder_.input().grid;
-        double step = grid.lambda.size() > 1  ? grid.lambda[1] - grid.lambda[0]
-                      : grid.omega.size() > 1 ? grid.omega[1] - grid.omega[0]
-                                              : 0;
+        double step = grid.lead.size() > 1  ? grid.lead[1] - grid.lead[0]
+                      : grid.yaw.size() > 1 ? grid.yaw[1] - grid.yaw[0]
+                                            : 0;
         double seconds = seconds_of(path);
         for (int refinement = 0; refinement < refinements && step > 0; ++refinement) {
             step *= 0.5;

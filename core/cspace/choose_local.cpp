@@ -25,7 +25,7 @@ namespace facetmill {
 namespace {
 
 constexpr double penalty = 10000; // Lu's r; lengths in mm, times in s
-constexpr int most_steps = 60;
+constexpr int max_steps = 60;
 /// Of the first step: the search ends when its steps are this small.
 constexpr double last_step_share = 1.0 / 64;
 constexpr int border_halvings = 8;
@@ -66,8 +66,8 @@ public:
         if (!inside.free) return inside;
         PostureValue outside = best;
         for (int i = 0; i < border_halvings; ++i) {
-            const PostureValue middle{0.5 * (outside.lambda + inside.posture.lambda),
-                                      0.5 * (outside.omega + inside.posture.omega),
+            const PostureValue middle{0.5 * (outside.lead + inside.posture.lead),
+                                      0.5 * (outside.yaw + inside.posture.yaw),
                                       0.5 * (outside.delta + inside.posture.delta)};
             if (const auto exact = judged(middle))
                 inside = *exact;
@@ -81,10 +81,10 @@ private:
     /// Pattern search by halved steps.
     PostureValue search(PostureValue best) const {
         double least = objective(best);
-        const double lambda_step = grid_.lambda.size() > 1 ? grid_.lambda[1] - grid_.lambda[0] : 0;
-        const double omega_step = grid_.omega.size() > 1 ? grid_.omega[1] - grid_.omega[0] : 0;
+        const double lead_step = grid_.lead.size() > 1 ? grid_.lead[1] - grid_.lead[0] : 0;
+        const double yaw_step = grid_.yaw.size() > 1 ? grid_.yaw[1] - grid_.yaw[0] : 0;
         double scale = 1;
-        for (int step = 0; step < most_steps && scale > last_step_share; ++step) {
+        for (int step = 0; step < max_steps && scale > last_step_share; ++step) {
             PostureValue next = best;
             const auto look = [&](const PostureValue& tried) {
                 if (const double f = objective(tried); f < least) {
@@ -95,12 +95,11 @@ private:
             for (const int l : {0, 1, -1})
                 for (const int o : {0, 1, -1})
                     if (l != 0 || o != 0)
-                        look(held({best.lambda + l * scale * lambda_step, best.omega + o * scale * omega_step,
+                        look(held({best.lead + l * scale * lead_step, best.yaw + o * scale * yaw_step,
                                    best.delta}));
             for (const int d : {1, -1})
-                look({best.lambda, best.omega, best.delta + d * scale * first_delta_step});
-            if (next.lambda == best.lambda && next.omega == best.omega && next.delta == best.delta)
-                scale *= 0.5;
+                look({best.lead, best.yaw, best.delta + d * scale * first_delta_step});
+            if (next.lead == best.lead && next.yaw == best.yaw && next.delta == best.delta) scale *= 0.5;
             best = next;
         }
         return best;
@@ -109,11 +108,11 @@ private:
     std::optional<PostureValue> best_node() const {
         std::optional<PostureValue> best;
         double least = infinity;
-        for (std::size_t l = 0; l < grid_.lambda.size(); ++l)
-            for (std::size_t o = 0; o < grid_.omega.size(); ++o) {
+        for (std::size_t l = 0; l < grid_.lead.size(); ++l)
+            for (std::size_t o = 0; o < grid_.yaw.size(); ++o) {
                 const std::size_t n = grid_.node(l, o);
                 if (point_.space->block[n] != PostureBlock::free) continue;
-                const PostureValue p{grid_.lambda[l], grid_.omega[o], point_.space->bottom[n]};
+                const PostureValue p{grid_.lead[l], grid_.yaw[o], point_.space->bottom[n]};
                 if (const double f = objective(p); f < least) {
                     least = f;
                     best = p;
@@ -123,21 +122,21 @@ private:
     }
 
     PostureValue held(PostureValue p) const {
-        p.lambda = std::clamp(p.lambda, grid_.lambda.front(), grid_.lambda.back());
-        p.omega = std::clamp(p.omega, grid_.omega.front(), grid_.omega.back());
+        p.lead = std::clamp(p.lead, grid_.lead.front(), grid_.lead.back());
+        p.yaw = std::clamp(p.yaw, grid_.yaw.front(), grid_.yaw.back());
         return p;
     }
     PostureValue start() const {
-        PostureValue p = held({point_.cm2_lambda, 0, 0});
+        PostureValue p = held({point_.cm2_lead, 0, 0});
         p.delta = std::max(between(point_.space->bottom, p), 0.0);
-        return std::isfinite(p.delta) ? p : PostureValue{p.lambda, 0, 0};
+        return std::isfinite(p.delta) ? p : PostureValue{p.lead, 0, 0};
     }
 
     double between(const std::vector<double>& surface, const PostureValue& p) const {
-        const auto [l, s] = place_in(grid_.lambda, p.lambda);
-        const auto [o, t] = place_in(grid_.omega, p.omega);
-        const std::size_t l1 = std::min(l + 1, grid_.lambda.size() - 1),
-                          o1 = std::min(o + 1, grid_.omega.size() - 1);
+        const auto [l, s] = place_in(grid_.lead, p.lead);
+        const auto [o, t] = place_in(grid_.yaw, p.yaw);
+        const std::size_t l1 = std::min(l + 1, grid_.lead.size() - 1),
+                          o1 = std::min(o + 1, grid_.yaw.size() - 1);
         const auto weighted = [&](double w, std::size_t node) { return w > 0 ? w * surface[node] : 0.0; };
         return weighted((1 - s) * (1 - t), grid_.node(l, o)) + weighted(s * (1 - t), grid_.node(l1, o))
                + weighted((1 - s) * t, grid_.node(l, o1)) + weighted(s * t, grid_.node(l1, o1));
@@ -153,8 +152,8 @@ private:
 
     std::optional<ChosenPosture> judged(PostureValue p) const {
         ToolLift::Hint hint;
-        const double bottom = builder_.bottom(point_.frame, p.lambda, p.omega, hint);
-        const double top = builder_.top(point_.frame, p.lambda, p.omega, *point_.curves);
+        const double bottom = builder_.bottom(point_.frame, p.lead, p.yaw, hint);
+        const double top = builder_.top(point_.frame, p.lead, p.yaw, *point_.curves);
         if (!(bottom <= top)) return std::nullopt;
         p.delta = std::clamp(p.delta, bottom, std::max(bottom, top - room_));
         if (!builder_.holds(point_.frame, p)) return std::nullopt;
@@ -165,12 +164,12 @@ private:
     ChosenPosture nearest_node(const PostureValue& from) const {
         ChosenPosture best;
         double least = infinity;
-        for (std::size_t l = 0; l < grid_.lambda.size(); ++l)
-            for (std::size_t o = 0; o < grid_.omega.size(); ++o) {
+        for (std::size_t l = 0; l < grid_.lead.size(); ++l)
+            for (std::size_t o = 0; o < grid_.yaw.size(); ++o) {
                 const std::size_t n = grid_.node(l, o);
                 if (point_.space->block[n] != PostureBlock::free) continue;
-                const PostureValue p{grid_.lambda[l], grid_.omega[o], point_.space->bottom[n]};
-                const double away = std::hypot(p.lambda - from.lambda, p.omega - from.omega);
+                const PostureValue p{grid_.lead[l], grid_.yaw[o], point_.space->bottom[n]};
+                const double away = std::hypot(p.lead - from.lead, p.yaw - from.yaw);
                 if (!(away < least) || !builder_.holds(point_.frame, p)) continue;
                 least = away;
                 best = {true, p};
@@ -200,7 +199,7 @@ std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const
     chosen.reserve(points.size());
     for (const PassPoint& point : points) {
         progress.check();
-        if (!last) last = clock.stand(posture_pose(cutter, point.frame, {point.cm2_lambda, 0, 0}), nullptr);
+        if (!last) last = clock.stand(posture_pose(cutter, point.frame, {point.cm2_lead, 0, 0}), nullptr);
         chosen.push_back(point.kept ? ChosenPosture{true, *point.kept}
                                     : LocalSearch(point, builder, clock, *last, input.room).run());
         if (chosen.back().free)

@@ -8,13 +8,13 @@
 
 namespace facetmill {
 
-double cutter_curvature_across(const CutterProfile& cutter, double lambda) {
+double cutter_curvature_across(const CutterProfile& cutter, double lead) {
     const ProfilePiece& first = cutter.lower_pieces().front();
     const bool ball = first.kind == ProfilePiece::Kind::arc
-                      && std::abs(first.centre.x()) <= tolerance::cutter_tangency * first.radius;
-    if (ball && lambda <= first.angle_at_end()) return 1 / first.radius;
-    const double rho = plane_contact(cutter, lambda).x();
-    return rho > 0 ? std::sin(lambda) / rho : infinity;
+                      && std::abs(first.center.x()) <= tolerance::cutter_tangency * first.radius;
+    if (ball && lead <= first.angle_at_end()) return 1 / first.radius;
+    const double rho = plane_contact(cutter, lead).x();
+    return rho > 0 ? std::sin(lead) / rho : infinity;
 }
 
 namespace {
@@ -36,8 +36,8 @@ struct TouchingCircle {
         if (!(factor > 0)) return infinity; // more lead only makes it worse
         const double sine = kappa * e / factor;
         if (!(sine <= 1)) return infinity;
-        const double lambda = std::asin(sine);
-        return lambda <= to ? std::max(lambda, start) : infinity;
+        const double lead = std::asin(sine);
+        return lead <= to ? std::max(lead, start) : infinity;
     }
 };
 
@@ -53,7 +53,7 @@ double cm2_lead(const CutterProfile& cutter, double kappa, double lead_lo, doubl
     for (std::size_t i = 0; i < pieces.size() && !(best < infinity); ++i) {
         const ProfilePiece& p = pieces[i];
         if (p.kind == ProfilePiece::Kind::arc) {
-            best = TouchingCircle{p.centre.x(), p.radius, p.angle_at_start(), p.angle_at_end()}.lead(kappa,
+            best = TouchingCircle{p.center.x(), p.radius, p.angle_at_start(), p.angle_at_end()}.lead(kappa,
                                                                                                      lead_lo);
             angle = p.angle_at_end();
         }

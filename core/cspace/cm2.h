@@ -23,7 +23,7 @@ namespace facetmill {
 
 /// Curvature across the feed (1/mm, > 0) of the cutter's surface where it touches a plane from which its axis
 /// leans by 0 <= lambda < pi/2; +inf where it touches with its tip.
-double cutter_curvature_across(const CutterProfile& cutter, double lambda);
+double cutter_curvature_across(const CutterProfile& cutter, double lead);
 
 /// The smallest lead within the limits (radians, 0 <= lo <= hi < pi/2) at which the cutter curves across the
 /// feed at least as much as a part with this hollowness (1/mm); `hi` where none does. Leads at which the

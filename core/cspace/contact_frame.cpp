@@ -28,26 +28,26 @@ ContactFrame ContactFrame::at(const Vec3& point, const Vec3& normal, const Vec3&
     return frame;
 }
 
-Vec3 posture_axis(const ContactFrame& frame, double lambda, double omega) {
-    return LeanTerms(lambda).axis(frame, TurnTerms(omega));
+Vec3 posture_axis(const ContactFrame& frame, double lead, double yaw) {
+    return LeanTerms(lead).axis(frame, TurnTerms(yaw));
 }
 
 PostureValue posture_of_axis(const ContactFrame& frame, const Vec3& axis) {
     const double x = axis.dot(frame.feed), y = axis.dot(frame.left), z = axis.dot(frame.normal);
     const double across = std::hypot(x, y);
     if (!(across > tolerance::unit_rounding)) return {z < 0 ? pi : 0, 0, 0};
-    const double omega = std::atan2(y, x);
-    return {std::atan2(across, z), omega <= -pi ? pi : omega, 0};
+    const double yaw = std::atan2(y, x);
+    return {std::atan2(across, z), yaw <= -pi ? pi : yaw, 0};
 }
 
-bool can_touch(const CutterProfile& cutter, double lambda, double flutes) {
-    const double angle = std::abs(lambda),
+bool can_touch(const CutterProfile& cutter, double lead, double flutes) {
+    const double angle = std::abs(lead),
                  end = flutes > 0 ? std::min(flutes, cutter.height()) : cutter.height();
     return angle < pi / 2 && plane_contact(cutter, angle).y() < end;
 }
 
 ToolPose posture_pose(const CutterProfile& cutter, const ContactFrame& frame, const PostureValue& posture) {
-    return LeanTerms(posture.lambda).pose(cutter, frame, TurnTerms(posture.omega), posture.delta);
+    return LeanTerms(posture.lead).pose(cutter, frame, TurnTerms(posture.yaw), posture.delta);
 }
 
 namespace {
@@ -61,7 +61,7 @@ std::vector<double> evenly(double lo, double hi, double step, const std::string&
                         + "°, the smaller first");
     }
     const double steps = std::ceil((hi - lo) / step - tolerance::grid_rounding);
-    if (!(step > 0) || !(steps < double(PostureGrid::most_nodes)))
+    if (!(step > 0) || !(steps < double(PostureGrid::max_nodes)))
         throw Error(ErrorCode::out_of_range, "grid_degrees",
                     format_number(degrees(step)) + "° is no usable step between postures",
                     "choose a larger angle, such as 3°");
@@ -74,15 +74,14 @@ std::vector<double> evenly(double lo, double hi, double step, const std::string&
 
 } // namespace
 
-PostureGrid PostureGrid::make(double lambda_lo, double lambda_hi, double omega_lo, double omega_hi,
-                              double step) {
+PostureGrid PostureGrid::make(double lead_lo, double lead_hi, double yaw_lo, double yaw_hi, double step) {
     PostureGrid grid;
-    grid.lambda = evenly(lambda_lo, lambda_hi, step, "lead_limits", pi / 2);
-    grid.omega = evenly(omega_lo, omega_hi, step, "yaw_limits", pi);
-    if (grid.lambda.size() > most_nodes / grid.omega.size())
+    grid.lead = evenly(lead_lo, lead_hi, step, "lead_limits", pi / 2);
+    grid.yaw = evenly(yaw_lo, yaw_hi, step, "yaw_limits", pi);
+    if (grid.lead.size() > max_nodes / grid.yaw.size())
         throw Error(ErrorCode::out_of_range, "grid_degrees",
                     format_number(degrees(step)) + "° asks for "
-                        + format_number(double(grid.lambda.size()) * double(grid.omega.size()))
+                        + format_number(double(grid.lead.size()) * double(grid.yaw.size()))
                         + " postures at every point",
                     "choose a larger angle, such as 3°, or narrower limits");
     return grid;

@@ -40,11 +40,11 @@ struct ContactFrame {
 
 /// Radians, radians, mm.
 struct PostureValue {
-    double lambda = 0, omega = 0, delta = 0;
+    double lead = 0, yaw = 0, delta = 0;
 };
 
 /// Unit vector from the tip to the holder.
-Vec3 posture_axis(const ContactFrame& frame, double lambda, double omega);
+Vec3 posture_axis(const ContactFrame& frame, double lead, double yaw);
 
 /// Lambda from 0 to pi, omega in (-pi, pi], 0 where the axis is the normal; delta 0. The inverse of
 /// posture_axis for lambda >= 0.
@@ -53,7 +53,7 @@ PostureValue posture_of_axis(const ContactFrame& frame, const Vec3& axis);
 /// Whether the cutter can touch a plane from which its axis leans by lambda: with a point of its lower
 /// surface that is below `flutes` (height above the tip up to which the tool cuts; 0: the cutter's own
 /// height). Not where a taper or a cone would stand on its upper rim, and not from 90 degrees on.
-bool can_touch(const CutterProfile& cutter, double lambda, double flutes = 0);
+bool can_touch(const CutterProfile& cutter, double lead, double flutes = 0);
 
 /// Where the cutter touches the tangent plane at the frame's point, moved by delta along the axis. Where it
 /// cannot touch (see can_touch) it stands on the upper rim of its lower surface. Every cutter, every finite
@@ -62,19 +62,18 @@ ToolPose posture_pose(const CutterProfile& cutter, const ContactFrame& frame, co
 
 /// Inclinations and yaws at which a configuration space is known.
 struct PostureGrid {
-    static constexpr std::size_t most_nodes = 1'000'000;
+    static constexpr std::size_t max_nodes = 1'000'000;
 
-    std::vector<double> lambda, omega; ///< radians, ascending, both limits included
+    std::vector<double> lead, yaw; ///< radians, ascending, both limits included
 
     /// Evenly, no farther apart than `step`. Throws Error(out_of_range) whose place is the key: "lead_limits"
     /// and "yaw_limits" that are reversed, not finite, or beyond 90 and 180 degrees on either side;
-    /// "grid_degrees" for a step that is not above 0, or so fine that there are more than most_nodes.
-    static PostureGrid make(double lambda_lo, double lambda_hi, double omega_lo, double omega_hi,
-                            double step);
+    /// "grid_degrees" for a step that is not above 0, or so fine that there are more than max_nodes.
+    static PostureGrid make(double lead_lo, double lead_hi, double yaw_lo, double yaw_hi, double step);
 
-    std::size_t size() const { return lambda.size() * omega.size(); }
+    std::size_t size() const { return lead.size() * yaw.size(); }
     /// Lambda number `il`, omega number `io`.
-    std::size_t node(std::size_t il, std::size_t io) const { return il * omega.size() + io; }
+    std::size_t node(std::size_t il, std::size_t io) const { return il * yaw.size() + io; }
 };
 
 } // namespace facetmill

@@ -82,18 +82,17 @@ CSpaceBuilder::CSpaceBuilder(const CSpaceInput& input)
         throw Error(ErrorCode::out_of_range, "local_radius", "is negative", "give a length");
 }
 
-double CSpaceBuilder::bottom(const ContactFrame& frame, double lambda, double omega,
-                             ToolLift::Hint& hint) const {
+double CSpaceBuilder::bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint) const {
     const CutterProfile& cutter = input_.lift->cutter();
-    if (!can_touch(cutter, lambda, input_.height)) return infinity;
-    return std::max(0.0, input_.lift->lift(posture_pose(cutter, frame, {lambda, omega, 0}), hint));
+    if (!can_touch(cutter, lead, input_.height)) return infinity;
+    return std::max(0.0, input_.lift->lift(posture_pose(cutter, frame, {lead, yaw, 0}), hint));
 }
 
-double CSpaceBuilder::top(const ContactFrame& frame, double lambda, double omega,
+double CSpaceBuilder::top(const ContactFrame& frame, double lead, double yaw,
                           std::span<const RaisedCurve> curves) const {
     const CutterProfile& cutter = input_.lift->cutter();
-    if (!can_touch(cutter, lambda, input_.height)) return -infinity;
-    return top(posture_pose(cutter, frame, {lambda, omega, 0}), curves);
+    if (!can_touch(cutter, lead, input_.height)) return -infinity;
+    return top(posture_pose(cutter, frame, {lead, yaw, 0}), curves);
 }
 
 double CSpaceBuilder::top(const ToolPose& pose, std::span<const RaisedCurve> curves) const {
@@ -144,14 +143,13 @@ CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedC
         bool touches;
     };
     std::vector<Lean> leans;
-    for (const double lambda : grid.lambda) {
-        const LeanTerms terms(lambda);
-        leans.push_back(
-            {terms, plane_contact(cutter, terms.angle), can_touch(cutter, lambda, input_.height)});
+    for (const double lead : grid.lead) {
+        const LeanTerms terms(lead);
+        leans.push_back({terms, plane_contact(cutter, terms.angle), can_touch(cutter, lead, input_.height)});
     }
     std::vector<TurnTerms> turns;
-    for (const double omega : grid.omega)
-        turns.emplace_back(omega);
+    for (const double yaw : grid.yaw)
+        turns.emplace_back(yaw);
     space.bottom.assign(grid.size(), infinity);
     space.top.assign(grid.size(), -infinity);
     space.block.assign(grid.size(), PostureBlock::shank);
@@ -242,16 +240,16 @@ std::vector<CSpace> CSpaceBuilder::build(std::span<const ContactFrame> frames,
     return spaces;
 }
 
-CSpaceBuilder::Reason CSpaceBuilder::reason(const ContactFrame& frame, double lambda, double omega,
+CSpaceBuilder::Reason CSpaceBuilder::reason(const ContactFrame& frame, double lead, double yaw,
                                             std::span<const RaisedCurve> curves) const {
     const CutterProfile& cutter = input_.lift->cutter();
-    if (!can_touch(cutter, lambda, input_.height)) return {PostureBlock::shank, infinity, -infinity, {}};
-    const ToolPose pose = posture_pose(cutter, frame, {lambda, omega, 0});
+    if (!can_touch(cutter, lead, input_.height)) return {PostureBlock::shank, infinity, -infinity, {}};
+    const ToolPose pose = posture_pose(cutter, frame, {lead, yaw, 0});
     ToolLift::Hint hint;
     Reason reason;
     reason.contact = input_.lift->contact_above(pose, 0, hint);
     reason.bottom = reason.contact.lift;
-    reason.top = top(frame, lambda, omega, curves);
+    reason.top = top(frame, lead, yaw, curves);
     reason.block = judge(reason, pose, frame);
     return reason;
 }

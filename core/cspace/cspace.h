@@ -92,9 +92,8 @@ public:
     }
 
     /// Any posture, also between nodes, without allocation; the same bits as `build`.
-    double bottom(const ContactFrame& frame, double lambda, double omega, ToolLift::Hint& hint) const;
-    double top(const ContactFrame& frame, double lambda, double omega,
-               std::span<const RaisedCurve> curves) const;
+    double bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint) const;
+    double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
     /// Of any pose: below 0 where it leaves more than it may at one of the curves.
     double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
 
@@ -119,7 +118,7 @@ public:
         double bottom = 0, top = 0;
         ToolContact contact;
     };
-    Reason reason(const ContactFrame& frame, double lambda, double omega,
+    Reason reason(const ContactFrame& frame, double lead, double yaw,
                   std::span<const RaisedCurve> curves) const;
 
 private:

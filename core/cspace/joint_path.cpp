@@ -21,11 +21,11 @@ JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
     }
 }
 
-JointClock::Ways JointClock::ways(const ToolPose& pose, const Times* near) const {
-    Ways ways;
+JointClock::Routes JointClock::routes(const ToolPose& pose, const Times* near) const {
+    Routes routes;
     if (!machine_) {
-        ways.count = 1;
-        return ways;
+        routes.count = 1;
+        return routes;
     }
     Joints hint;
     if (near)
@@ -50,9 +50,9 @@ JointClock::Ways JointClock::ways(const ToolPose& pose, const Times* near) const
             }
             times[joint] = value * per_unit_[joint];
         }
-        if (within) ways.at[std::size_t(ways.count++)] = times;
+        if (within) routes.at[std::size_t(routes.count++)] = times;
     }
-    return ways;
+    return routes;
 }
 
 } // namespace facetmill

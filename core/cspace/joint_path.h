@@ -18,13 +18,13 @@ public:
 
     /// Joint values over the largest speeds, s.
     using Times = std::array<double, 5>;
-    struct Ways {
+    struct Routes {
         int count = 0;
         std::array<Times, 2> at{};
     };
     /// The ways to hold a pose, with their rotary axes within travel where that is limited; none: out of
     /// reach. At singular poses the free axis takes `near`'s.
-    Ways ways(const ToolPose& pose, const Times* near = nullptr) const;
+    Routes routes(const ToolPose& pose, const Times* near = nullptr) const;
 
     /// Seconds between two: the slowest axis; rotary axes that may go round take the shorter way.
     double between(const Times& a, const Times& b) const {
@@ -91,7 +91,7 @@ public:
     }
     /// From a stand to the cheaper way to hold a pose; +inf where there is none.
     double to(const ToolPose& pose, const Stand& from) const {
-        const Ways held = ways(pose, &from.joints);
+        const Routes held = routes(pose, &from.joints);
         double least = infinity;
         for (int w = 0; w < held.count; ++w)
             least = std::min(least, between(from, Stand{pose, held.at[std::size_t(w)]}));
@@ -99,7 +99,7 @@ public:
     }
     /// The cheapest stand of a pose after another; the pose with joints at zero where it is out of reach.
     Stand stand(const ToolPose& pose, const Stand* after) const {
-        const Ways held = ways(pose, after ? &after->joints : nullptr);
+        const Routes held = routes(pose, after ? &after->joints : nullptr);
         Stand best{pose, {}};
         double least = infinity;
         for (int w = 0; w < held.count; ++w) {

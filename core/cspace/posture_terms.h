@@ -11,15 +11,14 @@ namespace facetmill {
 
 struct TurnTerms {
     double cosine, sine;
-    explicit TurnTerms(double omega) : cosine(std::cos(omega)), sine(std::sin(omega)) {}
+    explicit TurnTerms(double yaw) : cosine(std::cos(yaw)), sine(std::sin(yaw)) {}
 };
 
 /// Of |lambda|; a negative lambda leans the other way.
 struct LeanTerms {
     double angle, cosine, sine, sign;
-    explicit LeanTerms(double lambda)
-        : angle(std::abs(lambda)), cosine(std::cos(angle)), sine(std::sin(angle)), sign(lambda < 0 ? -1 : 1) {
-    }
+    explicit LeanTerms(double lead)
+        : angle(std::abs(lead)), cosine(std::cos(angle)), sine(std::sin(angle)), sign(lead < 0 ? -1 : 1) {}
 
     Vec3 direction(const ContactFrame& frame, const TurnTerms& turn) const {
         return sign * (turn.cosine * frame.feed + turn.sine * frame.left);

@@ -62,7 +62,7 @@ struct ProfilePiece {
     enum class Kind { line, arc };
     Kind kind = Kind::line;
     Vec2 from, to;              ///< (rho, z)
-    Vec2 centre = Vec2::Zero(); ///< arc only
+    Vec2 center = Vec2::Zero(); ///< arc only
     double radius = 0;          ///< arc only
 
     /// Angle of the tangent from the outward radial direction, 0 to pi, at the two ends.

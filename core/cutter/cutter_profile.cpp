@@ -38,8 +38,8 @@ struct LineMeetsCircle {
     bool meets = false, tangent = false;
     double before = 0, after = 0;
 };
-LineMeetsCircle meet(const Vec2& through, const Vec2& u, const Vec2& centre, double r, double noise) {
-    const Vec2 to = centre - through;
+LineMeetsCircle meet(const Vec2& through, const Vec2& u, const Vec2& center, double r, double noise) {
+    const Vec2 to = center - through;
     const double along = u.dot(to);
     const double distance = std::abs(u.x() * to.y() - u.y() * to.x());
     if (std::abs(distance - r) <= noise) return {true, true, along, along};
@@ -51,32 +51,32 @@ LineMeetsCircle meet(const Vec2& through, const Vec2& u, const Vec2& centre, dou
 /// The corner circle between its joints with bottom and side, or the sharp corner itself.
 struct Corner {
     bool rounded = false;
-    Vec2 first_point, last_point, centre;
+    Vec2 first_point, last_point, center;
     double radius = 0;
 };
 
 /// Angle of the circle's tangent at p, from the outward radial direction: the outward normal is 90° behind
 /// it.
-double tangent_angle(const Vec2& centre, const Vec2& p) {
-    return std::atan2(p.x() - centre.x(), centre.y() - p.y());
+double tangent_angle(const Vec2& center, const Vec2& p) {
+    return std::atan2(p.x() - center.x(), center.y() - p.y());
 }
 
 std::optional<Corner> corner_of(const AptCutter& c, const Vec2& bottom, const Vec2& side,
                                 const Vec2& corner) {
-    const Vec2 centre(c.e, c.f);
+    const Vec2 center(c.e, c.f);
     const double noise = tolerance::cutter_angle * std::max({c.d, c.r, std::abs(c.e), std::abs(c.f)});
-    const LineMeetsCircle low = meet(Vec2::Zero(), bottom, centre, c.r, noise);
-    const LineMeetsCircle high = meet(corner, side, centre, c.r, noise);
+    const LineMeetsCircle low = meet(Vec2::Zero(), bottom, center, c.r, noise);
+    const LineMeetsCircle high = meet(corner, side, center, c.r, noise);
     if (!low.meets || !high.meets) return std::nullopt;
     // Where a line cuts the circle twice, the boundary passes from the bottom line to the circle at the outer
     // meeting and from the circle to the side line at the lower one: only there it turns to the steeper side.
     const double start = low.after, end = high.before;
     // A circle through the tip may seem to meet the bottom line beyond it, far though when it meets it at a
     // small angle.
-    const bool before_tip = start < 0 && std::abs(centre.norm() - c.r) > noise;
+    const bool before_tip = start < 0 && std::abs(center.norm() - c.r) > noise;
     if (before_tip || start * bottom.x() > 0.5 * c.d + noise || end < -noise) return std::nullopt;
-    Corner k{true, std::max(0.0, start) * bottom, corner + std::max(0.0, end) * side, centre, c.r};
-    if (tangent_angle(centre, k.first_point) > tangent_angle(centre, k.last_point)) {
+    Corner k{true, std::max(0.0, start) * bottom, corner + std::max(0.0, end) * side, center, c.r};
+    if (tangent_angle(center, k.first_point) > tangent_angle(center, k.last_point)) {
         if ((k.first_point - k.last_point).norm() > noise) return std::nullopt;
         k.last_point = k.first_point;
     }
@@ -88,14 +88,14 @@ ProfilePiece line(const Vec2& from, const Vec2& to) {
 }
 
 /// Appends an arc, cut at the height of its centre.
-void add_arc(std::vector<ProfilePiece>& pieces, const Vec2& from, const Vec2& to, const Vec2& centre,
+void add_arc(std::vector<ProfilePiece>& pieces, const Vec2& from, const Vec2& to, const Vec2& center,
              double radius) {
-    const Vec2 widest = centre + Vec2(radius, 0);
-    if (from.y() < centre.y() && to.y() > centre.y()) {
-        pieces.push_back({ProfilePiece::Kind::arc, from, widest, centre, radius});
-        pieces.push_back({ProfilePiece::Kind::arc, widest, to, centre, radius});
+    const Vec2 widest = center + Vec2(radius, 0);
+    if (from.y() < center.y() && to.y() > center.y()) {
+        pieces.push_back({ProfilePiece::Kind::arc, from, widest, center, radius});
+        pieces.push_back({ProfilePiece::Kind::arc, widest, to, center, radius});
     } else {
-        pieces.push_back({ProfilePiece::Kind::arc, from, to, centre, radius});
+        pieces.push_back({ProfilePiece::Kind::arc, from, to, center, radius});
     }
 }
 
@@ -109,9 +109,9 @@ void cut_at(std::vector<ProfilePiece>& pieces, double h) {
         const double t = (h - last.from.y()) / (last.to.y() - last.from.y());
         last.to = Vec2(last.from.x() + t * (last.to.x() - last.from.x()), h);
     } else {
-        const double up = h - last.centre.y();
+        const double up = h - last.center.y();
         last.to =
-            Vec2(last.centre.x() + std::sqrt(std::max(0.0, (last.radius - up) * (last.radius + up))), h);
+            Vec2(last.center.x() + std::sqrt(std::max(0.0, (last.radius - up) * (last.radius + up))), h);
     }
 }
 
@@ -119,11 +119,11 @@ void cut_at(std::vector<ProfilePiece>& pieces, double h) {
 
 double ProfilePiece::angle_at_start() const {
     return kind == Kind::line ? std::atan2(to.y() - from.y(), to.x() - from.x())
-                              : tangent_angle(centre, from);
+                              : tangent_angle(center, from);
 }
 
 double ProfilePiece::angle_at_end() const {
-    return kind == Kind::line ? std::atan2(to.y() - from.y(), to.x() - from.x()) : tangent_angle(centre, to);
+    return kind == Kind::line ? std::atan2(to.y() - from.y(), to.x() - from.x()) : tangent_angle(center, to);
 }
 
 CutterProfile::CutterProfile(const AptCutter& cutter) : cutter_(cutter) {
@@ -169,7 +169,7 @@ CutterProfile::CutterProfile(const AptCutter& cutter) : cutter_(cutter) {
     else
         k.first_point = Vec2::Zero();
     if (k.rounded && (k.last_point - k.first_point).norm() > shortest)
-        add_arc(pieces_, k.first_point, k.last_point, k.centre, k.radius);
+        add_arc(pieces_, k.first_point, k.last_point, k.center, k.radius);
     else
         k.last_point = k.first_point;
     if (c.h > k.last_point.y()) {
@@ -214,7 +214,7 @@ CutterProfile CutterProfile::grown(double allowance) const {
         if (p.kind == ProfilePiece::Kind::line)
             g.pieces_.push_back(line(at, to));
         else
-            g.pieces_.push_back({p.kind, at, to, p.centre, p.radius + allowance});
+            g.pieces_.push_back({p.kind, at, to, p.center, p.radius + allowance});
         at = to;
         angle = std::max(angle, p.angle_at_end());
     }
@@ -222,7 +222,7 @@ CutterProfile CutterProfile::grown(double allowance) const {
     for (ProfilePiece& p : g.pieces_) {
         p.from.y() += allowance;
         p.to.y() += allowance;
-        if (p.kind == ProfilePiece::Kind::arc) p.centre.y() += allowance;
+        if (p.kind == ProfilePiece::Kind::arc) p.center.y() += allowance;
     }
     g.pieces_.front().from = Vec2::Zero();
     g.finish();
@@ -250,8 +250,8 @@ double CutterProfile::height_at(double rho) const {
             const double t = (rho - p.from.x()) / (p.to.x() - p.from.x());
             return p.from.y() + t * (p.to.y() - p.from.y());
         }
-        const double out = rho - p.centre.x();
-        return p.centre.y() - std::sqrt(std::max(0.0, (p.radius - out) * (p.radius + out)));
+        const double out = rho - p.center.x();
+        return p.center.y() - std::sqrt(std::max(0.0, (p.radius - out) * (p.radius + out)));
     }
     return lower_pieces().back().to.y();
 }
@@ -265,8 +265,8 @@ double CutterProfile::radius_at(double z) const {
         if (z < p.from.y() || z > p.to.y()) continue;
         double here;
         if (p.kind == ProfilePiece::Kind::arc) {
-            const double up = z - p.centre.y();
-            here = p.centre.x() + std::sqrt(std::max(0.0, (p.radius - up) * (p.radius + up)));
+            const double up = z - p.center.y();
+            here = p.center.x() + std::sqrt(std::max(0.0, (p.radius - up) * (p.radius + up)));
         } else if (p.to.y() > p.from.y()) {
             const double t = (z - p.from.y()) / (p.to.y() - p.from.y());
             here = p.from.x() + t * (p.to.x() - p.from.x());

@@ -84,8 +84,8 @@ FACETMILL_LANES Double4 arc_contact(const SurfacePiece& p, const Mask4& wanted, 
         const double x1 = (p.rho1 - p.e) / p.r;
         y = leg(larger(all(x1 < 1 ? x1 : 1), k), k);
     }
-    constexpr int most_steps = 100; // a guard only: about 45 is the most that random tries see
-    for (int i = 0; i < most_steps; ++i) {
+    constexpr int max_steps = 100; // a guard only: about 45 is the most that random tries see
+    for (int i = 0; i < max_steps; ++i) {
         const Double4 x = root(y * y + k * k);
         const Double4 over = 1.0 / x, cosine = y * over, sine = k * over;
         const Double4 value = p.e * cosine + p.r * y - target;

@@ -12,7 +12,7 @@ namespace {
 /// Up to four facets under the exact test, in the cutter's frame.
 struct FacetTest {
     alignas(32) double x[3][4], y[3][4], z[3][4];
-    alignas(32) double most_lift[4]; ///< bounds of their lifts
+    alignas(32) double max_lift[4]; ///< bounds of their lifts
     alignas(32) std::int64_t has_edge[3][4], has_plane[4];
 
     FACETMILL_MEMBER static Mask4 mask(const std::int64_t* m) {
@@ -106,7 +106,7 @@ struct FacetTest {
                 has_edge[k][w] = 0;
             }
             has_plane[w] = 0;
-            most_lift[w] = -__builtin_inf();
+            max_lift[w] = -__builtin_inf();
         }
     }
 
@@ -121,7 +121,7 @@ struct FacetTest {
         static constexpr int no_edge[] = {-1, -1, -1, -1};
         consider(plane.lift, no_edge);
         const Mask4 edges[3] = {mask(has_edge[0]), mask(has_edge[1]), mask(has_edge[2])};
-        Mask4 open = ~plane.inside & (load(most_lift) > floor());
+        Mask4 open = ~plane.inside & (load(max_lift) > floor());
         // First the edge that the way to the plane's contact leaves by. If it is touched between its ends the
         // facet is done: from a higher place y of the facet a straight way to the plane's contact, on which
         // the lift is nowhere lower than at y, would cross the edge's line where it is higher than its
@@ -149,7 +149,7 @@ struct FacetTest {
                                 | (~first_is_2 & ((first_is_1 & edges[1]) | (~first_is_1 & edges[0])));
             lift.tip = select(owned, lift.tip, all(no_lift));
             consider(lift, edge);
-            open &= ~lift.between & (load(most_lift) > floor());
+            open &= ~lift.between & (load(max_lift) > floor());
         }
         if (bits(open) != 0) {
             const Mask4 was_first[3] = {asked_first & ~first_is_1 & ~first_is_2,

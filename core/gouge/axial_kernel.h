@@ -34,8 +34,8 @@ struct AxialAnswer {
 
 /// One cutter with its axis along Z over places that lie no farther from each other than its radius.
 struct AxialPacket {
-    static constexpr int most_places = 16; ///< of any kernel; AxialKernels says how many one takes
-    double x[most_places], y[most_places];
+    static constexpr int max_places = 16; ///< of any kernel; AxialKernels says how many one takes
+    double x[max_places], y[max_places];
     int count = 0;
     const TreeNode* cut = nullptr; ///< as for AxialQuery; wanted
     int cut_nodes = 0;
@@ -46,7 +46,7 @@ struct AxialPacket {
 using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
 /// The tips over the places of a packet, the bits that one query each would give.
 using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&,
-                              double (&tips)[AxialPacket::most_places]);
+                              double (&tips)[AxialPacket::max_places]);
 /// The highest lift over a polyline of `count` points (x, y, z each), any axis. Of the query the place and
 /// frame are read, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number of
 /// a segment); the answer's `slot` is that of the segment. -inf and no_slot where no point is under the

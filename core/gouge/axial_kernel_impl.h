@@ -29,19 +29,19 @@ struct Search : Bounds<tilted, shape> {
     FacetTest tested;
     std::uint32_t slot[4];
     // Lists have room for one more vector than they hold.
-    static constexpr int most_waiting = 24, most_blocks = 64;
-    float waiting_bound[most_waiting + block_width];
-    std::uint32_t waiting_slot[most_waiting + block_width];
+    static constexpr int max_waiting = 24, max_blocks = 64;
+    float waiting_bound[max_waiting + block_width];
+    std::uint32_t waiting_slot[max_waiting + block_width];
     int waiting = 0;
 
     // Nodes and blocks that are still to be opened. With full nodes the tree is no deeper than the digits of
     // the facet count in base 8; seven siblings wait on every level.
-    static constexpr int most_nodes = block_width * 16;
-    float node_bound[most_nodes + block_width];
-    std::uint32_t node_child[most_nodes + block_width];
+    static constexpr int max_nodes = block_width * 16;
+    float node_bound[max_nodes + block_width];
+    std::uint32_t node_child[max_nodes + block_width];
     int nodes = 0;
-    float block_bound[most_blocks + block_width];
-    std::uint32_t block_child[most_blocks + block_width];
+    float block_bound[max_blocks + block_width];
+    std::uint32_t block_child[max_blocks + block_width];
     int blocks = 0;
     std::uint32_t opened; ///< a block that was opened first
 
@@ -199,7 +199,7 @@ struct Search : Bounds<tilted, shape> {
         waiting = left;
         int taken = 0;
         for (int next = most; taken < double_lanes && waiting > 0; next = waiting - 1) {
-            tested.most_lift[taken] = double(waiting_bound[next]) + zero;
+            tested.max_lift[taken] = double(waiting_bound[next]) + zero;
             gather(waiting_slot[next], taken++);
             --waiting;
             waiting_bound[next] = waiting_bound[waiting];
@@ -235,7 +235,7 @@ struct Search : Bounds<tilted, shape> {
         for (std::uint32_t k = 0; k < block_width; ++k)
             slots[k] = which * std::uint32_t(block_width) + k;
         waiting += keep(bits(above > least), above, slots, waiting_bound + waiting, waiting_slot + waiting);
-        while (waiting > most_waiting)
+        while (waiting > max_waiting)
             test();
     }
 
@@ -311,7 +311,7 @@ struct Search : Bounds<tilted, shape> {
             --nodes;
             if (!(node_bound[nodes] > least)) continue;
             open_node(index.nodes[node_child[nodes]]);
-            if (blocks > most_blocks) {
+            if (blocks > max_blocks) {
                 open_blocks();
                 if (is_enough()) return;
             }

@@ -257,7 +257,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             packet.cut = cut.nodes();
             packet.cut_nodes = cut.count();
             packet.prepared = &prepared;
-            double tips[AxialPacket::most_places];
+            double tips[AxialPacket::max_places];
             axial_kernels().packet(view, *surface_, packet, tips);
             for (std::size_t k = 0; k < count; ++k)
                 heights[left[k].number] = tips[k] + allowance_;

@@ -112,24 +112,24 @@ private:
 
     // Children that are still to be opened. As long as they are few the most promising of the last is next;
     // then the last, and there are no more than seven siblings more on each of the levels below.
-    static constexpr int many = 8 * block_width, most_waiting = many + 17 * int(block_width);
+    static constexpr int many = 8 * block_width, max_waiting = many + 17 * int(block_width);
     static constexpr int last_few = 2 * block_width;
-    float key_room[last_few + most_waiting]; ///< the first: those of nothing
+    float key_room[last_few + max_waiting]; ///< the first: those of nothing
     float* const key = key_room + last_few;
     struct Child {
         const TreeNode* node;
         int lane;
         ContactRange contact;
     };
-    Child child[most_waiting];
-    alignas(64) float child_bound[most_waiting][place_lanes];
+    Child child[max_waiting];
+    alignas(64) float child_bound[max_waiting][place_lanes];
     int waiting = 0;
 
     // Pairs of a place and a facet that may be its highest.
-    static constexpr int most_pairs = 24 * place_lanes;
-    std::uint32_t pair_slot[most_pairs];
-    int pair_place[most_pairs];
-    float pair_bound[most_pairs];
+    static constexpr int max_pairs = 24 * place_lanes;
+    std::uint32_t pair_slot[max_pairs];
+    int pair_place[max_pairs];
+    float pair_bound[max_pairs];
     int pairs = 0;
 
     // Edges of pairs that have still to say what they ask for.
@@ -150,7 +150,7 @@ private:
     FACETMILL_MEMBER int most_promising() const {
         if (waiting > many) return waiting - 1;
         const Float8 late = load(key + waiting - 8), early = load(key + waiting - 16);
-        const Float8 most = all(most_of(larger(late, early)));
+        const Float8 most = all(max_of(larger(late, early)));
         const unsigned found = bits(early == most) | bits(late == most) << 8;
         return found == 0 ? waiting - 1 : waiting + 15 - __builtin_clz(found);
     }
@@ -189,7 +189,7 @@ private:
         const Float8 first_y = ay - hy - slack - on.hi_y, last_y = ay + hy + slack - on.lo_y;
         unsigned reached =
             bits((hx >= 0.0f) & (near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_dx)
-                 & (last_x >= lo_dx) & (first_y <= hi_dy) & (last_y >= lo_dy) & (top > least_of(least)));
+                 & (last_x >= lo_dx) & (first_y <= hi_dy) & (last_y >= lo_dy) & (top > min_of(least)));
         if (reached == 0) return;
         // The tangent plane of the lift over the roof, for a place in the middle, serves them all.
         const Float8 px = load(node.slope_x), py = load(node.slope_y);
@@ -230,7 +230,7 @@ private:
                        smaller(base[k] + base_x[k] * dx + base_y[k] * dy, tops[k]), -__builtin_inff());
             if (bits(bound > least) == 0) continue;
             fetch(node.child[k]);
-            key[waiting] = most_of(bound - larger(least, floor));
+            key[waiting] = max_of(bound - larger(least, floor));
             child[waiting] = {&node, k, {contacts[0][k], contacts[1][k], contacts[2][k], contacts[3][k]}};
             store(bound, child_bound[waiting]);
             ++waiting;
@@ -296,7 +296,7 @@ private:
         const Float8 first_y = load(f.lo_y) - on.hi_y, last_y = load(f.hi_y) - on.lo_y;
         unsigned open = bits((near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_x)
                              & (last_x >= lo_x) & (first_y <= hi_y) & (last_y >= lo_y)
-                             & (load(f.top) > least_of(least)) & (widened(f.duty) != 0));
+                             & (load(f.top) > min_of(least)) & (widened(f.duty) != 0));
         if (f.is_fine) ask_middles(f, p, open);
         const int few_edges = f.is_fine ? few_edge_places : 0;
         alignas(32) float level[block_width], tangent_x[block_width], tangent_y[block_width];
@@ -407,7 +407,7 @@ private:
             for (int j = 0; j < together && (j == 0 || p[j] != p[0]); ++j) {
                 alive[count] = open >> j * block_width & has_duty;
                 if (alive[count] == 0) continue;
-                raise(p[j], most_of(eight(low, j)));
+                raise(p[j], max_of(eight(low, j)));
                 store(eight(cap, j), caps[count]);
                 place[count++] = p[j];
             }
@@ -428,7 +428,7 @@ private:
             const Int8 inside = has_plane & (sides[0] > corner) & (sides[1] > corner) & (sides[2] > corner);
             Float8 above = select(inside, plane + load(f.noise_in), cap);
             above = smaller(select(has_plane & ~outside, above, never), cap);
-            const float low = most_of(select(inside, plane - load(f.noise_in) - load(f.loss), never));
+            const float low = max_of(select(inside, plane - load(f.noise_in) - load(f.loss), never));
             raise(p, low);
             unsigned asked[3];
             for (int e = 0; e < 3; ++e)
@@ -453,7 +453,7 @@ private:
     FACETMILL_CALLED void add(const PreparedBlock& f, std::uint32_t which, int facet, const Places& p,
                               int place, float bound, unsigned edges_asked, float cap) {
         if (!(cap > lane(least, place))) return;
-        if (pairs == most_pairs) make_room();
+        if (pairs == max_pairs) make_room();
         pair_slot[pairs] = which * std::uint32_t(block_width) + std::uint32_t(facet);
         pair_place[pairs] = place;
         pair_bound[pairs] = bound;
@@ -517,7 +517,7 @@ private:
 
     FACETMILL_CALLED void make_room() {
         thin_out();
-        if (2 * pairs > most_pairs) flush();
+        if (2 * pairs > max_pairs) flush();
     }
 
     /// The exact test of what is left, the most promising facet of every place first.
@@ -545,7 +545,7 @@ private:
         const std::uint32_t slot = pair_slot[pair];
         tested.set(index.blocks[slot / block_width], slot % block_width, packet.x[place], packet.y[place],
                    taken);
-        tested.most_lift[taken] = double(pair_bound[pair]) + zero;
+        tested.max_lift[taken] = double(pair_bound[pair]) + zero;
         tested_place[taken++] = place;
         if (taken == double_lanes) test();
     }
@@ -571,7 +571,7 @@ private:
 };
 
 void packet(const IndexView& index, const SurfaceTable& surface, const AxialPacket& packet,
-            double (&tips)[AxialPacket::most_places]) {
+            double (&tips)[AxialPacket::max_places]) {
     AxialQuery first;
     first.place[0] = packet.x[0];
     first.place[1] = packet.y[0];

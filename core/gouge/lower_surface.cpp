@@ -66,7 +66,7 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
     table.max_radius = profile.max_radius();
     for (const ProfilePiece& p : profile.lower_pieces()) {
         if (p.to.x() <= p.from.x()) continue;
-        if (table.count == most_surface_pieces)
+        if (table.count == max_surface_pieces)
             throw Error(ErrorCode::internal, "lower_surface", "the profile has too many pieces",
                         "report this");
         SurfacePiece q{};
@@ -76,8 +76,8 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
             q.z0 = p.from.y();
             q.slope0 = q.slope1 = std::max(0.0, (p.to.y() - p.from.y()) / (q.rho1 - q.rho0));
         } else {
-            q.e = p.centre.x();
-            q.f = p.centre.y();
+            q.e = p.center.x();
+            q.f = p.center.y();
             q.r = p.radius;
             q.slope0 = std::max(0.0, slope_of(p.angle_at_start(), false));
             q.slope1 = slope_of(p.angle_at_end(), p.to.y() >= q.f);

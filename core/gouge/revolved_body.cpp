@@ -44,11 +44,11 @@ RevolvedBody::RevolvedBody(const CutterProfile& profile, double height) {
         p.z0 = source.from.y() + height;
         p.rho1 = source.to.x();
         p.z1 = source.to.y() + height;
-        p.e = source.centre.x();
-        p.f = source.centre.y() + height;
+        p.e = source.center.x();
+        p.f = source.center.y() + height;
         p.r = source.radius;
-        const Vec2 start = (source.from - source.centre).normalized(),
-                   end = (source.to - source.centre).normalized();
+        const Vec2 start = (source.from - source.center).normalized(),
+                   end = (source.to - source.center).normalized();
         p.nr0 = std::max(0.0, start.x());
         p.nz0 = start.y();
         p.nr1 = std::max(0.0, end.x());
@@ -61,7 +61,7 @@ RevolvedBody::RevolvedBody(const CutterProfile& profile, double height) {
         pieces_.back().nr0 = pieces_.back().nr1 = 0;
         pieces_.back().nz0 = pieces_.back().nz1 = 1;
     }
-    if (pieces_.size() > most_pieces)
+    if (pieces_.size() > max_pieces)
         throw Error(ErrorCode::internal, "RevolvedBody", "the profile has too many pieces", "report this");
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         circles_.push_back({pieces_[i].rho0, pieces_[i].z0, unsigned(i == 0 ? 0 : i - 1)});

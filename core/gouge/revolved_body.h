@@ -16,10 +16,10 @@ namespace facetmill {
 class RevolvedBody {
 public:
     /// The body of `profile` raised by `height` along its axis. Throws Error(internal) for more than
-    /// most_pieces.
+    /// max_pieces.
     explicit RevolvedBody(const CutterProfile& profile, double height = 0);
 
-    static constexpr std::size_t most_pieces = 12;
+    static constexpr std::size_t max_pieces = 12;
 
     /// A line or an arc of the chain. Unit normals, outward, (rho, z); those of an arc turn by at most 90
     /// degrees from the one at its start to the one at its end.

@@ -10,10 +10,10 @@ namespace facetmill {
 
 class SharedCut {
 public:
-    static constexpr std::size_t most_nodes = 4;
+    static constexpr std::size_t max_nodes = 4;
 
     /// As far down as the children for which `reached(node, lane)` is true fit into `wanted_nodes` <=
-    /// most_nodes nodes. What is below a child that is not reached must not matter to any of the queries.
+    /// max_nodes nodes. What is below a child that is not reached must not matter to any of the queries.
     template <class Reached>
     void make(const IndexView& index, std::size_t wanted_nodes, Reached&& reached) {
         Children children, finer;
@@ -61,10 +61,10 @@ private:
         const TreeNode* node;
         std::size_t lane;
     };
-    using Children = std::array<Child, most_nodes * block_width>;
+    using Children = std::array<Child, max_nodes * block_width>;
     void fill(const Children& children, std::size_t size);
 
-    std::array<TreeNode, most_nodes> nodes_;
+    std::array<TreeNode, max_nodes> nodes_;
     int count_ = 0;
     bool empty_ = true;
 };

@@ -78,7 +78,7 @@ FACETMILL_LANES void store(const Float16& a, float* p) {
     _mm512_storeu_ps(p, a.v);
 }
 /// The largest of the lanes.
-FACETMILL_LANES float most_of(const Float16& a) {
+FACETMILL_LANES float max_of(const Float16& a) {
     return _mm512_reduce_max_ps(a.v);
 }
 FACETMILL_LANES float lane(const Float16& a, int k) {
@@ -131,7 +131,7 @@ FACETMILL_LANES PlaceFloats from_origin(const double* p, double origin) {
 
 #endif
 
-FACETMILL_LANES float most_of(Float8 v) {
+FACETMILL_LANES float max_of(Float8 v) {
     v = larger(v, __builtin_shuffle(v, Int8{4, 5, 6, 7, 0, 1, 2, 3}));
     v = larger(v, __builtin_shuffle(v, Int8{2, 3, 0, 1, 6, 7, 4, 5}));
     return v[0] > v[1] ? v[0] : v[1];
@@ -143,8 +143,8 @@ FACETMILL_LANES void set_lane(Float8& a, int k, float value) {
     a[k] = value;
 }
 template <class F>
-FACETMILL_LANES float least_of(const F& v) {
-    return -most_of(-v);
+FACETMILL_LANES float min_of(const F& v) {
+    return -max_of(-v);
 }
 
 FACETMILL_LANES Float8 filled(float v, const Float8*) {

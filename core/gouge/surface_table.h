@@ -3,7 +3,7 @@
 
 namespace facetmill {
 
-inline constexpr int most_surface_pieces = 8;
+inline constexpr int max_surface_pieces = 8;
 
 /// A line or an arc of g over rho0 <= rho <= rho1.
 struct SurfacePiece {
@@ -25,8 +25,8 @@ enum class SurfaceShape { any, ball, flat };
 
 struct SurfaceTable {
     SurfaceShape shape = SurfaceShape::any;
-    SurfacePiece piece[most_surface_pieces] = {};
-    RoughPiece rough[most_surface_pieces] = {};
+    SurfacePiece piece[max_surface_pieces] = {};
+    RoughPiece rough[max_surface_pieces] = {};
     int count = 0;
     double max_radius = 0;
     float rim_height = 0; ///< g(max_radius)

@@ -64,7 +64,7 @@ const char* block_cause_name(BlockCause cause) {
 }
 
 struct ToolLift::Group::Cuts {
-    std::array<SharedCut, most_bodies> of_body;
+    std::array<SharedCut, max_bodies> of_body;
 };
 
 ToolLift::Group::Group() : cuts_(new Cuts) {}
@@ -97,9 +97,9 @@ void ToolLift::add(const CutterProfile& profile, double offset, double clearance
     const double lowest = offset - clearance;
     for (const Body& below : bodies_)
         if (grown.max_radius() <= below.surface.max_radius && lowest >= below.rim) return;
-    if (bodies_.size() == most_bodies)
+    if (bodies_.size() == max_bodies)
         throw Error(ErrorCode::out_of_range, "holder", "has too many sections",
-                    "at most " + std::to_string(most_bodies - 2));
+                    "at most " + std::to_string(max_bodies - 2));
     bodies_.push_back(
         {lower_surface(grown), lowest, lowest + grown.height_at(grown.max_radius()), kind, section});
 }
@@ -248,7 +248,7 @@ Vec2 plane_contact(const CutterProfile& cutter, double angle) {
     for (const ProfilePiece& p : cutter.lower_pieces()) {
         if (p.angle_at_start() > angle + tolerance::cutter_angle) break;
         if (p.kind == ProfilePiece::Kind::arc && p.angle_at_end() > angle)
-            at = p.centre + p.radius * Vec2(std::sin(angle), -std::cos(angle));
+            at = p.center + p.radius * Vec2(std::sin(angle), -std::cos(angle));
         else
             at = p.to;
     }

@@ -43,13 +43,13 @@ const char* block_cause_name(BlockCause cause);
 
 class ToolLift {
 public:
-    static constexpr std::size_t most_bodies = 16;
+    static constexpr std::size_t max_bodies = 16;
 
     /// What was touched last, body by body. Poses near to each other that share one are found faster; the
     /// lifts are the same. For one ToolLift and one thread at a time.
     class Hint {
         friend class ToolLift;
-        std::array<std::uint32_t, most_bodies> slot_;
+        std::array<std::uint32_t, max_bodies> slot_;
 
     public:
         Hint() { slot_.fill(0xFFFFFFFFu); }
@@ -69,7 +69,7 @@ public:
 
     /// Bodies whose shadow along the axis lies in that of a body below are left out: they never stop the
     /// tool. Throws Error(out_of_range) for a tool that check_tool refuses, for negative clearances and for
-    /// more than most_bodies bodies.
+    /// more than max_bodies bodies.
     ToolLift(ContactIndexPtr index, const Tool& tool, const ToolClearance& clearance = {});
     /// A cutter alone.
     ToolLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance = 0);

@@ -11,7 +11,7 @@ namespace facetmill {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr int most_steps = 200; // a guard only: steps halve an interval of doubles at worst
+constexpr int max_steps = 200; // a guard only: steps halve an interval of doubles at worst
 
 double leg(double a, double b) {
     return std::sqrt(std::max(0.0, (a - b) * (a + b)));
@@ -56,7 +56,7 @@ bool end_where_positive(double lo, double& hi, double guess, bool trust, bool& m
         }
     }
     // From above Newton's steps never pass the place.
-    for (int i = 0; i < most_steps && at.value > 0; ++i) {
+    for (int i = 0; i < max_steps && at.value > 0; ++i) {
         if (!(at.slope > 0)) return false;
         const double next = s - at.value / at.slope;
         if (next < lo) return false;
@@ -128,7 +128,7 @@ struct Candidates {
         double value, x, y, z;
         unsigned piece;
     };
-    std::array<Point, 4 * RevolvedBody::most_pieces + 2> points;
+    std::array<Point, 4 * RevolvedBody::max_pieces + 2> points;
     std::size_t count = 0;
 
     void add(const Slice& k, double x, double y, double z, unsigned piece) {
@@ -206,7 +206,7 @@ void try_torus(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Can
     double phi = std::asin(std::clamp((k.c - k.m1z * p.f) / (p.r + std::abs(p.e) * k.m1x), -1.0, 1.0));
     Place at{};
     double last_width = infinity;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < max_steps; ++i) {
         at = place(std::cos(phi), std::sin(phi));
         if (at.value == 0) break;
         (at.value < 0 ? lo : hi) = phi;

@@ -155,7 +155,7 @@ private:
         const Vec3 middle = box_middle - frame_.tip;
         const double slack =
             tolerance::bound_slack * (size_ + box_middle.cwiseAbs().maxCoeff() + half.cwiseAbs().maxCoeff());
-        return least_bound(slack, [&](const Bound& b) { return b.m.dot(middle) + b.absolute.dot(half); });
+        return min_bound(slack, [&](const Bound& b) { return b.m.dot(middle) + b.absolute.dot(half); });
     }
     /// The same for a facet by its corners.
     double promise(const Vec3& a, const Vec3& b, const Vec3& c) const {
@@ -163,13 +163,13 @@ private:
         const double slack =
             tolerance::bound_slack
             * (size_ + p.cwiseAbs().maxCoeff() + q.cwiseAbs().maxCoeff() + r.cwiseAbs().maxCoeff());
-        return least_bound(slack, [&](const Bound& bound) {
+        return min_bound(slack, [&](const Bound& bound) {
             return std::max({bound.m.dot(p), bound.m.dot(q), bound.m.dot(r)});
         });
     }
     /// `most(bound)`: the largest m . q there.
     template <class Most>
-    double least_bound(double slack, Most&& most) const {
+    double min_bound(double slack, Most&& most) const {
         double least = infinity;
         for (std::size_t i = 0; i < count_; ++i) {
             const Bound& b = bounds_[i];

@@ -15,12 +15,12 @@ namespace {
 constexpr float steepest = 1e9f;
 
 /// The slope of a facet; false where it is not known well, or nothing is known of how far the facet goes on.
-bool slope_of(const Vec3& a, const Vec3& b, const Vec3& c, double least_height, double& x, double& y) {
+bool slope_of(const Vec3& a, const Vec3& b, const Vec3& c, double min_height, double& x, double& y) {
     const Vec3 u = b - a, v = c - a, n = u.cross(v);
     const double square =
         std::max({u.head<2>().squaredNorm(), v.head<2>().squaredNorm(), (c - b).head<2>().squaredNorm()});
     // Seen along Z, |n.z()| is the longest edge times the height over it.
-    const double least = least_height * least_height * square,
+    const double least = min_height * min_height * square,
                  slim = tolerance::needle * tolerance::needle * square * square;
     if (!(n.z() * n.z() > std::max(least, slim))) return false;
     x = -n.x() / n.z();
@@ -53,12 +53,12 @@ std::vector<SlopeRange> vertex_slopes(const Mesh& mesh, const std::vector<std::u
         size = std::max(size, mesh.vertices[v].cwiseAbs().maxCoeff());
         if (is_open[v]) slopes[v] = SlopeRange::all();
     }
-    const double least_height = tolerance::smallest_facet * size;
+    const double min_height = tolerance::smallest_facet * size;
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
         if (f % 20000 == 0) progress.check();
         SlopeRange range = SlopeRange::all();
         double x, y;
-        if (slope_of(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2), least_height, x, y)) {
+        if (slope_of(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2), min_height, x, y)) {
             const double slack = tolerance::slope_slack * (1 + std::abs(x) + std::abs(y));
             range = {float(x - slack), float(x + slack), float(y - slack), float(y + slack)};
         }

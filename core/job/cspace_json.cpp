@@ -40,12 +40,12 @@ std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& 
                            {"left", triple(frame.left, 1)}};
     json["strip"] = Json{{"low", (point.place.v_lo - point.place.v) / per},
                          {"high", (point.place.v_hi - point.place.v) / per}};
-    json["lambda_deg"] = degrees_of(grid.lambda);
-    json["omega_deg"] = degrees_of(grid.omega);
+    json["lambda_deg"] = degrees_of(grid.lead);
+    json["omega_deg"] = degrees_of(grid.yaw);
     Json bottom = Json::array(), top = Json::array(), blocked = Json::array();
-    for (std::size_t l = 0; l < grid.lambda.size(); ++l) {
+    for (std::size_t l = 0; l < grid.lead.size(); ++l) {
         Json bottom_row = Json::array(), top_row = Json::array(), blocked_row = Json::array();
-        for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+        for (std::size_t o = 0; o < grid.yaw.size(); ++o) {
             const std::size_t n = grid.node(l, o);
             bottom_row.push_back(finite(point.space.bottom[n] / per));
             top_row.push_back(finite(point.space.top[n] / per));
@@ -58,13 +58,13 @@ std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& 
     json["delta_bottom"] = std::move(bottom);
     json["delta_top"] = std::move(top);
     json["blocked"] = std::move(blocked);
-    json["cm2_lead_deg"] = degrees(point.cm2_lambda);
+    json["cm2_lead_deg"] = degrees(point.cm2_lead);
     const auto posture = [&](const ChosenPosture& chosen) {
         if (!chosen.free) return Json{{"free", false}};
         const ToolPose pose = posture_pose(study.field().cutter(), frame, chosen.posture);
         return Json{{"free", true},
-                    {"lambda_deg", degrees(chosen.posture.lambda)},
-                    {"omega_deg", degrees(chosen.posture.omega)},
+                    {"lambda_deg", degrees(chosen.posture.lead)},
+                    {"omega_deg", degrees(chosen.posture.yaw)},
                     {"delta", chosen.posture.delta / per},
                     {"tip", triple(pose.tip, per)},
                     {"axis", triple(pose.axis, 1)}};
@@ -84,10 +84,10 @@ std::string cspace_csv(const FiveAxisStudy& study, const FiveAxisStudy::Point& p
         return std::isfinite(value) ? format_number(value, 9) : std::string();
     };
     std::string csv = "lambda_deg,omega_deg,delta_bottom_" + name + ",delta_top_" + name + ",blocked\n";
-    for (std::size_t l = 0; l < grid.lambda.size(); ++l)
-        for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+    for (std::size_t l = 0; l < grid.lead.size(); ++l)
+        for (std::size_t o = 0; o < grid.yaw.size(); ++o) {
             const std::size_t n = grid.node(l, o);
-            csv += number(degrees(grid.lambda[l])) + ',' + number(degrees(grid.omega[o])) + ','
+            csv += number(degrees(grid.lead[l])) + ',' + number(degrees(grid.yaw[o])) + ','
                    + number(point.space.bottom[n] / per) + ',' + number(point.space.top[n] / per) + ','
                    + posture_block_name(point.space.block[n]) + '\n';
         }

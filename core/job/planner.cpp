@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t vertices_per_block = 20000;
 /// A warning names this many of a machine's findings.
-constexpr std::size_t most_findings_told = 3;
+constexpr std::size_t max_findings_told = 3;
 /// Rest material is looked for at samples, and with rays, so many radii of the tool apart that is to cut it;
 /// an axis that turns is followed to this share of the tolerance.
 constexpr double rest_sample_share = 0.25, rest_ray_share = 0.5, rest_motion_share = 0.2;
@@ -148,10 +148,10 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
     std::string text = "machine '" + printable(machine.name) + "' does not hold "
                        + std::to_string(run.findings) + " of " + std::to_string(run.motions)
                        + " motions as planned: ";
-    for (std::size_t i = 0; i < std::min(run.findings, most_findings_told); ++i)
+    for (std::size_t i = 0; i < std::min(run.findings, max_findings_told); ++i)
         text += (i > 0 ? "; " : "") + finding_text(motion.findings[i], machine, unit);
-    if (run.findings > most_findings_told)
-        text += "; and " + std::to_string(run.findings - most_findings_told) + " more";
+    if (run.findings > max_findings_told)
+        text += "; and " + std::to_string(run.findings - max_findings_told) + " more";
     run.warnings.push_back(std::move(text));
     return run;
 }

@@ -249,11 +249,11 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
         return at.known() ? programs[at.program].name + ", GOTO " + std::to_string(at.motion + 1) : "nowhere";
     };
     if (!v.gouges.empty() || !v.collisions.empty()) {
-        constexpr std::size_t most_listed = 20;
+        constexpr std::size_t max_listed = 20;
         begin_table({"Found", "#Depth, " + unit(), "Where", "Place"});
         for (const DeviationExtreme& e : v.gouges)
             row({"Gouge", number(-e.deviation, 4), where(e.by), point(e.point)});
-        for (std::size_t i = 0; i < std::min(most_listed, v.collisions.size()); ++i) {
+        for (std::size_t i = 0; i < std::min(max_listed, v.collisions.size()); ++i) {
             const Collision& c = v.collisions[i];
             const char* body = c.kind == Collision::Kind::shank    ? "Shank"
                                : c.kind == Collision::Kind::holder ? "Holder"
@@ -262,8 +262,8 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
                  where(c.at), point(c.place)});
         }
         end_wide_table();
-        if (v.collisions.size() > most_listed)
-            text += "<p class=\"quiet\">" + std::to_string(v.collisions.size() - most_listed)
+        if (v.collisions.size() > max_listed)
+            text += "<p class=\"quiet\">" + std::to_string(v.collisions.size() - max_listed)
                     + " more collisions are in verify.json.</p>\n";
     }
     for (const std::string& remark : v.remarks)

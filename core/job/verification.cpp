@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double least_gouge_limit = 1e-4; // mm
+constexpr double min_gouge_limit = 1e-4; // mm
 
 const char* kind_name(Collision::Kind kind) {
     switch (kind) {
@@ -178,7 +178,7 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
         for (const auto& o : plan->operations)
             settings.gouge_limit = std::max(settings.gouge_limit, o->path.chord_tolerance);
     }
-    settings.gouge_limit = std::max(settings.gouge_limit, least_gouge_limit);
+    settings.gouge_limit = std::max(settings.gouge_limit, min_gouge_limit);
     return settings;
 }
 

@@ -9,16 +9,16 @@ namespace facetmill {
 namespace {
 
 /// A link on the surface is halved this often at most before it is given up for a clearance move.
-constexpr int most_divisions = 9;
+constexpr int max_divisions = 9;
 /// ... with those of ways too long or turning too far to be looked at in one piece.
-constexpr int most_depth = 16;
+constexpr int max_depth = 16;
 /// Of the cutter's diameter: a link on the surface is lifted by no more.
-constexpr double most_lift_share = 1.5;
+constexpr double max_lift_share = 1.5;
 /// Of the chord tolerance, as for passes.
 constexpr double chord_share = 0.6;
 /// Where the axis turns by more, a tool goes up between places that are no neighbours: rotary axes take their
 /// time, and near their pole they swing.
-const double most_turn = radians(45);
+const double max_turn = radians(45);
 /// ... and on the way turns by no more than this with a motion.
 const double turn_at_once = radians(5);
 /// A straight piece of a link is no longer than so many steps at which it is looked at.
@@ -40,30 +40,30 @@ public:
     };
     /// Appends what stands between a and b; false where there is no such way.
     bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits,
-                 std::vector<CutterLocation>& way) {
-        return between(a, b, limits, 0, 0, way);
+                 std::vector<CutterLocation>& route) {
+        return between(a, b, limits, 0, 0, route);
     }
 
 private:
     bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits, int divisions,
-                 int depth, std::vector<CutterLocation>& way) {
+                 int depth, std::vector<CutterLocation>& route) {
         progress_.check();
         // Only so far one sees by steps; and machines move their joints evenly, not the axis in one plane.
         const bool far =
             (b.tip - a.tip).norm() > longest_steps * step_ || a.axis.dot(b.axis) < std::cos(limits.turn);
         if (!far && keeps_clear_between(lift_, a, b, step_, chord_, hint_)) return true;
-        if ((!far && divisions == most_divisions) || depth == most_depth) return false;
-        CutterLocation middle = location_on_way(a, b, 0.5);
+        if ((!far && divisions == max_divisions) || depth == max_depth) return false;
+        CutterLocation middle = location_on_route(a, b, 0.5);
         const double lift = lift_.lift({middle.tip, middle.axis}, hint_);
         if (lift > limits.lift) return false;
         if (lift > 0) middle.tip += lift * middle.axis;
         const int deeper = divisions + (far ? 0 : 1);
         std::vector<CutterLocation> second;
-        if (!between(a, middle, limits, deeper, depth + 1, way)
+        if (!between(a, middle, limits, deeper, depth + 1, route)
             || !between(middle, b, limits, deeper, depth + 1, second))
             return false;
-        way.push_back(middle);
-        way.insert(way.end(), second.begin(), second.end());
+        route.push_back(middle);
+        route.insert(route.end(), second.begin(), second.end());
         return true;
     }
 
@@ -115,7 +115,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         return above;
     };
 
-    const double chord = chord_share * options.chord_tolerance, most_lift = most_lift_share * diameter;
+    const double chord = chord_share * options.chord_tolerance, max_lift = max_lift_share * diameter;
     SurfaceLink on_surface(lift, chord, progress);
     // Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact, and
     // the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and goes
@@ -128,31 +128,31 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
     const auto off = [&](const CutterLocation& c) {
         return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
     };
-    const auto turned_over = [&](const Pass& from, const Pass& to, std::vector<CutterLocation>& way) {
+    const auto turned_over = [&](const Pass& from, const Pass& to, std::vector<CutterLocation>& route) {
         if (from.cc.empty() || to.cc.empty()
             || (to.cc.front().point - from.cc.back().point).norm() > options.link_distance)
             return false;
         const CutterLocation up = off(from.cl.back()), down = off(to.cl.front());
-        way.assign(1, up);
-        if (!over_surface.between(up, down, {most_lift}, way)) return false;
-        way.push_back(down);
+        route.assign(1, up);
+        if (!over_surface.between(up, down, {max_lift}, route)) return false;
+        route.push_back(down);
         return true;
     };
     // Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
     // stands there of the stock it cuts as passes do.
     const auto over = [&](const CutterLocation& from, const CutterLocation& to,
-                          std::vector<CutterLocation>& way) {
+                          std::vector<CutterLocation>& route) {
         const double detour =
             (at_clearance(from).tip - from.tip).norm() + (at_clearance(to).tip - to.tip).norm();
-        if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(most_turn))
+        if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(max_turn))
             return false;
         const CutterLocation up = off(from), down = off(to);
-        way.assign(1, up);
-        if (!over_surface.between(up, down, {0.5 * detour, turn_at_once}, way)) return false;
-        way.push_back(down);
+        route.assign(1, up);
+        if (!over_surface.between(up, down, {0.5 * detour, turn_at_once}, route)) return false;
+        route.push_back(down);
         double length = 0;
         const CutterLocation* at = &from;
-        for (const CutterLocation& c : way) {
+        for (const CutterLocation& c : route) {
             length += (c.tip - at->tip).norm();
             at = &c;
         }
@@ -167,15 +167,15 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
         bool linked = false;
-        std::vector<CutterLocation> way;
+        std::vector<CutterLocation> route;
         if (last && (start.tip - last->tip).norm() <= options.link_distance) {
-            linked = on_surface.between(*last, start, {most_lift}, way);
+            linked = on_surface.between(*last, start, {max_lift}, route);
         } else if (last) {
-            linked = turned_over(*last_pass, pass, way);
+            linked = turned_over(*last_pass, pass, route);
         }
-        if (last && !linked) linked = over(*last, start, way);
+        if (last && !linked) linked = over(*last, start, route);
         if (linked) {
-            for (const CutterLocation& c : way)
+            for (const CutterLocation& c : route)
                 result.motions.push_back({MotionKind::link, c, no_index, no_index});
             result.motions.push_back({MotionKind::link, start, pass_index, 0});
         }

@@ -14,7 +14,7 @@ namespace {
 /// In diameters of the cutter: passes whose ends are nearer are joined at feed where the way is free.
 constexpr double feed_link = 2;
 /// In radii: pieces of which it is asked whether they cut. Of the diameter: what counts as cutting.
-constexpr double air_piece = 0.5, least_share = 2e-3;
+constexpr double air_piece = 0.5, min_share = 2e-3;
 
 class Linker {
 public:
@@ -110,10 +110,10 @@ private:
 
     void rapid(const Vec3& to) { put(MotionKind::rapid, to); }
     void feed(MotionKind kind, const Vec3& to) {
-        const Vec3 way = to - at_;
-        const double n = std::max(1.0, std::ceil(way.norm() / (air_piece * profile_.max_radius())));
+        const Vec3 route = to - at_;
+        const double n = std::max(1.0, std::ceil(route.norm() / (air_piece * profile_.max_radius())));
         for (double k = 0; k < n; ++k) {
-            const Vec3 a = at_ + (k / n) * way, b = at_ + ((k + 1) / n) * way;
+            const Vec3 a = at_ + (k / n) * route, b = at_ + ((k + 1) / n) * route;
             if (!field_.has_work(cutter_, a, b, least())) result_.air_length += (b - a).norm();
             field_.cut(cutter_, a, b);
         }
@@ -123,7 +123,7 @@ private:
         result_.motions.push_back({kind, {to, Vec3(0, 0, 1)}, no_index, no_index});
         at_ = to;
     }
-    double least() const { return least_share * 2 * profile_.max_radius(); }
+    double least() const { return min_share * 2 * profile_.max_radius(); }
 
     const StrategyResult& path_;
     LinkOptions options_;

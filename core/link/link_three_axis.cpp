@@ -13,21 +13,21 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
                                        const Progress& progress) {
     const Vec2 a = from.tip.head<2>(), b = to.tip.head<2>();
     const double length = (b - a).norm();
-    std::vector<CutterLocation> way;
+    std::vector<CutterLocation> route;
     if (length > 0) {
         const LiftField field{&lift, std::min(from.tip.z(), to.tip.z())};
         const Vec2 direction = (b - a) / length;
         const auto line = thinned(lift_line(field, a, direction, 0, length, tolerance, progress),
                                   tolerance.below, tolerance.above);
         for (const LinePoint& p : line)
-            way.push_back({Vec3(a.x() + p.s * direction.x(), a.y() + p.s * direction.y(), p.z), from.axis});
+            route.push_back({Vec3(a.x() + p.s * direction.x(), a.y() + p.s * direction.y(), p.z), from.axis});
         // The first point is over `from`: an upright move where the pass ended below it, nothing where they
         // agree.
-        if (way.front().tip.z() <= from.tip.z()) way.erase(way.begin());
-        if (!way.empty() && way.back().tip.z() <= to.tip.z()) way.pop_back();
+        if (route.front().tip.z() <= from.tip.z()) route.erase(route.begin());
+        if (!route.empty() && route.back().tip.z() <= to.tip.z()) route.pop_back();
     }
-    way.push_back(to);
-    return way;
+    route.push_back(to);
+    return route;
 }
 
 } // namespace

@@ -57,7 +57,7 @@ struct PlyElement {
         return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list; });
     }
     /// Bytes of one in a binary file, with empty lists; at least, in a text.
-    std::size_t least_size(bool ascii) const {
+    std::size_t min_size(bool ascii) const {
         std::size_t size = 0;
         for (const PlyProperty& p : properties)
             size += ascii ? 2 : type_size(p.list ? p.count_type : p.type);
@@ -240,7 +240,7 @@ private:
     void check_count(const PlyElement& element) const {
         const std::uint64_t left =
             source_.bytes.size() - cursor_.position + 1; // the last number may end the file
-        const std::size_t each = element.least_size(encoding_ == PlyEncoding::ascii);
+        const std::size_t each = element.min_size(encoding_ == PlyEncoding::ascii);
         if (each > 0 && element.count > left / each)
             fail(ErrorCode::truncated, element.offset,
                  "the header announces " + std::to_string(element.count) + " of '"
@@ -361,7 +361,7 @@ private:
         if (element.properties.empty()) return; // nothing is stored, however many there are
         if (encoding_ != PlyEncoding::ascii && !is_vertex && !is_face && !element.has_list()) {
             const std::uint64_t bytes =
-                element.count * element.least_size(false); // checked before not to overflow
+                element.count * element.min_size(false); // checked before not to overflow
             if (bytes > source_.bytes.size() - cursor_.position)
                 fail_truncated(place(element, 0), "the file ends in these elements");
             cursor_.position += std::size_t(bytes);

@@ -7,7 +7,7 @@ namespace {
 
 /// Looking for ears takes up to the cube of the corners in time; larger polygons are cut as fans, folded or
 /// not.
-constexpr std::size_t most_ear_corners = 256;
+constexpr std::size_t max_ear_corners = 256;
 
 Vec3 polygon_normal(const std::vector<Vec3>& points, const Index* corners, std::size_t count) {
     const Vec3& base = points[corners[0]];
@@ -63,7 +63,7 @@ bool triangulate_polygon(const std::vector<Vec3>& points, const Index* corners, 
     for (std::size_t i = 1; i + 1 < count && !folds && !normal.isZero(0.0); ++i)
         folds = (points[corners[i]] - base).cross(points[corners[i + 1]] - base).dot(normal) <= 0.0;
     const std::size_t before = facets.size();
-    if (folds && count <= most_ear_corners) {
+    if (folds && count <= max_ear_corners) {
         if (cut_ears(points, corners, count, normal, facets)) return true;
         facets.resize(before);
     }

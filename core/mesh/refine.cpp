@@ -88,7 +88,7 @@ void split(const Mesh& mesh, const Facet& f, const std::array<Index, 3>& m, std:
 } // namespace
 
 DerivedMesh refined(const Mesh& mesh, const std::function<bool(const std::array<Vec3, 3>&)>& wanted,
-                    double longest, std::size_t most_facets, const Progress& progress) {
+                    double longest, std::size_t max_facets, const Progress& progress) {
     DerivedMesh d = copy_of(mesh);
     const double square = longest * longest;
     std::vector<Facet> facets;
@@ -117,9 +117,9 @@ DerivedMesh refined(const Mesh& mesh, const std::function<bool(const std::array<
             facet_of.resize(facets.size(), d.facet_of[f]);
         }
         if (facets.size() == d.mesh.facets.size()) return d;
-        if (facets.size() > most_facets)
+        if (facets.size() > max_facets)
             throw Error(ErrorCode::limit_exceeded, "part",
-                        "its regions ask for more than " + std::to_string(most_facets) + " facets",
+                        "its regions ask for more than " + std::to_string(max_facets) + " facets",
                         "check the part's units, or take larger tools");
         d.mesh.facets.swap(facets);
         d.facet_of.swap(facet_of);

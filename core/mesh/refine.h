@@ -30,10 +30,10 @@ struct DerivedMesh {
 
 /// Halves edges longer than `longest` (> 0) of the facets that are `wanted` (asked with their three corners)
 /// until there are none; facets beside them are divided along. Facets that are not wanted and have no such
-/// neighbour stay as they are, in their order. Throws Error(limit_exceeded) beyond `most_facets`, Cancelled
+/// neighbour stay as they are, in their order. Throws Error(limit_exceeded) beyond `max_facets`, Cancelled
 /// within 20 000 facets.
 DerivedMesh refined(const Mesh& mesh, const std::function<bool(const std::array<Vec3, 3>&)>& wanted,
-                    double longest, std::size_t most_facets, const Progress& progress);
+                    double longest, std::size_t max_facets, const Progress& progress);
 
 /// The facets divided along value = 0, taken as linear over each facet. `value` has one number per vertex,
 /// none of them 0. `inside[f]` of the result: value < 0 over facet f. Throws Error(internal) for a wrong

@@ -18,7 +18,7 @@ struct Triangle {
     std::array<Index, 3> corner{};
     std::array<Vec2, 3>
         at; ///< parameters of the corners; of the corner and not the vertex, since a seam has two
-    std::array<Index, 3> neighbour{no_index, no_index, no_index};
+    std::array<Index, 3> neighbor{no_index, no_index, no_index};
     bool judged = false;
 };
 
@@ -110,11 +110,11 @@ private:
                     add(1, 2, 3);
                 }
             }
-        join_neighbours();
+        join_neighbors();
         changed_.assign(triangles_.size(), false);
     }
 
-    void join_neighbours() {
+    void join_neighbors() {
         struct Side {
             Index lo, hi, triangle;
             int edge;
@@ -132,8 +132,8 @@ private:
         for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
             const Side &x = sides[i], &y = sides[i + 1];
             if (x.lo != y.lo || x.hi != y.hi) continue;
-            triangles_[x.triangle].neighbour[std::size_t(x.edge)] = y.triangle;
-            triangles_[y.triangle].neighbour[std::size_t(y.edge)] = x.triangle;
+            triangles_[x.triangle].neighbor[std::size_t(x.edge)] = y.triangle;
+            triangles_[y.triangle].neighbor[std::size_t(y.edge)] = x.triangle;
         }
     }
 
@@ -170,7 +170,7 @@ private:
 
     static int edge_to(const Triangle& t, Index other) {
         for (int k = 0; k < 3; ++k)
-            if (t.neighbour[std::size_t(k)] == other) return k;
+            if (t.neighbor[std::size_t(k)] == other) return k;
         return -1;
     }
 
@@ -181,7 +181,7 @@ private:
         while (!path.empty()) {
             const Index last = path.back();
             const int edge = longest_edge(triangles_[last]);
-            const Index other = triangles_[last].neighbour[std::size_t(edge)];
+            const Index other = triangles_[last].neighbor[std::size_t(edge)];
             if (other != no_index) {
                 const int across = edge_to(triangles_[other], last);
                 if (longest_edge(triangles_[other]) != across) {
@@ -227,26 +227,26 @@ private:
         Triangle keep, added;
         keep.corner = {old.corner[i], m, old.corner[k]};
         keep.at = {old.at[i], pm, old.at[k]};
-        keep.neighbour = {no_index, fresh, old.neighbour[k]};
+        keep.neighbor = {no_index, fresh, old.neighbor[k]};
         added.corner = {m, old.corner[j], old.corner[k]};
         added.at = {pm, old.at[j], old.at[k]};
-        added.neighbour = {no_index, old.neighbour[j], index};
+        added.neighbor = {no_index, old.neighbor[j], index};
         triangles_[index] = keep;
         triangles_.push_back(added);
         changed_[index] = true;
         changed_.push_back(true);
-        if (old.neighbour[j] != no_index) {
-            Triangle& n = triangles_[old.neighbour[j]];
-            n.neighbour[std::size_t(edge_to(n, index))] = fresh;
+        if (old.neighbor[j] != no_index) {
+            Triangle& n = triangles_[old.neighbor[j]];
+            n.neighbor[std::size_t(edge_to(n, index))] = fresh;
         }
         return fresh;
     }
 
-    void link(Index t, Index p, Index q, Index neighbour) {
+    void link(Index t, Index p, Index q, Index neighbor) {
         Triangle& tri = triangles_[t];
         for (std::size_t k = 0; k < 3; ++k) {
             const Index x = tri.corner[k], y = tri.corner[(k + 1) % 3];
-            if ((x == p && y == q) || (x == q && y == p)) tri.neighbour[k] = neighbour;
+            if ((x == p && y == q) || (x == q && y == p)) tri.neighbor[k] = neighbor;
         }
     }
 

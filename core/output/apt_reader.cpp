@@ -16,8 +16,8 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t lines_per_check = 4096;
-constexpr std::size_t most_ignored = 1000;
-constexpr std::size_t most_fields = 16;
+constexpr std::size_t max_ignored = 1000;
+constexpr std::size_t max_fields = 16;
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -237,7 +237,7 @@ void Reader::split(std::string_view arguments) {
     if (arguments.empty()) return;
     for (;;) {
         const std::size_t comma = arguments.find(',');
-        if (fields_.size() == most_fields) syntax("the statement has too many values", "check the file");
+        if (fields_.size() == max_fields) syntax("the statement has too many values", "check the file");
         fields_.push_back(trimmed(arguments.substr(0, comma)));
         if (comma == std::string_view::npos) return;
         arguments.remove_prefix(comma + 1);
@@ -274,7 +274,7 @@ Vec3 Reader::axis_fields(std::size_t first, const std::string& word) const {
 }
 
 void Reader::ignore(const std::string& word) {
-    if (ignored_.size() >= most_ignored || !ignored_.emplace(word, true).second) return;
+    if (ignored_.size() >= max_ignored || !ignored_.emplace(word, true).second) return;
     result_.ignored.push_back(word + " (line " + std::to_string(statement_line_) + ")");
 }
 

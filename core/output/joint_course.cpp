@@ -15,14 +15,14 @@ constexpr std::size_t check_every = 512;
 /// Motions that are decided together.
 constexpr std::size_t block_size = 16384;
 /// Of one motion: both solutions, a few turns apart.
-constexpr std::size_t most_stops = 12;
+constexpr std::size_t max_stops = 12;
 /// Of the joint time: a little, so that of courses that take as long the calmer one is found.
 constexpr double calm_share = 1e-3;
 /// What a swing costs, s: more than any program takes without.
 constexpr double swing_seconds = 1e9;
 
 /// Rotary axes are looked at every so far; and no more than this, whatever the machine turns.
-constexpr double look_every = pi / 8, most_turned = 100 * pi;
+constexpr double look_every = pi / 8, max_turned = 100 * pi;
 
 struct Stop {
     Joints at;
@@ -100,10 +100,10 @@ private:
                 else
                     relax(i, s);
             drop_turns(here);
-            if (here.size() > most_stops) {
+            if (here.size() > max_stops) {
                 std::stable_sort(here.begin(), here.end(),
                                  [](const Stop& a, const Stop& b) { return a.cost < b.cost; });
-                here.resize(most_stops);
+                here.resize(max_stops);
             }
         }
         layers_.push_back(here);
@@ -138,14 +138,14 @@ private:
     void relax(std::size_t i, Stop& to) const {
         const bool rapid = motions_[i].kind == MotionKind::rapid;
         const double feed = rapid ? 0.0 : feed_time(program_, motions_[i].to.tip - motions_[i - 1].to.tip);
-        std::array<std::pair<double, std::uint32_t>, most_stops> ways;
+        std::array<std::pair<double, std::uint32_t>, max_stops> routes;
         for (std::size_t k = 0; k < last_.size(); ++k) {
             const double joints = kinematics_.time(last_[k].at, to.at);
-            ways[k] = {last_[k].cost + std::max(feed, joints) + calm_share * joints, std::uint32_t(k)};
+            routes[k] = {last_[k].cost + std::max(feed, joints) + calm_share * joints, std::uint32_t(k)};
         }
-        std::sort(ways.begin(), ways.begin() + long(last_.size()));
+        std::sort(routes.begin(), routes.begin() + long(last_.size()));
         for (std::size_t k = 0; k < last_.size(); ++k) {
-            const auto& [seconds, from] = ways[k];
+            const auto& [seconds, from] = routes[k];
             const double cost = seconds + (rapid || !swings(i, last_[from].at, to.at) ? 0.0 : swing_seconds);
             if (cost < to.cost) {
                 to.cost = cost;
@@ -207,7 +207,7 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
     for (std::size_t r = 0; r < 2; ++r)
         turned += std::abs(to.rotary[r] - from.rotary[r]);
     // Half-way is where axes stray most, but after whole turns they are back in the middle there.
-    const int pieces = 2 * int(std::ceil(std::min(turned, most_turned) / (2 * look_every)) + 1);
+    const int pieces = 2 * int(std::ceil(std::min(turned, max_turned) / (2 * look_every)) + 1);
     const double middle = 0.5 * angle(axis_from, axis_to);
     double most = 0;
     for (int k = 1; k < pieces && most - middle <= enough; ++k) {

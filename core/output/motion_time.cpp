@@ -21,7 +21,7 @@ Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionT
     return box.empty() ? machine.table : default_part_origin(machine, box);
 }
 
-int turns_most(const Kinematics& kinematics, const Joints& from, const Joints& to) {
+int turns_max(const Kinematics& kinematics, const Joints& from, const Joints& to) {
     const bool second = kinematics.rotary_axes() == 2
                         && std::abs(to.rotary[1] - from.rotary[1]) > std::abs(to.rotary[0] - from.rotary[0]);
     return second ? 4 : 3;
@@ -46,7 +46,7 @@ MachineMotion follow(const ClProgram& program, const Kinematics& kinematics, con
                 swing_between(kinematics, from, m.at, motions[i - 1].to.axis, motions[i].to.axis);
             if (swing > options.largest_swing)
                 result.findings.push_back(
-                    {MotionFinding::Kind::swing, i, turns_most(kinematics, from, m.at), swing});
+                    {MotionFinding::Kind::swing, i, turns_max(kinematics, from, m.at), swing});
         } else {
             const auto reach = kinematics.reach({motions[i].to.tip, motions[i].to.axis});
             const auto kind = reach.limit == Limit::rotary_travel   ? MotionFinding::Kind::rotary_travel
@@ -112,12 +112,12 @@ void add_accelerations(MachineMotion& result, const Machine& machine) {
 }
 
 void add_quality(MachineMotion& result, const ClProgram& program, const Machine& machine) {
-    std::array<int, 5> way{};
+    std::array<int, 5> route{};
     for (std::size_t i = 1; i < result.motions.size(); ++i) {
         const MotionJoints& m = result.motions[i];
         result.time_seconds += m.seconds;
         if (program.motions.motions[i].kind == MotionKind::rapid) {
-            way = {};
+            route = {};
             continue;
         }
         for (int k = 0; k < machine.joints(); ++k) {
@@ -129,8 +129,8 @@ void add_quality(MachineMotion& result, const ClProgram& program, const Machine&
             }
             if (std::abs(step) <= (k < 3 ? tolerance::smallest_chord : tolerance::level_angle)) continue;
             const int now = step > 0 ? 1 : -1;
-            result.reversals[j] += way[j] == -now;
-            way[j] = now;
+            result.reversals[j] += route[j] == -now;
+            route[j] = now;
         }
     }
 }

@@ -11,12 +11,12 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t probes_per_block = 256;
-constexpr std::size_t most_extremes = 10;
+constexpr std::size_t max_extremes = 10;
 constexpr int band_count = 6;
 
 /// Places of points in the order of a curve that fills space (Morton's), so that neighbours come one after
 /// the other.
-std::vector<std::uint32_t> neighbours_together(const std::vector<Vec3>& points, const Progress& progress) {
+std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, const Progress& progress) {
     constexpr int bits = 21;
     Box3 box;
     for (const Vec3& p : points)
@@ -95,7 +95,7 @@ Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
         bodies.push_back(ProgramProbes::of(program, bound, progress));
     const StockExit exit_of(stock, progress);
     const std::size_t n = samples.points.size();
-    const std::vector<std::uint32_t> order = neighbours_together(samples.points, progress);
+    const std::vector<std::uint32_t> order = neighbors_together(samples.points, progress);
     const double collision_limit = std::max(gouge_limit, tolerance::collision_depth);
 
     Probed probed;
@@ -207,7 +207,7 @@ std::vector<DeviationExtreme> extremes(const std::vector<std::size_t>& candidate
         });
         if (near) continue;
         chosen.push_back({p, samples.normals[i], probed.deviation[i], probed.by[i]});
-        if (chosen.size() == most_extremes) break;
+        if (chosen.size() == max_extremes) break;
     }
     return chosen;
 }

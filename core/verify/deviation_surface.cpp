@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t facets_per_block = 8192, samples_per_block = 2048;
 constexpr double crease_degrees = 15, curved_degrees = 5, axis_degrees = 2;
-constexpr std::size_t most_axes = 512;
+constexpr std::size_t max_axes = 512;
 
 /// A facet in rows of points: a grid parallel to its edges, or, of a sliver, across its longest edge. A row
 /// of no pieces is a point.
@@ -233,9 +233,9 @@ public:
             const double have = e.above(point), least = std::min(e.least, 0.25 * radius_);
             if (have < least) share = std::max(share, (least - have) / (radius_ - have));
         }
-        const Vec3 way = share * (middle_ - point);
+        const Vec3 route = share * (middle_ - point);
         const double most = 16 * inset_;
-        return way.norm() > most ? Vec3(point + most / way.norm() * way) : Vec3(point + way);
+        return route.norm() > most ? Vec3(point + most / route.norm() * route) : Vec3(point + route);
     }
 
 private:
@@ -343,7 +343,7 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
         for (const Vec3& a : axes)
             if (a == axis || a.dot(axis) > near) return;
         axes.push_back(axis);
-        if (axes.size() <= most_axes) return;
+        if (axes.size() <= max_axes) return;
         merged *= 2;
         std::vector<Vec3> all;
         all.swap(axes);
@@ -373,10 +373,10 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
 namespace {
 
 double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 way = b - a;
-    const double square = way.squaredNorm();
-    const double t = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-    return (p - a - t * way).norm();
+    const Vec3 route = b - a;
+    const double square = route.squaredNorm();
+    const double t = square > 0 ? std::clamp((p - a).dot(route) / square, 0.0, 1.0) : 0.0;
+    return (p - a - t * route).norm();
 }
 
 } // namespace

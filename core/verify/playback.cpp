@@ -104,9 +104,9 @@ void StockPlayback::forward(double position, const Progress& progress) {
             end = std::size_t(std::ceil(position));
             until = position - double(end - 1);
         }
-        const double reached = std::min(double(end), position), way = position - start;
+        const double reached = std::min(double(end), position), route = position - start;
         s.removal.cut(s.stock, at.program, at.motion, end - before, until, false,
-                      progress.part((s.position - start) / way, (reached - start) / way));
+                      progress.part((s.position - start) / route, (reached - start) / route));
         s.position = reached;
         if (s.position == double(end) && end % s.keep_every == 0) s.kept.try_emplace(end, s.stock);
     }

@@ -26,7 +26,7 @@ BodySupport::BodySupport(const CutterProfile& cutter) {
         const double start = std::max(angle, p.angle_at_start());
         add(p.from, 0, angle, start);
         angle = std::max(start, p.angle_at_end());
-        if (p.kind == ProfilePiece::Kind::arc) add(p.centre, p.radius, start, angle);
+        if (p.kind == ProfilePiece::Kind::arc) add(p.center, p.radius, start, angle);
     }
     add(cutter.pieces().back().to, 0, angle, pi);
     finish(cutter.max_radius(), 0, cutter.height());
@@ -39,9 +39,9 @@ BodySupport::BodySupport(const ToolSection& section) {
     finish(section.radius, section.from, section.to);
 }
 
-void BodySupport::add(const Vec2& centre, double r, double from, double to) {
+void BodySupport::add(const Vec2& center, double r, double from, double to) {
     const auto at = [](double angle) { return Vec2(std::sin(angle), -std::cos(angle)); };
-    features_.push_back({centre, at(from), at(to), r});
+    features_.push_back({center, at(from), at(to), r});
 }
 
 void BodySupport::finish(double radius, double bottom, double top) {
@@ -58,7 +58,7 @@ BodySupport::Plane BodySupport::nearest(const Vec3& point, const Vec3& axis) con
     double most = -infinity;
     Vec2 normal(0, -1);
     for (const Feature& f : features_) {
-        const Vec2 d(rho - f.centre.x(), z - f.centre.y());
+        const Vec2 d(rho - f.center.x(), z - f.center.y());
         double distance;
         Vec2 u;
         if (cross(f.first, d) > 0 && cross(d, f.last) > 0) {
@@ -196,7 +196,7 @@ struct MotionProbes::Line {
     double place(const Vec3& x) const { return std::clamp(n.dot(x - p), near, far); }
     Vec3 at(double t) const { return p + t * n; }
     /// The most that a plane, `inside` at t, has of the part behind it.
-    double most_inside(const BodySupport::Plane& plane, double t) const {
+    double max_inside(const BodySupport::Plane& plane, double t) const {
         const double slope = plane.normal.dot(n);
         return plane.inside - std::min(slope * (near - t), slope * (far - t));
     }
@@ -220,7 +220,7 @@ double MotionProbes::reaches(const MotionTree::Node& node, const Line& line) con
     const Vec3 x = line.at(t);
     const Vec3 tip = (x - up).cwiseMax(node.lo).cwiseMin(node.hi);
     const BodySupport::Plane plane = support_.nearest(x - tip, node.axis);
-    double most = line.most_inside(plane, t);
+    double most = line.max_inside(plane, t);
     for (int k = 0; k < 3; ++k)
         most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
     if (node.cone > 0) {
@@ -237,7 +237,7 @@ BodySupport::Plane MotionProbes::between(const CutterLocation& pose, const Line&
     const auto at = [&](double place) { return support_.nearest(line.at(place) - pose.tip, pose.axis); };
     t = line.place(pose.tip + support_.middle() * pose.axis);
     BodySupport::Plane plane = at(t);
-    const auto done = [&] { return plane.inside >= 0 || line.most_inside(plane, t) <= 0; };
+    const auto done = [&] { return plane.inside >= 0 || line.max_inside(plane, t) <= 0; };
     if (done()) return plane;
     // The distance is convex along the line, its slope that of the plane: to where that is 0, by false
     // position.
@@ -270,14 +270,14 @@ BodySupport::Plane MotionProbes::between(const CutterLocation& pose, const Line&
 
 double MotionProbes::reaches_straight(Index motion, const Line& line) const {
     const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
-    const Vec3 up = support_.middle() * b.axis, way = b.tip - a.tip;
+    const Vec3 up = support_.middle() * b.axis, route = b.tip - a.tip;
     const double t = line.place(0.5 * (a.tip + b.tip) + up);
     const Vec3 x = line.at(t);
-    const double square = way.squaredNorm();
-    const double s = square > 0 ? std::clamp((x - up - a.tip).dot(way) / square, 0.0, 1.0) : 0.0;
-    const BodySupport::Plane plane = support_.nearest(x - a.tip - s * way, b.axis);
-    const double along = plane.normal.dot(way);
-    return line.most_inside(plane, t) + std::max(-s * along, (1 - s) * along);
+    const double square = route.squaredNorm();
+    const double s = square > 0 ? std::clamp((x - up - a.tip).dot(route) / square, 0.0, 1.0) : 0.0;
+    const BodySupport::Plane plane = support_.nearest(x - a.tip - s * route, b.axis);
+    const double along = plane.normal.dot(route);
+    return line.max_inside(plane, t) + std::max(-s * along, (1 - s) * along);
 }
 
 namespace {
@@ -318,31 +318,32 @@ bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const
 
         // Pose at share 1/2 + sigma: tip moved by sigma `way`, turned by 2 sigma `half` about `about`; both
         // to within an error of second order, which is measured at the middle.
-        const Vec3 way = part.last.tip - part.first.tip, sum = part.first.axis + part.last.axis;
+        const Vec3 route = part.last.tip - part.first.tip, sum = part.first.axis + part.last.axis;
         const Vec3 turn = part.first.axis.cross(part.last.axis);
         const double sine = turn.norm();
         const double half = 0.5 * std::atan2(sine, part.first.axis.dot(part.last.axis));
         const double bulge = 1.1 * (middle.tip - 0.5 * (part.first.tip + part.last.tip)).norm();
-        const double lever = (middle.tip - x).norm() + 0.5 * way.norm() + bulge + (line.far - line.near);
+        const double lever = (middle.tip - x).norm() + 0.5 * route.norm() + bulge + (line.far - line.near);
         const bool small = half < 0.4;
         const double wobble = small ? 1.1 * (middle.axis - sum.normalized()).norm() : pi;
-        const double size = 0.5 * way.norm() + bulge + (half + wobble) * lever;
+        const double size = 0.5 * route.norm() + bulge + (half + wobble) * lever;
 
         if (small) {
             const Vec3 about = sine > 0 ? Vec3(turn / sine) : Vec3(Vec3::Zero());
             const Vec3 side = half * about.cross(plane.normal);
-            const double tip = 0.5 * plane.normal.dot(way), slope = plane.normal.dot(line.n);
-            const double rest = 0.5 * half * half * lever + 0.5 * half * way.norm() + bulge + wobble * lever;
+            const double tip = 0.5 * plane.normal.dot(route), slope = plane.normal.dot(line.n);
+            const double rest =
+                0.5 * half * half * lever + 0.5 * half * route.norm() + bulge + wobble * lever;
             double most = -infinity;
             for (double end : {line.near, line.far})
                 most = std::max(most, plane.inside - slope * (end - t)
                                           + std::abs(tip + side.dot(middle.tip - line.at(end))));
             if (!(most + rest > 0)) continue;
         } else if ((x - middle.tip).norm() - (line.far - line.near)
-                   > support_.reach() + 0.5 * way.norm() + bulge) {
+                   > support_.reach() + 0.5 * route.norm() + bulge) {
             continue;
         }
-        if (line.most_inside(plane, t) > 0) {
+        if (line.max_inside(plane, t) > 0) {
             const Mat3 frame = to_tool_frame(middle.axis);
             if (accept(body_.along(frame * (line.p - middle.tip), frame * line.n), motion, slack_, probe)) {
                 line.set(probe.value, slack_);

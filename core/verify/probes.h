@@ -35,10 +35,10 @@ public:
 
 private:
     struct Feature { // outward normals `first` to `last`, (rho, z), round a point
-        Vec2 centre, first, last;
+        Vec2 center, first, last;
         double r;
     };
-    void add(const Vec2& centre, double r, double from, double to);
+    void add(const Vec2& center, double r, double from, double to);
     void finish(double radius, double bottom, double top);
     std::vector<Feature> features_;
     double middle_ = 0, reach_ = 0;

@@ -90,8 +90,8 @@ struct MaterialRemoval::Touch {
 };
 
 MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
-                                 std::size_t most_bytes)
-    : programs_(programs), motion_bound_(motion_bound), touch_(touch), most_bytes_(most_bytes) {
+                                 std::size_t max_bytes)
+    : programs_(programs), motion_bound_(motion_bound), touch_(touch), max_bytes_(max_bytes) {
     for (const VerifyProgram& program : programs) {
         TurnedBody cutter(program.tool.cutter);
         const double reach = cutter.reach();
@@ -159,12 +159,12 @@ std::size_t MaterialRemoval::bytes_needed(const StockModel& stock, const Progres
                            bodies_[n].reach, motion_bound_, moves);
             for (const StraightMove& whole : moves) {
                 // The box of a long move across the lattice holds much that the tool does not reach.
-                const Vec3 way = whole.to - whole.from;
+                const Vec3 route = whole.to - whole.from;
                 const auto parts = std::size_t(
-                    std::clamp(std::ceil(way.cwiseAbs().cwiseQuotient(size).maxCoeff()), 1.0, 4096.0));
+                    std::clamp(std::ceil(route.cwiseAbs().cwiseQuotient(size).maxCoeff()), 1.0, 4096.0));
                 for (std::size_t p = 0; p < parts; ++p) {
-                    const StraightMove part{whole.from + double(p) / double(parts) * way,
-                                            whole.from + double(p + 1) / double(parts) * way, whole.axis};
+                    const StraightMove part{whole.from + double(p) / double(parts) * route,
+                                            whole.from + double(p + 1) / double(parts) * route, whole.axis};
                     const Box3 box = part.box(bodies_[n].cutter);
                     if (apart(box, stock.solid().box)) continue;
                     for (int axis = 0; axis < 3; ++axis) {
@@ -356,9 +356,9 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
     });
     for (const std::ptrdiff_t bytes : grown)
         grown_ += bytes;
-    if (grown_ > 0 && std::size_t(grown_) > most_bytes_)
+    if (grown_ > 0 && std::size_t(grown_) > max_bytes_)
         throw Error(ErrorCode::limit_exceeded, "resolution",
-                    "the stock has more than " + format_number(double(most_bytes_) / 1e9, 3)
+                    "the stock has more than " + format_number(double(max_bytes_) / 1e9, 3)
                         + " GB of rays in "
                         + goto_name(programs_[items.front().program], items.front().motion),
                     "use a coarser resolution");

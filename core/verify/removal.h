@@ -37,9 +37,9 @@ public:
     /// tool's true place. Bodies that must not touch are made smaller by `touch` (and by the bound where the
     /// axis turns), so that sliding along what the same tool has just cut is no collision. The programs must
     /// outlive this.
-    /// `most_bytes`: see `cut`.
+    /// `max_bytes`: see `cut`.
     MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
-                    std::size_t most_bytes = std::size_t(-1));
+                    std::size_t max_bytes = std::size_t(-1));
     ~MaterialRemoval();
 
     /// Memory that the rays of a stock will have when all motions that cut are done, from the tiles that
@@ -49,7 +49,7 @@ public:
 
     /// Motions [first, last) of a program; the last one only up to the share `until`. Cancellation within 20
     /// ms; a cancelled call leaves the stock partly cut. With `watch` the collisions are kept for
-    /// `collisions`. Throws Error(limit_exceeded) as soon as the rays have grown by more than `most_bytes`.
+    /// `collisions`. Throws Error(limit_exceeded) as soon as the rays have grown by more than `max_bytes`.
     void cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last, double until,
              bool watch, const Progress& progress);
     /// So far: the deepest of each motion and kind, in the order of motions.
@@ -63,7 +63,7 @@ private:
 
     std::span<const VerifyProgram> programs_;
     double motion_bound_, touch_;
-    std::size_t most_bytes_;
+    std::size_t max_bytes_;
     std::ptrdiff_t grown_ = 0;   ///< bytes of the rays cut so far
     std::vector<Bodies> bodies_; ///< per program
     std::vector<Touch> touches_;

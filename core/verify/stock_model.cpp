@@ -113,7 +113,7 @@ std::size_t StockLattice::rays() const {
 
 namespace {
 /// Even where hardly any of them are cut, so many tiles are enough to look after.
-constexpr double most_rays = 1e9;
+constexpr double max_rays = 1e9;
 } // namespace
 
 double StockLattice::rays_over(const Box3& box, double resolution) {
@@ -127,12 +127,12 @@ StockLattice StockLattice::over(const Box3& box, double resolution) {
         throw Error(ErrorCode::empty_result, "stock", "has no volume", "give the stock a margin");
     if (!(resolution > 0) || !std::isfinite(resolution))
         throw Error(ErrorCode::out_of_range, "resolution", "is not above 0", "enter a positive length");
-    if (const double rays = rays_over(box, resolution); !(rays <= most_rays))
+    if (const double rays = rays_over(box, resolution); !(rays <= max_rays))
         throw Error(ErrorCode::limit_exceeded, "resolution",
                     length_text(resolution, LengthUnit::mm) + " makes " + format_number(std::round(rays), 6)
-                        + " rays through the stock, more than " + format_number(most_rays),
+                        + " rays through the stock, more than " + format_number(max_rays),
                     "use at least "
-                        + length_text(resolution * std::sqrt(rays / most_rays) * 1.01, LengthUnit::mm, 3));
+                        + length_text(resolution * std::sqrt(rays / max_rays) * 1.01, LengthUnit::mm, 3));
     StockLattice lattice;
     for (int k = 0; k < 3; ++k) {
         const int cells = std::max(1, int(std::ceil(size[k] / resolution)));

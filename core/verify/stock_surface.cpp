@@ -77,7 +77,7 @@ const CellPolygons& cell_polygons() {
 
 /// A fan from one corner would put diagonals into a face of the cell where two corners of the polygon lie on
 /// it apart; the neighbour may do the same there. Such polygons get a corner of their own.
-bool needs_centre(const std::vector<int>& polygon) {
+bool needs_center(const std::vector<int>& polygon) {
     if (polygon.size() <= 3) return false;
     const auto faces_of = [](int e) {
         // Faces as bits: 2 axis + side.
@@ -291,11 +291,11 @@ std::shared_ptr<const StockPatch> StockSurface::patch(const StockModel& stock, s
                             normals[x] += cross;
                         if (in_block) mine.push_back({a, b, c});
                     };
-                    if (needs_centre(polygon)) {
-                        Vec3 centre = Vec3::Zero();
+                    if (needs_center(polygon)) {
+                        Vec3 center = Vec3::Zero();
                         for (std::uint32_t x : corners)
-                            centre += points[x] / double(corners.size());
-                        points.push_back(centre);
+                            center += points[x] / double(corners.size());
+                        points.push_back(center);
                         normals.push_back(Vec3::Zero());
                         for (std::size_t x = 0; x < corners.size(); ++x)
                             emit(std::uint32_t(points.size() - 1), corners[x],

@@ -41,11 +41,11 @@ Box3 StraightMove::box(const TurnedBody& body) const {
 SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec3& direction)
     : body_(&body), frame_(to_tool_frame(move.axis)), from_(move.from) {
     u_ = frame_ * direction;
-    const Vec3 way = move.to - move.from;
-    length_ = way.norm();
+    const Vec3 route = move.to - move.from;
+    length_ = route.norm();
     const double size = std::hypot(body.radius(), body.top() - body.bottom());
     Vec3 world_along = Vec3::Zero();
-    if (length_ > size * tolerance::sweep_roundings) world_along = way / length_;
+    if (length_ > size * tolerance::sweep_roundings) world_along = route / length_;
     // All in part coordinates first: what is exactly vertical there stays so.
     const Vec3 cross = direction.cross(world_along);
     sine_ = cross.norm();
@@ -90,8 +90,8 @@ Vec3 SweepRays::outline_point(const TurnedBody::Feature& f, double side, double 
     }
     const Vec2 radial = away > 0 ? Vec2(h / away) : Vec2(Vec2::Zero());
     Vec3 q = f.r * n;
-    q.head<2>() += f.centre.x() * radial;
-    q.z() += f.centre.y();
+    q.head<2>() += f.center.x() * radial;
+    q.z() += f.center.y();
     return q;
 }
 
@@ -138,11 +138,11 @@ void SweepRays::build(double side, std::vector<Link>& chain) {
             Link link;
             link.c0 = start.x();
             link.c1 = stop.x();
-            link.middle_c = f.centre.y() * across_.z();
-            link.middle_y = f.centre.y() * out_.z();
-            link.middle_l = f.centre.y() * along_.z();
+            link.middle_c = f.center.y() * across_.z();
+            link.middle_y = f.center.y() * out_.z();
+            link.middle_l = f.center.y() * along_.z();
             const Vec2 m = across_.head<2>(), k = out_.head<2>(), d = along_.head<2>();
-            const double mm = m.norm(), e = f.centre.x();
+            const double mm = m.norm(), e = f.center.x();
             if (f.r > 0 && std::abs(e) <= tolerance::cutter_angle * f.r) {
                 link.kind = Link::Kind::sphere;
                 link.scale = 1 / f.r;

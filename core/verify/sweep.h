@@ -52,11 +52,11 @@ private:
     /// circle in space; r = 0) or an arc. Straight parts of the profile join one feature's end to the next
     /// one's start.
     struct Feature {
-        Vec2 centre;                    ///< (rho, z)
+        Vec2 center;                    ///< (rho, z)
         double r = 0, from = 0, to = 0; ///< angles, 0 to pi
-        Vec2 at(double angle) const { return centre + r * Vec2(std::sin(angle), -std::cos(angle)); }
+        Vec2 at(double angle) const { return center + r * Vec2(std::sin(angle), -std::cos(angle)); }
     };
-    void add(const Vec2& centre, double r, double to);
+    void add(const Vec2& center, double r, double to);
     void finish();
     double radius_at(double z) const;
     Stretch heights_at(double rho) const;

@@ -35,7 +35,7 @@ bool roots(double a, double b, double c, double& first, double& second) {
 
 /// The line's passage through {dist to the circle's disc <= r}: a convex set, its distance a convex function
 /// along the line, so that Newton's steps from outside never pass the root. `centre` is (rho, z) of the arc.
-bool passage(const Vec2& centre, double r, const Vec3& p, const Vec3& u, double from, double to,
+bool passage(const Vec2& center, double r, const Vec3& p, const Vec3& u, double from, double to,
              double accuracy, double& first, double& second) {
     struct Value {
         double f, slope;
@@ -43,7 +43,7 @@ bool passage(const Vec2& centre, double r, const Vec3& p, const Vec3& u, double 
     const auto value = [&](double t) {
         const Vec3 q = p + t * u;
         const double rho = std::sqrt(q.x() * q.x() + q.y() * q.y());
-        const double out = std::max(rho - centre.x(), 0.0), up = q.z() - centre.y();
+        const double out = std::max(rho - center.x(), 0.0), up = q.z() - center.y();
         const double distance = std::sqrt(out * out + up * up);
         const double radial =
             rho > 0 ? (q.x() * u.x() + q.y() * u.y()) / rho : std::sqrt(u.x() * u.x() + u.y() * u.y());
@@ -68,9 +68,9 @@ bool passage(const Vec2& centre, double r, const Vec3& p, const Vec3& u, double 
 
 } // namespace
 
-void TurnedBody::add(const Vec2& centre, double r, double to) {
+void TurnedBody::add(const Vec2& center, double r, double to) {
     const double from = features_.empty() ? 0 : features_.back().to;
-    features_.push_back({centre, r, from, std::max(from, to)});
+    features_.push_back({center, r, from, std::max(from, to)});
 }
 
 TurnedBody::TurnedBody(const CutterProfile& cutter) {
@@ -83,7 +83,7 @@ TurnedBody::TurnedBody(const CutterProfile& cutter) {
         if (!joined
             && !(features_.empty() && p.kind == ProfilePiece::Kind::arc && start <= tolerance::cutter_angle))
             add(p.from, 0, start);
-        if (p.kind == ProfilePiece::Kind::arc) add(p.centre, p.radius, p.angle_at_end());
+        if (p.kind == ProfilePiece::Kind::arc) add(p.center, p.radius, p.angle_at_end());
         sides_.push_back(p);
     }
     const Vec2 rim = sides_.back().to;
@@ -123,7 +123,7 @@ double TurnedBody::reach() const {
     for (const ProfilePiece& s : sides_) {
         most = std::max({most, s.from.norm(), s.to.norm()});
         // An arc may reach farther between its ends.
-        if (s.kind == ProfilePiece::Kind::arc) most = std::max(most, s.centre.norm() + s.radius);
+        if (s.kind == ProfilePiece::Kind::arc) most = std::max(most, s.center.norm() + s.radius);
     }
     return most;
 }
@@ -135,13 +135,13 @@ TurnedBody TurnedBody::shrunk(double by) const {
     TurnedBody small = *this;
     const auto move = [&](Vec2& p) { p = middle + scale * (p - middle); };
     for (Feature& f : small.features_) {
-        move(f.centre);
+        move(f.center);
         f.r *= scale;
     }
     for (ProfilePiece& s : small.sides_) {
         move(s.from);
         move(s.to);
-        move(s.centre);
+        move(s.center);
         s.radius *= scale;
     }
     small.finish();
@@ -154,8 +154,8 @@ double TurnedBody::radius_at(double z) const {
         if (z < s.from.y() || z > s.to.y()) continue;
         double here = std::max(s.from.x(), s.to.x());
         if (s.kind == ProfilePiece::Kind::arc) {
-            const double up = z - s.centre.y();
-            here = s.centre.x() + std::sqrt(std::max(0.0, (s.radius - up) * (s.radius + up)));
+            const double up = z - s.center.y();
+            here = s.center.x() + std::sqrt(std::max(0.0, (s.radius - up) * (s.radius + up)));
         } else if (s.to.y() > s.from.y()) {
             here = s.from.x() + (s.to.x() - s.from.x()) * ((z - s.from.y()) / (s.to.y() - s.from.y()));
         }
@@ -172,9 +172,9 @@ Stretch TurnedBody::heights_at(double rho) const {
             const double t = (rho - s.from.x()) / (s.to.x() - s.from.x());
             return s.from.y() + t * (s.to.y() - s.from.y());
         }
-        const double out = rho - s.centre.x();
+        const double out = rho - s.center.x();
         const double half = std::sqrt(std::max(0.0, (s.radius - out) * (s.radius + out)));
-        return s.from.x() < s.to.x() ? s.centre.y() - half : s.centre.y() + half;
+        return s.from.x() < s.to.x() ? s.center.y() - half : s.center.y() + half;
     };
     for (std::size_t k = 0; k < lower_; ++k)
         if (rho <= sides_[k].to.x()) {
@@ -229,18 +229,18 @@ Stretch TurnedBody::along_general(const Vec3& p, const Vec3& u) const {
             if (z >= low && z <= high) hits.add(t);
         };
         double first, second;
-        if (s.kind == ProfilePiece::Kind::arc && std::abs(s.centre.x()) <= noise) {
-            const Vec3 o(q.x(), q.y(), q.z() - s.centre.y());
+        if (s.kind == ProfilePiece::Kind::arc && std::abs(s.center.x()) <= noise) {
+            const Vec3 o(q.x(), q.y(), q.z() - s.center.y());
             if (roots(uu, o.dot(u), o.squaredNorm() - s.radius * s.radius, first, second)) {
                 try_at(first);
                 try_at(second);
             }
         } else if (s.kind == ProfilePiece::Kind::arc) {
             // Beyond the whole circle's body, of which this may be a small part.
-            const Vec3 o(q.x(), q.y(), q.z() - s.centre.y());
-            const double half = (o.norm() + std::max(s.centre.x(), 0.0) + 1.01 * s.radius) / std::sqrt(uu);
-            if (passage(s.centre, s.radius, q, u, -half, half, 0.01 * noise, first, second)) {
-                const double inner = s.centre.x() - noise;
+            const Vec3 o(q.x(), q.y(), q.z() - s.center.y());
+            const double half = (o.norm() + std::max(s.center.x(), 0.0) + 1.01 * s.radius) / std::sqrt(uu);
+            if (passage(s.center, s.radius, q, u, -half, half, 0.01 * noise, first, second)) {
+                const double inner = s.center.x() - noise;
                 for (const double t : {first, second}) { // the circle's part that is the body's
                     const double x = q.x() + t * u.x(), y = q.y() + t * u.y();
                     if (inner <= 0 || x * x + y * y >= inner * inner) try_at(t);

@@ -19,8 +19,8 @@ namespace {
 constexpr double resolution_share = 0.05, touch_share = 0.02, probe_share = 0.01;
 constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
 /// Probes keep off sharp edges: farther than a depth beside them that is no gouge yet.
-constexpr double inset_limits = 2, least_inset = 1e-3; // of the gouge limit; mm
-constexpr double finest_probe = 1e-4;                  // mm: what a probe may be off where the axis turns
+constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm
+constexpr double finest_probe = 1e-4;                // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -35,7 +35,7 @@ struct Radii {
 };
 
 VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii, bool turns) {
-    if (s.most_samples == 0) s.most_samples = turns ? samples_turning : samples_fixed;
+    if (s.max_samples == 0) s.max_samples = turns ? samples_turning : samples_fixed;
     if (!(s.resolution > 0)) {
         s.resolution = resolution_share * radii.least;
         for (int round = 0; round < 100; ++round) {
@@ -50,7 +50,7 @@ VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii&
 }
 
 void check_memory(double needed, const VerifySettings& used) {
-    const double most = double(used.most_stock_bytes);
+    const double most = double(used.max_stock_bytes);
     if (needed <= most) return;
     throw Error(
         ErrorCode::limit_exceeded, "resolution",
@@ -125,7 +125,7 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
 /// What was not judged, and why.
 /// `asked`: the spacing wanted was asked for, not the resolution.
 std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool asked,
-                                    std::size_t most_samples, bool border) {
+                                    std::size_t max_samples, bool border) {
     double area = 0, away = 0, bare = 0, counted = 0;
     for (std::size_t i = 0; i < samples.weights.size(); ++i) {
         area += samples.weights[i];
@@ -153,7 +153,7 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
         remarks.push_back("The probes are up to " + length_text(samples.spacing, LengthUnit::mm, 3)
                           + " apart, " + format_number(samples.spacing / wanted_spacing, 3)
                           + " times farther than " + (asked ? "asked" : "the stock's rays")
-                          + ": else there would be more than " + std::to_string(most_samples)
+                          + ": else there would be more than " + std::to_string(max_samples)
                           + ". What is narrower may be missed.");
     return remarks;
 }
@@ -192,8 +192,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, v.used); // all are kept from the start
     auto model = std::make_shared<StockModel>(stock, lattice, cutting.part(0.0, 0.1));
     MaterialRemoval removal(programs, v.used.motion_bound, touch_share * v.used.resolution,
-                            v.used.most_stock_bytes);
-    if (all_rays > 0.9 * double(v.used.most_stock_bytes))
+                            v.used.max_stock_bytes);
+    if (all_rays > 0.9 * double(v.used.max_stock_bytes))
         check_memory(double(removal.bytes_needed(*model, cutting.part(0.1, 0.1))), v.used);
     for (std::size_t i = 0; i < programs.size(); ++i)
         removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, true,
@@ -206,8 +206,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     start = std::chrono::steady_clock::now();
     const Progress probing = progress.part(0.6, 1.0, "Comparing with the part");
     SurfaceSamples samples =
-        sample_surface(part, v.used.sample_spacing, v.used.most_samples, probing.part(0.0, 0.05),
-                       std::max(inset_limits * v.used.gouge_limit, least_inset));
+        sample_surface(part, v.used.sample_spacing, v.used.max_samples, probing.part(0.0, 0.05),
+                       std::max(inset_limits * v.used.gouge_limit, min_inset));
     flag_samples(samples, part, radii.largest, cutting_axes(programs, probing), probing.part(0.05, 0.1));
     double bound = finest_probe;
     if (v.used.tolerance > 0)
@@ -217,7 +217,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     merge(v.collisions, probed.collisions);
     v.program_gouges.assign(programs.size(), 0);
     fill_figures(v, samples, probed, radii.least, probing);
-    v.remarks = remarks_on(samples, v.used.sample_spacing, settings.sample_spacing > 0, v.used.most_samples,
+    v.remarks = remarks_on(samples, v.used.sample_spacing, settings.sample_spacing > 0, v.used.max_samples,
                            v.border.samples > 0);
     v.remarks.insert(v.remarks.end(), outside.begin(), outside.end());
     v.used.sample_spacing = samples.spacing;

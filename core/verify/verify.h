@@ -29,15 +29,15 @@ struct VerifySettings {
     double resolution = 0; ///< of the stock's lattice; 0: a twentieth of the smallest cutter's radius,
                            ///< coarser where the stock would have more than `usual_rays`
     double sample_spacing =
-        0; ///< of the probes; 0: as the resolution. Coarser where they would be more than `most_samples`
+        0; ///< of the probes; 0: as the resolution. Coarser where they would be more than `max_samples`
     double motion_bound = 0; ///< 0: half the resolution
     double tolerance = 0;    ///< what may be left: larger counts as over, twice that as uncut; 0: not judged
     double gouge_limit = 0;  ///< deeper is a gouge
     double allowance = 0;    ///< the design is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
-    std::size_t most_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
+    std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
     /// Of the rays, which are kept only where something is cut.
-    std::size_t most_stock_bytes = 2'500'000'000;
+    std::size_t max_stock_bytes = 2'500'000'000;
 };
 
 /// Signed distance along the part's normal from the surface to what is left: positive, material stands;

@@ -74,9 +74,9 @@ int main(int argc, char** argv) {
         for (std::size_t i = turn; i < samples * turns; i += turns) {
             const std::size_t point = (2 * i + 1) * wanted / (2 * samples * turns),
                               node = i * 37 % grid.size();
-            const ToolPose pose = posture_pose(
-                lift.cutter(), frames[point],
-                {grid.lambda[node / grid.omega.size()], grid.omega[node % grid.omega.size()], 0});
+            const ToolPose pose =
+                posture_pose(lift.cutter(), frames[point],
+                             {grid.lead[node / grid.yaw.size()], grid.yaw[node % grid.yaw.size()], 0});
             const double before = cpu_now();
             const double want = std::max(0.0, plain.lift(*mesh, pose));
             spent += cpu_now() - before;

@@ -66,12 +66,12 @@ int main(int argc, char** argv) {
     }
     const double full = double(wanted * count) / (cpu_now() - start);
     std::size_t blocked = 0;
-    constexpr double most_lift = 0.1;
+    constexpr double max_lift = 0.1;
     start = cpu_now();
     for (const auto& poses : all) {
         ToolLift::Hint hint;
         for (const ToolPose& pose : poses)
-            blocked += lift.is_deeper(pose, most_lift, hint);
+            blocked += lift.is_deeper(pose, max_lift, hint);
     }
     const double tested = double(wanted * count) / (cpu_now() - start);
 
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
         const double got = lift.lift(*pose);
         if (got != value) worst = std::max(worst, std::abs(got - value));
     }
-    std::printf("postures a point: %zu; blocked above a lift of %.1f mm: %.1f %%\n", count, most_lift,
+    std::printf("postures a point: %zu; blocked above a lift of %.1f mm: %.1f %%\n", count, max_lift,
                 100 * double(blocked) / double(wanted * count));
     std::printf("%-28s %14s %10s\n", "", "postures/s*", "ratio");
     std::printf("%-28s %14.0f %10s\n", "plain method", plain_rate, "1");

@@ -18,7 +18,7 @@ using namespace facetmill;
 namespace {
 
 constexpr double inch = 25.4;
-const double lead_most = radians(9), lead_step = radians(0.75), yaw_most = radians(45), yaw_step = radians(5);
+const double lead_max = radians(9), lead_step = radians(0.75), yaw_max = radians(45), yaw_step = radians(5);
 /// Of the tolerance: what a posture may be lifted by.
 constexpr double lifted_share = 0.9;
 
@@ -28,8 +28,8 @@ double widest_strip(const FiveAxisField& field, const ContactPlace& place, long 
     ToolLift::Hint hint;
     const double most = StripWidth::most(field);
     double widest = 0;
-    for (double lead = 0; lead <= lead_most + 0.5 * lead_step; lead += lead_step)
-        for (double yaw = -yaw_most; yaw <= yaw_most + 0.5 * yaw_step; yaw += yaw_step) {
+    for (double lead = 0; lead <= lead_max + 0.5 * lead_step; lead += lead_step)
+        for (double yaw = -yaw_max; yaw <= yaw_max + 0.5 * yaw_step; yaw += yaw_step) {
             const PostureValue p{lead, yaw, field.builder().bottom(place.frame, lead, yaw, hint)};
             if (!(p.delta <= lifted_share * field.cusp()) || !width.clears_own_line(p)) continue;
             widest =

@@ -27,7 +27,7 @@ Finish5Settings settings() {
 /// What stays of the tolerance for the cusp: a twentieth of it is the chords'.
 constexpr double cusp = 0.95 * 0.05;
 
-LeastTime least_of(const Mesh& mesh) {
+LeastTime min_of(const Mesh& mesh) {
     return least_time(context_of(mesh, flat_tool(10)), settings(), ball, Progress());
 }
 
@@ -42,7 +42,7 @@ class TestLeastTime : public QObject {
 private slots:
     void a_plane_takes_the_whole_diameter() {
         const LeastTime t =
-            least_of(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 8, 6));
+            min_of(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 8, 6));
         QVERIFY(relative(t.area, 1200) < 1e-9);
         QVERIFY2(t.seconds >= 12 && t.seconds < 12.5, qPrintable(QString::number(t.seconds)));
         QVERIFY2(t.straight_seconds >= t.seconds && t.straight_seconds < 1.05 * t.seconds,
@@ -57,8 +57,8 @@ private slots:
     void a_round_part_is_travelled_across_its_axis() {
         const double round = 60;
         const LeastTime t =
-            least_of(height_field([=](double, double y) { return std::sqrt(round * round - y * y); },
-                                  Vec2(-20, -15), Vec2(20, 15), 8, 240));
+            min_of(height_field([=](double, double y) { return std::sqrt(round * round - y * y); },
+                                Vec2(-20, -15), Vec2(20, 15), 8, 240));
         QVERIFY2(std::abs(degrees(t.direction) - 90) < 1, qPrintable(QString::number(degrees(t.direction))));
         // The edge of the disc is within the cusp over sqrt(2 h R) behind the line that it touches along.
         const double behind = std::sqrt(2 * cusp * round),
@@ -74,7 +74,7 @@ private slots:
     /// cuts its walls within little more than a millimetre of the shoulders.
     void where_the_disc_does_not_fit_the_ball_cuts() {
         const double hollow = 4, half = 3.5, top = hollow - std::sqrt(hollow * hollow - half * half);
-        const LeastTime t = least_of(height_field(
+        const LeastTime t = min_of(height_field(
             [=](double, double y) {
                 return std::abs(y) < half ? hollow - std::sqrt(hollow * hollow - y * y) : top;
             },

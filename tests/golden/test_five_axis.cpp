@@ -253,13 +253,12 @@ private slots:
         QCOMPARE(bytes_of(s.path() + "/c.json"), run.out);
         const QJsonObject o = json(run.out);
         QCOMPARE(o["point"].toInt(), 7);
-        const QJsonArray lambda = o["lambda_deg"].toArray(), omega = o["omega_deg"].toArray();
-        QVERIFY(std::abs(lambda.first().toDouble()) < 1e-9 && std::abs(lambda.last().toDouble() - 45) < 1e-9);
-        QVERIFY(std::abs(omega.first().toDouble() + 45) < 1e-9
-                && std::abs(omega.last().toDouble() - 45) < 1e-9);
+        const QJsonArray lead = o["lambda_deg"].toArray(), yaw = o["omega_deg"].toArray();
+        QVERIFY(std::abs(lead.first().toDouble()) < 1e-9 && std::abs(lead.last().toDouble() - 45) < 1e-9);
+        QVERIFY(std::abs(yaw.first().toDouble() + 45) < 1e-9 && std::abs(yaw.last().toDouble() - 45) < 1e-9);
         int free = 0;
-        for (int l = 0; l < lambda.size(); ++l)
-            for (int w = 0; w < omega.size(); ++w) {
+        for (int l = 0; l < lead.size(); ++l)
+            for (int w = 0; w < yaw.size(); ++w) {
                 const QJsonValue bottom = o["delta_bottom"][l][w], top = o["delta_top"][l][w];
                 const QString why = o["blocked"][l][w].toString();
                 QVERIFY(QStringList({"free", "local", "global", "shank", "holder", "lift", "machine"})
@@ -271,8 +270,8 @@ private slots:
             }
         QVERIFY(free > 0);
         for (const char* grid : {"delta_bottom", "delta_top", "blocked"}) {
-            QCOMPARE(o[grid].toArray().size(), lambda.size());
-            QCOMPARE(o[grid][0].toArray().size(), omega.size());
+            QCOMPARE(o[grid].toArray().size(), lead.size());
+            QCOMPARE(o[grid][0].toArray().size(), yaw.size());
         }
         for (const char* method : {"cm2", "local", "global", "planned"})
             QVERIFY2(o["chosen"][method]["free"].isBool(), method);

@@ -123,9 +123,9 @@ private slots:
         for (const ShapedTool& shaped : tools_of_every_shape()) {
             const CutterProfile cutter(shaped.tool.cutter());
             for (int i = 0; i < 200; ++i) {
-                const double slope = uniform(rng, 0, radians(35)), way = uniform(rng, 0, 2 * pi),
+                const double slope = uniform(rng, 0, radians(35)), route = uniform(rng, 0, 2 * pi),
                              tilt = uniform(rng, 0, radians(35)), turn = uniform(rng, 0, 2 * pi);
-                const Vec3 n(std::sin(slope) * std::cos(way), std::sin(slope) * std::sin(way),
+                const Vec3 n(std::sin(slope) * std::cos(route), std::sin(slope) * std::sin(route),
                              std::cos(slope));
                 const Vec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
                                 std::cos(tilt));
@@ -140,7 +140,7 @@ private slots:
                     for (int k = 0; k <= 60; ++k) {
                         Vec2 at = piece.from + (k / 60.0) * (piece.to - piece.from);
                         if (piece.kind == ProfilePiece::Kind::arc)
-                            at = piece.centre + piece.radius * (at - piece.centre).normalized();
+                            at = piece.center + piece.radius * (at - piece.center).normalized();
                         for (int a = 0; a < 180; ++a) {
                             const Vec3 local(at.x() * std::cos(2 * pi * a / 180),
                                              at.x() * std::sin(2 * pi * a / 180), at.y());
@@ -282,13 +282,13 @@ private slots:
         for (const auto& t : path.strips[0].band)
             for (const Vec3& p : t)
                 QVERIFY(p.head<2>().norm() < 10);
-        const auto most_left = [&](std::size_t count) {
+        const auto max_left = [&](std::size_t count) {
             auto some = std::make_shared<PlanResult>(*plan);
             some->operations.resize(count);
             const Verification v = judged(*plan->part->mesh, verify_programs(w.project, some), 0.01);
             return v.gouged() ? infinity : v.figures.excess_max;
         };
-        const double before = most_left(1), after = most_left(2);
+        const double before = max_left(1), after = max_left(2);
         QVERIFY2(before > 5 * tau && after <= 1.05 * tau,
                  qPrintable(QString("%1 %2").arg(before).arg(after)));
         // Alone it is the same; planned again nothing is done; what is before it matters.

@@ -109,7 +109,7 @@ double deepest(const BruteCutter& cutter, const Mesh& part, const CutterLocation
 }
 
 /// As machines with tool centre point control move: the tip straight, the axis in one plane.
-CutterLocation on_way(const CutterLocation& a, const CutterLocation& b, double t) {
+CutterLocation on_route(const CutterLocation& a, const CutterLocation& b, double t) {
     const double angle = std::acos(std::clamp(a.axis.dot(b.axis), -1.0, 1.0));
     CutterLocation at{a.tip + t * (b.tip - a.tip), a.axis};
     const Vec3 across = a.axis.cross(b.axis);
@@ -214,7 +214,7 @@ private slots:
         const ToolMotions motions = linked(path, context, op);
         for (std::size_t i = 1; i < motions.motions.size(); ++i)
             for (int k = 1; k <= 8; ++k)
-                QVERIFY(clear(on_way(motions.motions[i - 1].to, motions.motions[i].to, k / 8.0)));
+                QVERIFY(clear(on_route(motions.motions[i - 1].to, motions.motions[i].to, k / 8.0)));
         QVERIFY(count > 300);
 
         // Rapids are level, above everything, however the tool is tilted.
@@ -443,7 +443,7 @@ private slots:
             for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
                 Finish5Settings s = settings(0.1, choice);
                 s.turn_limit = radians(limit);
-                s.grid_degrees = radians(grid);
+                s.grid_step = radians(grid);
                 const StrategyResult path = Finish5(s).plan(context, Progress());
                 double most = 0;
                 for (const Pass& pass : path.passes)
@@ -485,7 +485,7 @@ private slots:
             const double leaves = from / (from - beyond);
             for (int k = 1; k < 2000; ++k)
                 for (const double t : {k / 2000.0, leaves * (1 - 1e-7 * k * k)}) {
-                    const CutterLocation at = on_way(a, b, t);
+                    const CutterLocation at = on_route(a, b, t);
                     if (t > 0 && t < 1) most = std::max(most, lift.lift({at.tip, at.axis}));
                 }
             const bool kept = keeps_clear_between(lift, a, b, looking_step(radius, chord), limit, hint);
@@ -532,7 +532,7 @@ private slots:
             about = "yaw_limits";
             break;
         case 2:
-            s.grid_degrees = 0;
+            s.grid_step = 0;
             about = "grid_degrees";
             break;
         case 3:

@@ -182,7 +182,7 @@ private slots:
         QVERIFY(v.figures.excess_p999 <= 1.03 * s.tolerance);
     }
 
-    void tilted_and_off_centre_tools_keep_clear() {
+    void tilted_and_off_center_tools_keep_clear() {
         const Mesh mesh = part_named("lobes");
         for (const auto& [name, tool] : tools_of_every_shape()) {
             const PlanContext context = turning(mesh, tool);

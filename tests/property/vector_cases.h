@@ -40,7 +40,7 @@ inline std::pair<Vec3, Vec3> surface_point(Random& rng, const CutterProfile& pro
         const ProfilePiece& piece = pieces[std::size_t(i)];
         const double angle = piece.angle_at_start() + t * (piece.angle_at_end() - piece.angle_at_start());
         n = Vec2(std::sin(angle), -std::cos(angle));
-        p = piece.kind == ProfilePiece::Kind::arc ? Vec2(piece.centre + piece.radius * n)
+        p = piece.kind == ProfilePiece::Kind::arc ? Vec2(piece.center + piece.radius * n)
                                                   : Vec2(piece.from + t * (piece.to - piece.from));
     }
     const auto round = [&](const Vec2& v) {

@@ -4,7 +4,7 @@
 #include "tests/screenshot/bench_support.h"
 #include "ui/layer_bar.h"
 #include "ui/playback_bar.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QApplication>

@@ -26,7 +26,7 @@ public:
     Heart() {
         connect(&timer_, &QTimer::timeout, this, [this] {
             longest_ = std::max(longest_, since_.nsecsElapsed());
-            most_ = std::max(most_, thread_time() - computed_);
+            max_ = std::max(max_, thread_time() - computed_);
             restart();
         });
         timer_.setTimerType(Qt::PreciseTimer);
@@ -34,12 +34,12 @@ public:
         restart();
     }
     void reset() {
-        longest_ = most_ = 0;
+        longest_ = max_ = 0;
         restart();
     }
     /// Also of a pause that has just ended, or has not.
     double longest_ms() const { return double(std::max(longest_, since_.nsecsElapsed())) * 1e-6; }
-    double computed_ms() const { return double(std::max(most_, thread_time() - computed_)) * 1e-6; }
+    double computed_ms() const { return double(std::max(max_, thread_time() - computed_)) * 1e-6; }
 
 private:
     void restart() {
@@ -48,7 +48,7 @@ private:
     }
     QTimer timer_;
     QElapsedTimer since_;
-    qint64 longest_ = 0, computed_ = 0, most_ = 0;
+    qint64 longest_ = 0, computed_ = 0, max_ = 0;
 };
 
 inline void run_for(int ms) {

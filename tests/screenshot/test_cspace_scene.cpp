@@ -24,9 +24,9 @@ CSpaceContent content_of(const std::function<double(double, double)>& bottom,
                          const std::function<PostureBlock(double, double)>& cause) {
     CSpaceContent c;
     c.grid = PostureGrid::make(0, radians(45), radians(-45), radians(45), radians(3));
-    for (const double lambda : c.grid.lambda)
-        for (const double omega : c.grid.omega) {
-            const double l = degrees(lambda), o = degrees(omega);
+    for (const double lead : c.grid.lead)
+        for (const double yaw : c.grid.yaw) {
+            const double l = degrees(lead), o = degrees(yaw);
             c.bottom.push_back(bottom(l, o));
             c.top.push_back(top(l, o));
             const bool free = c.bottom.back() <= c.top.back();
@@ -63,10 +63,10 @@ CSpaceContent crowded_point() {
                    : o > 6 + 4 ? PostureBlock::global
                                : PostureBlock::local;
         });
-    for (std::size_t il = 0; il < c.grid.lambda.size(); ++il)
-        for (std::size_t io = 0; io < c.grid.omega.size(); ++io)
+    for (std::size_t il = 0; il < c.grid.lead.size(); ++il)
+        for (std::size_t io = 0; io < c.grid.yaw.size(); ++io)
             if (const std::size_t n = c.grid.node(il, io);
-                degrees(c.grid.omega[io]) < -31 && c.block[n] == PostureBlock::free) {
+                degrees(c.grid.yaw[io]) < -31 && c.block[n] == PostureBlock::free) {
                 c.block[n] = PostureBlock::machine;
                 --c.free_nodes;
             }
@@ -159,7 +159,7 @@ private slots:
         }
         // Of cells: all four corners free at least, one of them at most.
         double least = 0, most = 0;
-        const std::size_t nl = c.grid.lambda.size(), no = c.grid.omega.size();
+        const std::size_t nl = c.grid.lead.size(), no = c.grid.yaw.size();
         const double cell = room.size.x() / double(nl - 1) * room.size.y() / double(no - 1);
         for (std::size_t i = 0; i + 1 < nl; ++i)
             for (std::size_t j = 0; j + 1 < no; ++j) {
@@ -181,7 +181,7 @@ private slots:
             for (const double o : {-45.0, 2.5, 45.0}) {
                 const PostureValue p{radians(l), radians(o), 0.3 * room.delta_max};
                 const PostureValue q = room.value(room.place(p));
-                QVERIFY(std::abs(p.lambda - q.lambda) < 1e-12 && std::abs(p.omega - q.omega) < 1e-12
+                QVERIFY(std::abs(p.lead - q.lead) < 1e-12 && std::abs(p.yaw - q.yaw) < 1e-12
                         && std::abs(p.delta - q.delta) < 1e-12);
             }
     }

@@ -211,7 +211,7 @@ private slots:
         QVERIFY(path->above && path->bar().has_above);
     }
 
-    void colours_get_lighter() {
+    void colors_get_lighter() {
         double before = -1;
         for (int i = 0; i <= 100; ++i) {
             const Rgb c = path_tint_color(i / 100.0);
@@ -221,7 +221,7 @@ private slots:
         }
     }
 
-    void the_picture_has_the_colours() {
+    void the_picture_has_the_colors() {
         const auto result = hill_operation(15, 60, true);
         const auto figures = figures_of(result, "tarus-tpi-2000");
         Scene scene;
@@ -280,7 +280,7 @@ private slots:
         const auto path = prepare_path_display({path_source(result)}, {});
         QCOMPARE(path->left_points.size(), std::size_t(3 * 12));
         QCOMPARE(path->kept_points.size(), std::size_t(3));
-        QVERIFY((Vec3(path->kept_points[0], path->kept_points[1], path->kept_points[2]) + path->centre
+        QVERIFY((Vec3(path->kept_points[0], path->kept_points[1], path->kept_points[2]) + path->center
                  - at(70, 50))
                     .norm()
                 < 1e-4);

@@ -97,7 +97,7 @@ private slots:
         scene.set_part_style(PartStyle::wire);
         check(scene, "part-wire");
     }
-    void back_side_has_its_own_colour() {
+    void back_side_has_its_own_color() {
         Scene scene;
         scene.set_part(hill_part());
         check(scene, "part-back", 480, 360, StandardView::bottom);
@@ -223,7 +223,7 @@ private slots:
         near.set_part(hill_part());
         far.set_part(moved(hill_part(), {2e6, -3e6, 1e6}));
         const PictureDifference d = compare_pictures(drawn(near), drawn(far));
-        QVERIFY2(d.worst > least_similarity, qPrintable(QString::number(d.worst)));
+        QVERIFY2(d.worst > min_similarity, qPrintable(QString::number(d.worst)));
     }
 
     void layers_show_and_hide() {
@@ -385,7 +385,7 @@ private slots:
                     for (int c = 0; c < 3; ++c)
                         painted.pixel(x, y)[c] = std::uint8_t(std::max(0, painted.pixel(x, y)[c] - 60));
             const PictureDifference d = compare_pictures(good, painted);
-            QVERIFY2(d.worst < least_similarity, qPrintable(QString::number(d.worst)));
+            QVERIFY2(d.worst < min_similarity, qPrintable(QString::number(d.worst)));
             QVERIFY(d.x > x0 - 8 && d.x < x0 + 20 && d.y > y0 - 8 && d.y < y0 + 20);
         }
     }
@@ -396,13 +396,13 @@ private slots:
                 b.pixel(x, y)[0] = 188;
                 b.pixel(x, y)[2] = 68;
             }
-        QVERIFY(compare_pictures(a, b).worst < least_similarity);
+        QVERIFY(compare_pictures(a, b).worst < min_similarity);
     }
     void forgives_one_level_everywhere() {
         Picture a{32, 32, std::vector<std::uint8_t>(3 * 32 * 32, 128)}, b = a;
         for (std::size_t i = 0; i < b.rgb.size(); i += 5)
             ++b.rgb[i];
-        QVERIFY(compare_pictures(a, b).worst > least_similarity);
+        QVERIFY(compare_pictures(a, b).worst > min_similarity);
     }
     void sizes_must_agree() {
         const Picture a{4, 4, std::vector<std::uint8_t>(48, 9)}, b{4, 3, std::vector<std::uint8_t>(36, 9)};

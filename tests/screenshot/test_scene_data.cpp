@@ -59,7 +59,7 @@ SightHit first_of_all(const Mesh& mesh, const Vec3& origin, const Vec3& directio
 
 /// Signed volume and the largest angle between a facet and the normals of its corners.
 struct ShapeCheck {
-    double volume = 0, least_dot = 1, least_z = infinity, largest_z = -infinity, largest_radius = 0;
+    double volume = 0, min_dot = 1, min_z = infinity, largest_z = -infinity, largest_radius = 0;
 };
 ShapeCheck examine(const RevolvedShape& s) {
     ShapeCheck c;
@@ -68,9 +68,9 @@ ShapeCheck examine(const RevolvedShape& s) {
         const Vec3 cross = (corner(1) - corner(0)).cross(corner(2) - corner(0));
         c.volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
         for (std::size_t k = 0; k < 3; ++k) {
-            c.least_dot = std::min(c.least_dot,
-                                   cross.normalized().dot(vec(s.normals, std::size_t(s.triangles[t + k]))));
-            c.least_z = std::min(c.least_z, corner(k).z());
+            c.min_dot =
+                std::min(c.min_dot, cross.normalized().dot(vec(s.normals, std::size_t(s.triangles[t + k]))));
+            c.min_z = std::min(c.min_z, corner(k).z());
             c.largest_z = std::max(c.largest_z, corner(k).z());
             c.largest_radius = std::max(c.largest_radius, std::hypot(corner(k).x(), corner(k).y()));
         }
@@ -154,12 +154,12 @@ private slots:
         QCOMPARE(d->lines.size(), std::size_t(2 * 12));  // no diagonal
         QCOMPARE(d->edges.size(), std::size_t(2 * 18));
         QVERIFY(!d->has_border);
-        QCOMPARE(d->centre, Vec3(12, 23, 34));
+        QCOMPARE(d->center, Vec3(12, 23, 34));
         const Mesh& mesh = *d->mesh;
         for (std::size_t f = 0; f < 12; ++f)
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto v = std::size_t(d->triangles[3 * f + k]);
-                QCOMPARE(vec(d->points, v), Vec3(mesh.corner(f, int(k)) - d->centre));
+                QCOMPARE(vec(d->points, v), Vec3(mesh.corner(f, int(k)) - d->center));
                 QVERIFY((vec(d->normals, v) - mesh.facet_normal(f)).norm() < 1e-6);
             }
         for (std::size_t i = 0; i < d->lines.size(); i += 2) { // along an axis: an edge of the box
@@ -260,7 +260,7 @@ private slots:
         }
         QVERIFY2(std::abs(area / (hill_length * hill_width) - 1) < 0.03, qPrintable(QString::number(area)));
         for (std::size_t v = 0; v < p.points.size() / 3; ++v) {
-            const Vec3 at = vec(p.points, v) + sheet->centre;
+            const Vec3 at = vec(p.points, v) + sheet->center;
             QVERIFY(std::abs(at.z() - hill(at.x(), at.y())) < 0.3); // a fraction of a cell of 1 mm
             QVERIFY(std::abs(vec(p.normals, v).norm() - 1) < 1e-5);
         }
@@ -308,7 +308,7 @@ private slots:
         QCOMPARE(cut.points.size(), std::size_t(3 * 6 * 11));
         const auto& cl = path.contacts->passes[1].cl;
         for (std::size_t j = 0; j < cl.size(); ++j)
-            QVERIFY((vec(cut.points, 11 + j) + d->centre - cl[j].tip).norm() < 1e-4);
+            QVERIFY((vec(cut.points, 11 + j) + d->center - cl[j].tip).norm() < 1e-4);
         for (const auto& p : d->motions)
             QCOMPARE(std::size_t(p.offsets.back()) * 3, p.points.size());
         QVERIFY(d->box.hi.z() == 30);
@@ -372,9 +372,9 @@ private slots:
         QVERIFY(near(s.volume, pi * 16 * 12, 0.005));
         QVERIFY(near(h.volume, pi * 100 * 10 + pi * 400 * 5, 0.005));
         for (const ShapeCheck& x : {c, s, h})
-            QVERIFY2(x.least_dot > 0.95, qPrintable(QString::number(x.least_dot)));
-        QCOMPARE(c.least_z, 0.0);
-        QVERIFY(near(c.largest_z, 30, 1e-6) && near(s.least_z, 30, 1e-6) && near(h.least_z, 42, 1e-6));
+            QVERIFY2(x.min_dot > 0.95, qPrintable(QString::number(x.min_dot)));
+        QCOMPARE(c.min_z, 0.0);
+        QVERIFY(near(c.largest_z, 30, 1e-6) && near(s.min_z, 30, 1e-6) && near(h.min_z, 42, 1e-6));
         QVERIFY(near(h.largest_z, 57, 1e-6) && near(h.largest_radius, 20, 1e-6));
         QCOMPARE(ball.length, 57.0);
         QCOMPARE(ball.radius, 20.0);
@@ -389,7 +389,7 @@ private slots:
 
         tool.corner_radius = 2;
         tool.taper_angle = radians(10);
-        QVERIFY(examine(make_tool_shape(tool).cutter).least_dot > 0.95);
+        QVERIFY(examine(make_tool_shape(tool).cutter).min_dot > 0.95);
         tool.diameter = -1;
         QVERIFY_EXCEPTION_THROWN(make_tool_shape(tool), Error);
     }

@@ -104,7 +104,7 @@ class TestSceneVerify : public QObject {
     }
 
 private slots:
-    void the_scale_of_colours() {
+    void the_scale_of_colors() {
         // Green within the limits, both limits included; the ends beyond the range.
         const Rgb green = deviation_color_at(0);
         for (const double d : {-0.01, 0.0, 0.05, 0.1}) {
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(s.low < 0 && s.high > 0);
     }
 
-    void known_deviations_have_their_colours() {
+    void known_deviations_have_their_colors() {
         const auto surface = level_surface(
             100, [](double x, double) { return scale.low + (scale.high - scale.low) * x / 100; });
         Scene scene;
@@ -198,7 +198,7 @@ private slots:
         scene.set_deviation(prepare_deviation_display(wrong, scale, {}));
         const Picture other = top_view(scene);
         QVERIFY(off_by(pixel(other, place(scene, {60, 30, 10})), deviation_color(scale, 0.16)) > 12);
-        QVERIFY(compare_pictures(other, picture).worst < least_similarity);
+        QVERIFY(compare_pictures(other, picture).worst < min_similarity);
     }
 
     void the_range_can_be_changed() {
@@ -216,7 +216,7 @@ private slots:
         QVERIFY(off_by(seen, deviation_color(scale, 0.3)) > 25);
     }
 
-    void what_is_not_judged_is_grey() {
+    void what_is_not_judged_is_gray() {
         auto surface = level_surface(20, [](double x, double) { return x < 50 ? 0.3 : -0.15; });
         for (std::size_t i = 0; i < surface->points.size(); ++i)
             surface->flags[i] =
@@ -297,7 +297,7 @@ private slots:
         QVERIFY(off_by(pixel(uncovered, place(scene, {40, 30, 10})), part) <= 14);
         scene.set_visible(Layer::stock, true);
         scene.set_cut_stock({});
-        QVERIFY(compare_pictures(top_view(scene), before).worst >= least_similarity);
+        QVERIFY(compare_pictures(top_view(scene), before).worst >= min_similarity);
     }
 
     void a_finer_stock_gives_way_while_the_view_moves() {
@@ -328,7 +328,7 @@ private slots:
             last = window_.render();
         }
         scene.end_steps();
-        QVERIFY(compare_pictures(last, whole).worst >= least_similarity);
+        QVERIFY(compare_pictures(last, whole).worst >= min_similarity);
     }
 
     void a_part_in_inches_has_a_legend_in_inches() {
@@ -375,7 +375,7 @@ private slots:
         QVERIFY(!scene.has(Layer::legend)); // its scale goes with the colours
         scene.set_visible(Layer::deviation, true);
         scene.set_visible(Layer::findings, true);
-        QVERIFY(compare_pictures(top_view(scene), all).worst >= least_similarity);
+        QVERIFY(compare_pictures(top_view(scene), all).worst >= min_similarity);
     }
 
     void small_windows_keep_the_scale_or_nothing() {

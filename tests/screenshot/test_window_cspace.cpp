@@ -1,7 +1,7 @@
 // The configuration-space room in the window: it comes with a planned 5-axis operation, follows the picked
 // point, steps with the arrow keys, and tries postures.
 #include "tests/screenshot/window_support.h"
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
 #include "ui/project_tree.h"
@@ -22,7 +22,7 @@ using namespace facetmill::ui;
 class TestWindowCSpace : public QObject, public WindowFixture {
     Q_OBJECT
 
-    CSpaceDesk& room() { return w().cspace(); }
+    CSpaceController& room() { return w().cspace(); }
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("cspace_dock")); }
     QString heading() { return room().panel()->heading()->text(); }
 
@@ -131,15 +131,15 @@ private slots:
 
         // One that is not free cannot be kept, one that is can.
         room().try_posture({radians(44), radians(44), 0});
-        const PostureValue wish{planned.lambda + radians(2), radians(7), 0};
+        const PostureValue wish{planned.lead + radians(2), radians(7), 0};
         room().try_posture(wish);
         QVERIFY2(panel->keep()->isEnabled(), qPrintable(panel->keep()->toolTip()));
         shot(w(), QStringLiteral("cspace-keep"));
         QTest::mouseClick(panel->keep(), Qt::LeftButton);
         QCOMPARE(w().document().state(0), OperationState::stale);
         QVERIFY(room().kept().has_value());
-        QCOMPARE(room().kept()->lead, wish.lambda);
-        QCOMPARE(room().kept()->yaw, wish.omega);
+        QCOMPARE(room().kept()->lead, wish.lead);
+        QCOMPARE(room().kept()->yaw, wish.yaw);
         QVERIFY(
             (Vec3(room().kept()->point[0], room().kept()->point[1], room().kept()->point[2]) - place).norm()
             == 0);
@@ -147,11 +147,11 @@ private slots:
         QVERIFY(!panel->kept()->isHidden());
         QCOMPARE(panel->kept()->text(), QStringLiteral("Kept: 1"));
         // Kept again it is another one, not a second.
-        room().try_posture({planned.lambda + radians(3), radians(7), 0});
+        room().try_posture({planned.lead + radians(3), radians(7), 0});
         QTest::mouseClick(panel->keep(), Qt::LeftButton);
         QCOMPARE(panel->kept()->text(), QStringLiteral("Kept: 1"));
         QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(room().kept()->lead, wish.lambda);
+        QCOMPARE(room().kept()->lead, wish.lead);
 
         // Planned again, the point stands as kept.
         w().plan();
@@ -159,8 +159,8 @@ private slots:
         QCOMPARE(w().document().state(0), OperationState::planned);
         const auto record = w().document().result(0)->path.five_axis;
         QVERIFY(record->points[point].choice.free);
-        QCOMPARE(record->points[point].choice.posture.lambda, wish.lambda);
-        QCOMPARE(record->points[point].choice.posture.omega, wish.omega);
+        QCOMPARE(record->points[point].choice.posture.lead, wish.lead);
+        QCOMPARE(record->points[point].choice.posture.yaw, wish.yaw);
 
         // The list leads there.
         QVERIFY(*room().point() != point);

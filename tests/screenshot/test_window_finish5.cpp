@@ -49,7 +49,7 @@ private slots:
         QVERIFY(open_form());
         shot(w(), QStringLiteral("finish5-form"));
         enter(w(), "grid_degrees", QStringLiteral("6"));
-        QCOMPARE(settings().grid_degrees, radians(6));
+        QCOMPARE(settings().grid_step, radians(6));
         enter(w(), "lead_limits1", QStringLiteral("60"));
         QCOMPARE(settings().lead_limits[1], radians(60));
         enter(w(), "yaw_limits0", QStringLiteral("-20"));

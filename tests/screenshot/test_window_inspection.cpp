@@ -1,12 +1,12 @@
 // Paths in colours and in charts: what can be chosen, and that chart, tool, playback and steps go together.
 #include "core/job/planner.h"
 #include "tests/screenshot/window_support.h"
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 #include "ui/elided_label.h"
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
 #include "ui/plot_view.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -29,19 +29,19 @@ using namespace facetmill::ui;
 class TestWindowInspection : public QObject, public WindowFixture {
     Q_OBJECT
 
-    InspectionDesk& charts() { return w().inspection(); }
+    InspectionController& charts() { return w().inspection(); }
     PlotView* plot() { return charts().panel()->plot(); }
-    QComboBox* colours() { return w().layers().quantity_box(); }
+    QComboBox* colors() { return w().layers().quantity_box(); }
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("chart_dock")); }
     bool open_charts() {
         dock()->toggleViewAction()->trigger();
         return wait_until_settled(w()) && dock()->isVisible();
     }
     bool offered(PathQuantity q) {
-        return qobject_cast<QStandardItemModel*>(colours()->model())->item(int(q))->isEnabled();
+        return qobject_cast<QStandardItemModel*>(colors()->model())->item(int(q))->isEnabled();
     }
     QString why_not(PathQuantity q) {
-        return qobject_cast<QStandardItemModel*>(colours()->model())->item(int(q))->toolTip();
+        return qobject_cast<QStandardItemModel*>(colors()->model())->item(int(q))->toolTip();
     }
     const std::vector<Motion>& motions() { return w().document().result(0)->program.motions.motions; }
     Vec3 tip() { return w().viewport().scene().tool_pose()->tip; }
@@ -87,28 +87,28 @@ private slots:
         for (const PathQuantity q : {PathQuantity::lead, PathQuantity::elapsed, PathQuantity::motion_time,
                                      PathQuantity::joint_rate}) {
             QVERIFY(offered(q));
-            colours()->setCurrentIndex(int(q));
+            colors()->setCurrentIndex(int(q));
             QVERIFY(wait_until_settled(w()));
-            QVERIFY2(changed_pixels(plain, view_picture(w())) > 500, qPrintable(colours()->currentText()));
+            QVERIFY2(changed_pixels(plain, view_picture(w())) > 500, qPrintable(colors()->currentText()));
         }
-        colours()->setCurrentIndex(0);
+        colors()->setCurrentIndex(0);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().layers().findChild<QWidget*>(QStringLiteral("path_scale"))->isHidden());
         QVERIFY(changed_pixels(plain, view_picture(w())) < 20);
     }
 
-    void the_path_in_colours() {
+    void the_path_in_colors() {
         QVERIFY2(plan_five_axes(), qPrintable(w().last_failure()));
         const QImage plain = view_picture(w());
         // By keys, as a user without a mouse.
-        colours()->setFocus();
+        colors()->setFocus();
         for (int q = 1; q < int(path_quantities); ++q) {
-            QVERIFY2(offered(PathQuantity(q)), qPrintable(colours()->itemText(q)));
-            QTest::keyClick(colours(), Qt::Key_Down);
-            QCOMPARE(colours()->currentIndex(), q);
+            QVERIFY2(offered(PathQuantity(q)), qPrintable(colors()->itemText(q)));
+            QTest::keyClick(colors(), Qt::Key_Down);
+            QCOMPARE(colors()->currentIndex(), q);
             QVERIFY(wait_until_settled(w()));
             QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
-            QVERIFY2(changed_pixels(plain, view_picture(w())) > 1000, qPrintable(colours()->currentText()));
+            QVERIFY2(changed_pixels(plain, view_picture(w())) > 1000, qPrintable(colors()->currentText()));
             QVERIFY(w().layers().findChild<QWidget*>(QStringLiteral("path_scale"))->isVisible());
             shot(w(), QStringLiteral("path-by-%1").arg(q));
         }
@@ -118,7 +118,7 @@ private slots:
         w().plan();
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(plain, view_picture(w())) > 1000);
-        colours()->setCurrentIndex(int(PathQuantity::feed));
+        colors()->setCurrentIndex(int(PathQuantity::feed));
         QVERIFY(wait_until_settled(w()));
         const QImage inches = view_picture(w());
         w().set_unit(LengthUnit::mm);
@@ -282,7 +282,7 @@ private slots:
     void a_small_dark_window() {
         QVERIFY2(plan_five_axes(), qPrintable(w().last_failure()));
         w().set_theme(Theme::dark);
-        colours()->setCurrentIndex(int(PathQuantity::lead));
+        colors()->setCurrentIndex(int(PathQuantity::lead));
         QVERIFY(open_charts());
         w().resize(800, 600);
         QVERIFY(wait_until_settled(w()));

@@ -9,9 +9,9 @@
 #include "ui/playback_controller.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
-#include "ui/unrolled_desk.h"
+#include "ui/unrolled_controller.h"
 #include "ui/unrolled_view.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 #include "viz/palette.h"
 #include "viz/path_tint.h"
@@ -104,7 +104,7 @@ private slots:
         shot(w(), QStringLiteral("unrolled-empty"));
     }
 
-    void a_plan_brings_it_coloured_by_depth() {
+    void a_plan_brings_it_colored_by_depth() {
         QVERIFY(plan_prism());
         QVERIFY(dock()->isVisible() && view()->path());
         const UnrolledPath& path = *view()->path();

@@ -7,10 +7,10 @@
 #include "ui/plot_view.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
-#include "ui/region_desk.h"
+#include "ui/region_controller.h"
 #include "ui/region_dialog.h"
 #include "ui/report_view.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -72,9 +72,9 @@ Tool tool(long number, const char* name, double diameter, double corner) {
 class TestWindowRegions : public QObject, public WindowFixture {
     Q_OBJECT
 
-    RegionDesk& desk() { return w().regions(); }
-    RegionDialog& dialog() { return *desk().dialog(); }
-    const std::vector<ReworkRegion>& regions() { return desk().found()->found.regions.regions; }
+    RegionController& controller() { return w().regions(); }
+    RegionDialog& dialog() { return *controller().dialog(); }
+    const std::vector<ReworkRegion>& regions() { return controller().found()->found.regions.regions; }
     const TakesRegionEdits& edits() {
         return dynamic_cast<const TakesRegionEdits&>(w().document().operation(0));
     }
@@ -147,12 +147,12 @@ class TestWindowRegions : public QObject, public WindowFixture {
     /// A handle of a strip that can be taken hold of, farthest to one side, and its place in the view.
     std::optional<std::pair<Vec3, QPoint>> handle_of(std::size_t strip, const Vec3& side) {
         std::optional<std::pair<Vec3, QPoint>> best;
-        const StripDisplay& display = *desk().shown();
+        const StripDisplay& display = *controller().shown();
         const auto& handles = display.strips[strip].handles;
         const double ratio = w().viewport().devicePixelRatioF();
         for (std::size_t i = 0; i + 2 < handles.size(); i += 3) {
             const Vec3 p =
-                display.centre + Vec3(double(handles[i]), double(handles[i + 1]), double(handles[i + 2]));
+                display.center + Vec3(double(handles[i]), double(handles[i + 1]), double(handles[i + 2]));
             const Vec2 at = w().viewport().scene().display_of(p);
             const auto taken = w().viewport().scene().pick_strip_handle(at.x(), at.y(), 2);
             if (!taken || (*taken - p).norm() > 1e-3) continue;
@@ -176,7 +176,7 @@ private slots:
         w().document().add_operation("finish3");
         w().tree().select({TreeNode::Kind::operation, 1});
         QVERIFY(!button->isVisible());
-        desk().open(1);
+        controller().open(1);
         QVERIFY(!dialog().isVisible());
         w().tree().select({TreeNode::Kind::operation, 0});
         QVERIFY(open_dialog());
@@ -184,7 +184,7 @@ private slots:
         w().document().remove_operation(0);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(!dialog().isVisible());
-        QVERIFY(!desk().shown());
+        QVERIFY(!controller().shown());
     }
 
     void strips_follow_the_limit() {
@@ -240,7 +240,7 @@ private slots:
         w().layers().set_shown(ViewLayer::regions, true);
         dialog().close();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(!desk().shown());
+        QVERIFY(!controller().shown());
         QVERIFY(changed_pixels(bare, view_picture(w())) < 100);
     }
 
@@ -286,7 +286,7 @@ private slots:
         QTest::mousePress(&w().viewport(), Qt::LeftButton, {}, handle->second);
         for (int i = 1; i <= 4; ++i)
             QTest::mouseMove(&w().viewport(), handle->second + (to - handle->second) * i / 4);
-        QVERIFY(QTest::qWaitFor([this] { return !desk().busy(); }, 30000));
+        QVERIFY(QTest::qWaitFor([this] { return !controller().busy(); }, 30000));
         const double tried = regions()[0].strip.area;
         QVERIFY(tried > shrunk); // before it is let go
         QVERIFY(edits().boundary_drags().empty());
@@ -414,7 +414,7 @@ private slots:
         QVERIFY2(dialog().form()->error("lead_limit").contains(QStringLiteral("assumed")),
                  qPrintable(dialog().problem()));
         QCOMPARE(dialog().table()->rowCount(), 0);
-        QVERIFY(!desk().shown());
+        QVERIFY(!controller().shown());
         shot_both(QStringLiteral("regions-error"));
         enter_region("lead_limit", QStringLiteral("-1"));
         QVERIFY(!dialog().form()->error("lead_limit").isEmpty());
@@ -466,7 +466,7 @@ private slots:
         QCOMPARE(model.verification().figures.uncut_fraction, 0.0);
         QVERIFY(model.current());
         // Drawn and picked: the strips of the plan, both paths, each with its tool.
-        QVERIFY(desk().shown() && desk().shown()->strips.size() == result->path.strips.size());
+        QVERIFY(controller().shown() && controller().shown()->strips.size() == result->path.strips.size());
         shot(w(), QStringLiteral("regions-verified"));
         const PlaybackTrack& track = w().verification().playback().track();
         QCOMPARE(track.operation_count(), std::size_t(2));

@@ -4,8 +4,8 @@
 #include "ui/elided_label.h"
 #include "ui/layer_bar.h"
 #include "ui/project_tree.h"
-#include "ui/rough_desk.h"
-#include "ui/verification_desk.h"
+#include "ui/rough_controller.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QSlider>
@@ -19,9 +19,9 @@ using namespace facetmill::ui;
 class TestWindowRough : public QObject, public WindowFixture {
     Q_OBJECT
 
-    RoughDesk& desk() { return w().roughing(); }
-    QSlider* slider() { return desk().bar()->slider(); }
-    QString readout() { return desk().bar()->readout()->text(); }
+    RoughController& controller() { return w().roughing(); }
+    QSlider* slider() { return controller().bar()->slider(); }
+    QString readout() { return controller().bar()->readout()->text(); }
     /// The default operation, and roughing before it, selected.
     bool add_rough() {
         if (!w().document().has_part() && !open_part()) return false;
@@ -46,20 +46,20 @@ private slots:
 
     void layers_follow_the_form() {
         QVERIFY(open_part());
-        QVERIFY(!desk().bar()->isVisible());
+        QVERIFY(!controller().bar()->isVisible());
         QVERIFY(add_rough());
-        QVERIFY(desk().bar()->isVisible());
+        QVERIFY(controller().bar()->isVisible());
         QVERIFY2(readout().startsWith(QStringLiteral("Preview")), qPrintable(readout()));
-        const std::size_t before = desk().heights().size();
+        const std::size_t before = controller().heights().size();
         QVERIFY(before > 0);
         const QImage many = view_picture(w());
         enter(w(), "depth", QStringLiteral("0.2"));
         QVERIFY(wait_until_settled(w()));
-        QVERIFY2(desk().heights().size() < before, qPrintable(readout()));
+        QVERIFY2(controller().heights().size() < before, qPrintable(readout()));
         QVERIFY(changed_pixels(many, view_picture(w())) > 300);
         // Every layer is at most that deep, and a layer can be looked for before there is a path.
-        for (std::size_t i = 1; i < desk().heights().size(); ++i)
-            QVERIFY(desk().heights()[i - 1] - desk().heights()[i] <= 0.2 * 25.4 + 1e-9);
+        for (std::size_t i = 1; i < controller().heights().size(); ++i)
+            QVERIFY(controller().heights()[i - 1] - controller().heights()[i] <= 0.2 * 25.4 + 1e-9);
         slider()->setValue(2);
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(readout().contains(QStringLiteral("Layer 2 of")) && readout().contains("preview"),
@@ -69,12 +69,12 @@ private slots:
         enter(w(), "depth", QStringLiteral("9"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(readout().contains(QStringLiteral("flutes")), qPrintable(readout()));
-        QVERIFY(desk().heights().empty() && !slider()->isEnabled());
+        QVERIFY(controller().heights().empty() && !slider()->isEnabled());
         enter(w(), "depth", QStringLiteral("0.1"));
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(!desk().heights().empty());
+        QVERIFY(!controller().heights().empty());
         w().tree().select({TreeNode::Kind::operation, 1});
-        QVERIFY(!desk().bar()->isVisible());
+        QVERIFY(!controller().bar()->isVisible());
     }
 
     void one_layer_alone() {
@@ -82,7 +82,7 @@ private slots:
         enter(w(), "depth", QStringLiteral("0.1"));
         QVERIFY2(plan_all(), qPrintable(w().last_failure()));
         const auto& path = w().document().result(0)->path;
-        QCOMPARE(desk().heights(), path.layers);
+        QCOMPARE(controller().heights(), path.layers);
         QCOMPARE(slider()->maximum(), int(path.layers.size()));
         QVERIFY(path.layers.size() > 2);
         QVERIFY2(!readout().contains(QStringLiteral("Preview")), qPrintable(readout()));
@@ -149,7 +149,7 @@ private slots:
         w().tree().select({TreeNode::Kind::part, 0});
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(first, view_picture(w())) > 500);
-        QCOMPARE(desk().layer_of(w().document().operation_id(0)), -1);
+        QCOMPARE(controller().layer_of(w().document().operation_id(0)), -1);
     }
 
     void who_asks_for_the_stock_waits_for_those_before() {

@@ -8,7 +8,7 @@
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
-#include "ui/strip_desk.h"
+#include "ui/strip_controller.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
@@ -65,10 +65,10 @@ Tool ball(long number, double diameter) {
 class TestWindowStrips : public QObject, public WindowFixture {
     Q_OBJECT
 
-    StripDesk& desk() { return w().strips(); }
-    QTreeWidget* list() { return desk().panel()->list(); }
+    StripController& controller() { return w().strips(); }
+    QTreeWidget* list() { return controller().panel()->list(); }
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("strips_dock")); }
-    QString readout() { return desk().panel()->readout()->text(); }
+    QString readout() { return controller().panel()->readout()->text(); }
     QTreeWidgetItem* row(const char* name) {
         const auto found = list()->findItems(QLatin1String(name), Qt::MatchExactly);
         return found.isEmpty() ? nullptr : found.front();
@@ -107,10 +107,10 @@ class TestWindowStrips : public QObject, public WindowFixture {
         const Scene& scene = w().viewport().scene();
         const auto& pose = scene.tool_pose();
         if (!pose || scene.touches().size() != 2) return false;
-        const Vec3 centre = pose->tip + Vec3(0, 0, previous_radius);
-        if (std::abs(centre.y() - y) > 1e-3) return false;
+        const Vec3 center = pose->tip + Vec3(0, 0, previous_radius);
+        if (std::abs(center.y() - y) > 1e-3) return false;
         for (const Vec3& p : scene.touches())
-            if (std::abs((p - centre).norm() - previous_radius) > 1e-3
+            if (std::abs((p - center).norm() - previous_radius) > 1e-3
                 || std::abs(p.z() - std::abs(std::abs(p.y()) - groove_y)) > 1e-3)
                 return false;
         return (scene.touches()[0].y() - y) * (scene.touches()[1].y() - y) < 0;
@@ -125,22 +125,22 @@ private slots:
         dock()->show();
         dock()->raise();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("add a clean-up")),
-                 qPrintable(desk().panel()->empty_text()));
+        QVERIFY2(controller().panel()->empty_text().contains(QStringLiteral("add a clean-up")),
+                 qPrintable(controller().panel()->empty_text()));
         QVERIFY(!list()->isVisible());
         shot(w(), QStringLiteral("strips-empty"));
         close_window();
         QVERIFY(show_window());
         QVERIFY(open_grooves());
-        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("Plan")),
-                 qPrintable(desk().panel()->empty_text()));
+        QVERIFY2(controller().panel()->empty_text().contains(QStringLiteral("Plan")),
+                 qPrintable(controller().panel()->empty_text()));
         // A tolerance at which nothing is left says so in its place.
         w().document().change(QStringLiteral("tolerance"),
                               [](Project& p) { p.operations[0]->common().tolerance = 5; });
         w().plan();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY2(desk().panel()->empty_text().contains(QStringLiteral("leaves nowhere")),
-                 qPrintable(desk().panel()->empty_text()));
+        QVERIFY2(controller().panel()->empty_text().contains(QStringLiteral("leaves nowhere")),
+                 qPrintable(controller().panel()->empty_text()));
         QVERIFY(!w().viewport().scene().has(Layer::strips));
     }
 
@@ -171,8 +171,8 @@ private slots:
                      qPrintable(QString::number(list()->columnViewportPosition(4))));
         }
         QVERIFY(w().viewport().scene().has(Layer::strips));
-        QVERIFY2(desk().panel()->note()->text().contains(QStringLiteral("2 strips")),
-                 qPrintable(desk().panel()->note()->text()));
+        QVERIFY2(controller().panel()->note()->text().contains(QStringLiteral("2 strips")),
+                 qPrintable(controller().panel()->note()->text()));
         // Lengths go with the unit.
         w().set_unit(LengthUnit::inch);
         QVERIFY(wait_until_settled(w()));
@@ -199,8 +199,8 @@ private slots:
         QCOMPARE(off(), std::string("Valley 2"));
         QCOMPARE(row("Valley 2")->checkState(0), Qt::Unchecked);
         QCOMPARE(w().document().state(0), OperationState::stale);
-        QVERIFY2(desk().panel()->note()->text().contains(QStringLiteral("out of date")),
-                 qPrintable(desk().panel()->note()->text()));
+        QVERIFY2(controller().panel()->note()->text().contains(QStringLiteral("out of date")),
+                 qPrintable(controller().panel()->note()->text()));
         QVERIFY(changed_pixels(both, view_picture(w())) > 200);
         shot(w(), QStringLiteral("strips-switched-off"));
         w().document().undo_stack().undo();
@@ -239,7 +239,7 @@ private slots:
         const QRect cell = list()->visualItemRect(row("Valley 2"));
         QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, cell.center() + QPoint(20, 0));
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(desk().chosen(), std::optional<std::size_t>(1));
+        QCOMPARE(controller().chosen(), std::optional<std::size_t>(1));
         const CameraPlace after = scene.camera_place();
         QVERIFY(std::abs(after.target.y() - y) < 1 && std::abs(before.target.y() - y) > 5);
         QVERIFY(stands_over(y));
@@ -247,16 +247,16 @@ private slots:
         shot(w(), QStringLiteral("strips-touch"));
         // Along the strip.
         const double x = scene.tool_pose()->tip.x();
-        QSlider* place = desk().panel()->place();
+        QSlider* place = controller().panel()->place();
         place->setValue(place->maximum() / 8);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(stands_over(y) && std::abs(scene.tool_pose()->tip.x() - x) > 5);
         // Without it the operation's own tool is back, at its path.
-        desk().panel()->touch_box()->setChecked(false);
+        controller().panel()->touch_box()->setChecked(false);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(scene.touches().empty());
         QVERIFY(scene.tool_pose() && !stands_over(y));
-        desk().panel()->touch_box()->setChecked(true);
+        controller().panel()->touch_box()->setChecked(true);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(stands_over(y));
         // Stepping along the path takes the tool.
@@ -272,8 +272,8 @@ private slots:
         for (const double y : {groove_y, -groove_y, groove_y}) {
             const CameraPlace before = w().viewport().scene().camera_place();
             QVERIFY(click_groove(y));
-            QVERIFY(desk().chosen());
-            const Strip& strip = path().strips[*desk().chosen()];
+            QVERIFY(controller().chosen());
+            const Strip& strip = path().strips[*controller().chosen()];
             QVERIFY(std::abs(strip.centers[0][0].y() - y) < 0.1);
             QCOMPARE(list()->currentItem()->text(0), text(strip.name));
             QVERIFY(stands_over(y));
@@ -281,9 +281,9 @@ private slots:
             QVERIFY((w().viewport().scene().camera_place().target - before.target).norm() < 1e-9);
         }
         // Between the grooves there is no strip: what was chosen stays, and the place is marked.
-        const auto chosen = desk().chosen();
+        const auto chosen = controller().chosen();
         QVERIFY(click_groove(0.5));
-        QCOMPARE(desk().chosen(), chosen);
+        QCOMPARE(controller().chosen(), chosen);
         // With the list out of sight tool and touches are, too; the strips are seen as any operation's
         // regions.
         dock()->close();
@@ -298,7 +298,7 @@ private slots:
         w().resize(800, 600);
         QVERIFY(wait_until_settled(w()));
         dock()->raise();
-        desk().choose(0, true);
+        controller().choose(0, true);
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("strips-small-dark"));
         QVERIFY(w().width() <= 800);

@@ -7,7 +7,7 @@
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/report_view.h"
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 #include "ui/viewport.h"
 
@@ -55,14 +55,14 @@ std::shared_ptr<const OperationResult> with_gouge(const OperationResult& from, d
 class TestWindowVerify : public QObject, public WindowFixture {
     Q_OBJECT
 
-    VerificationDesk& desk() { return w().verification(); }
-    PlaybackController& playback() { return desk().playback(); }
-    PlaybackBar& bar() { return *desk().bar(); }
+    VerificationController& controller() { return w().verification(); }
+    PlaybackController& playback() { return controller().playback(); }
+    PlaybackBar& bar() { return *controller().bar(); }
     QTreeWidgetItem* badge_row(std::size_t i = 0) { return w().tree().item({operation_kind, i}); }
     QString badge(std::size_t i = 0) { return badge_row(i)->data(1, Qt::AccessibleTextRole).toString(); }
     bool verify() {
         w().verify();
-        return wait_until_settled(w()) && desk().model().any();
+        return wait_until_settled(w()) && controller().model().any();
     }
     /// Puts a path that gouges in the place of the planned one.
     void plant_gouge(double deeper) {
@@ -82,8 +82,8 @@ private slots:
         QVERIFY(bar().isHidden());
         QVERIFY(open_part());
         QVERIFY(action(w(), "verify")->isEnabled());
-        QCOMPARE(desk().panel()->verdict_line(), QStringLiteral("Not verified"));
-        QVERIFY(!desk().doubt().isEmpty());
+        QCOMPARE(controller().panel()->verdict_line(), QStringLiteral("Not verified"));
+        QVERIFY(!controller().doubt().isEmpty());
         QVERIFY(w().tree().tree()->isColumnHidden(1));
         QVERIFY(bar().isHidden()); // nothing is planned
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
@@ -99,17 +99,17 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
         QCOMPARE(w().document().state(0), OperationState::planned);
-        const VerificationModel& model = desk().model();
+        const VerificationModel& model = controller().model();
         QVERIFY(model.current());
         QCOMPARE(model.verdict(), Verdict::verified);
         QCOMPARE(badge(), QStringLiteral("Verified"));
         QVERIFY(!w().tree().tree()->isColumnHidden(1));
         QVERIFY(!badge_row()->icon(1).isNull());
         QVERIFY(badge_row()->toolTip(1).contains(QStringLiteral("no gouge")));
-        QVERIFY(desk().doubt().isEmpty());
+        QVERIFY(controller().doubt().isEmpty());
         QVERIFY(w().viewport().scene().has(Layer::deviation));
-        QVERIFY(desk().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
-        QVERIFY(desk().panel()->histogram()->histogram()->total > 0);
+        QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
+        QVERIFY(controller().panel()->histogram()->histogram()->total > 0);
         QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
         // The part has its colours in the view, and loses them with the layer.
         const QImage colored = view_picture(w());
@@ -127,15 +127,15 @@ private slots:
         QVERIFY(open_and_plan());
         plant_gouge(1.5);
         QVERIFY(verify());
-        const VerificationModel& model = desk().model();
+        const VerificationModel& model = controller().model();
         QCOMPARE(model.verdict(), Verdict::failed);
         QVERIFY(std::abs(model.verification().figures.gouge_max - 1.5) < 0.5);
         QCOMPARE(badge(), QStringLiteral("Failed verification"));
-        QVERIFY(desk().panel()->verdict_line().startsWith(QStringLiteral("Failed: gouges up to 0.0")));
-        QVERIFY(desk().doubt().contains(QStringLiteral("failed")));
+        QVERIFY(controller().panel()->verdict_line().startsWith(QStringLiteral("Failed: gouges up to 0.0")));
+        QVERIFY(controller().doubt().contains(QStringLiteral("failed")));
 
         // The deepest one leads to its place and to the motion that made it.
-        auto* list = desk().panel()->findings();
+        auto* list = controller().panel()->findings();
         QVERIFY(list->topLevelItemCount() > 0);
         QTreeWidgetItem* first = list->topLevelItem(0);
         QCOMPARE(first->text(0), QStringLiteral("Gouge"));
@@ -164,26 +164,26 @@ private slots:
             last = depth;
         }
         list->sortByColumn(2, Qt::DescendingOrder);
-        shot(*desk().panel(), QStringLiteral("verify-panel"));
+        shot(*controller().panel(), QStringLiteral("verify-panel"));
     }
 
     void an_edit_makes_it_stale() {
         QVERIFY(open_and_plan());
         QVERIFY(verify());
-        QVERIFY(desk().model().current());
+        QVERIFY(controller().model().current());
         enter(w(), "feed", QStringLiteral("77"));
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(desk().model().verdict(), Verdict::stale);
+        QCOMPARE(controller().model().verdict(), Verdict::stale);
         QCOMPARE(badge(), QStringLiteral("Verification out of date"));
-        QCOMPARE(desk().panel()->verdict_line(), QStringLiteral("Out of date"));
-        QVERIFY(desk().doubt().contains(QStringLiteral("since the project was changed")));
+        QCOMPARE(controller().panel()->verdict_line(), QStringLiteral("Out of date"));
+        QVERIFY(controller().doubt().contains(QStringLiteral("since the project was changed")));
         QVERIFY(bar().isHidden()); // there is nothing true to be played back
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
         shot(w(), QStringLiteral("verify-stale"));
         // Back as it was, the verdict holds again.
         w().document().undo_stack().undo();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(desk().model().current());
+        QVERIFY(controller().model().current());
         QCOMPARE(badge(), QStringLiteral("Verified"));
         QVERIFY(!bar().isHidden());
         // Another operation in the plan: what was judged is no longer the plan.
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(badge(1), QStringLiteral("Not verified"));
         // A new project has none of it.
         w().document().clear();
-        QVERIFY(!desk().model().any());
+        QVERIFY(!controller().model().any());
         QVERIFY(!w().viewport().scene().has(Layer::deviation));
     }
 
@@ -203,14 +203,14 @@ private slots:
         QVERIFY(w().job().running());
         QTest::keyClick(&w(), Qt::Key_Escape);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(!desk().model().any());
-        QCOMPARE(desk().model().verdict(), Verdict::none);
+        QVERIFY(!controller().model().any());
+        QCOMPARE(controller().model().verdict(), Verdict::none);
         QVERIFY(w().last_failure().isEmpty());
         QVERIFY(verify());
         w().verify();
         w().cancel();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(desk().model().current());
+        QVERIFY(controller().model().current());
     }
 
     void the_range_is_edited() {
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(verify());
         const DeviationScale first = w().viewport().scene().deviation_scale();
         const QImage before = view_picture(w());
-        auto* range = desk().panel()->range();
+        auto* range = controller().panel()->range();
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
         QTest::qWait(20);
         type_over(range->high(), QStringLiteral("0.5"));
@@ -226,7 +226,7 @@ private slots:
         const DeviationScale wide = w().viewport().scene().deviation_scale();
         QVERIFY(std::abs(wide.high - 12.7) < 1e-9); // inches
         QVERIFY(std::abs(wide.low - first.low) < 1e-3);
-        QCOMPARE(desk().panel()->histogram()->histogram()->scale.high, wide.high);
+        QCOMPARE(controller().panel()->histogram()->histogram()->scale.high, wide.high);
         QVERIFY(changed_pixels(before, view_picture(w())) > 200);
         QTest::mouseClick(range->findChild<QToolButton*>(QStringLiteral("range_reset")), Qt::LeftButton);
         QCOMPARE(w().viewport().scene().deviation_scale().high, first.high);

@@ -95,15 +95,15 @@ private slots:
         // The three faces that the corner shows, each clicked where it is drawn.
         for (const StandardView face : {StandardView::top, StandardView::front, StandardView::right}) {
             QTest::keyClick(&view, Qt::Key_0);
-            const auto centre = view.view_cube()->face_centre(face);
-            QVERIFY(centre.has_value());
-            QTest::mouseClick(view.view_cube(), Qt::LeftButton, {}, centre->toPoint());
+            const auto center = view.view_cube()->face_center(face);
+            QVERIFY(center.has_value());
+            QTest::mouseClick(view.view_cube(), Qt::LeftButton, {}, center->toPoint());
             for (const auto& e : expected)
                 if (e.view == face) QVERIFY(angle_between(view.sight(), e.sight) < 1e-6);
         }
-        QVERIFY(!view.view_cube()->face_centre(StandardView::left)); // it looks from the right now
+        QVERIFY(!view.view_cube()->face_center(StandardView::left)); // it looks from the right now
         QTest::mouseClick(view.view_cube(), Qt::LeftButton, {},
-                          view.view_cube()->face_centre(StandardView::iso)->toPoint());
+                          view.view_cube()->face_center(StandardView::iso)->toPoint());
         QVERIFY(angle_between(view.sight(), iso) < 1e-6);
         // Beside the cube the view is the view.
         QCOMPARE(view.childAt(view.view_cube()->pos() + QPoint(2, 2)), nullptr);

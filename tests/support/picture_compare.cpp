@@ -54,7 +54,7 @@ std::string check_picture(const Picture& picture, const std::string& name, const
     if (fs::exists(baseline)) expected = read_png(baseline);
     const PictureDifference difference =
         expected ? compare_pictures(*expected, picture) : PictureDifference{0.0, 0, 0};
-    if (expected && difference.worst >= least_similarity) return {};
+    if (expected && difference.worst >= min_similarity) return {};
 
     const char* update = std::getenv("FACETMILL_UPDATE_PICTURES");
     if (update && std::strcmp(update, "1") == 0) {
@@ -73,7 +73,7 @@ std::string check_picture(const Picture& picture, const std::string& name, const
     write_png(difference_picture(*expected, picture), fs::path(out_folder) / (name + "-diff.png"));
     return name + ": the window at " + std::to_string(difference.x) + ", " + std::to_string(difference.y)
            + " has similarity " + std::to_string(difference.worst) + ", wanted "
-           + std::to_string(least_similarity) + "; see " + out.string();
+           + std::to_string(min_similarity) + "; see " + out.string();
 }
 
 } // namespace facetmill::test

@@ -9,7 +9,7 @@
 namespace facetmill::test {
 
 /// Pictures are the same when no window is below this.
-inline constexpr double least_similarity = 0.98;
+inline constexpr double min_similarity = 0.98;
 
 struct PictureDifference {
     double worst = 1.0; ///< similarity of the worst window and colour; 0 for pictures of different sizes

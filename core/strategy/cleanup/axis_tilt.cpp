@@ -12,15 +12,15 @@ namespace {
 
 /// Axes are chosen every so many radii of the cutter.
 constexpr double knot_share = 0.5;
-constexpr std::size_t most_knots = 4000;
+constexpr std::size_t max_knots = 4000;
 /// The grid of axes: steps of inclination, and around.
 constexpr double tilt_step = pi / 36;
 constexpr int around = 16;
 /// An axis turns by no more between two knots.
-constexpr double most_turn = pi / 4.5;
+constexpr double max_turn = pi / 4.5;
 /// Weights of inclination, turn and raise (of the largest), squared.
 constexpr double tilt_weight = 0.1, turn_weight = 1, raise_weight = 0.05;
-constexpr int most_divisions = 6;
+constexpr int max_divisions = 6;
 /// Of the chord tolerance, as for passes of five axes: what is used of it at the places looked at.
 constexpr double chord_share = 0.6;
 
@@ -48,7 +48,7 @@ public:
 private:
     struct Knot {
         std::size_t cl = 0; ///< of the pass
-        double way = 0;     ///< along it
+        double route = 0;   ///< along it
         int axis = -1;      ///< chosen; -1: none is free
     };
 
@@ -81,12 +81,13 @@ private:
 
     void choose(const Progress& progress) {
         const std::size_t n = pass_.cl.size();
-        std::vector<double> way(n, 0);
+        std::vector<double> route(n, 0);
         for (std::size_t k = 1; k < n; ++k)
-            way[k] = way[k - 1] + (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
-        const double step = std::max(knot_share * radius_, way.back() / double(most_knots));
+            route[k] = route[k - 1] + (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
+        const double step = std::max(knot_share * radius_, route.back() / double(max_knots));
         for (std::size_t k = 0; k < n; ++k)
-            if (k == 0 || k + 1 == n || way[k] - knots_.back().way >= step) knots_.push_back({k, way[k], -1});
+            if (k == 0 || k + 1 == n || route[k] - knots_.back().route >= step)
+                knots_.push_back({k, route[k], -1});
         const std::size_t m = axes_.size();
         std::vector<double> cost(m, 0), next(m);
         std::vector<std::vector<int>> from(knots_.size(), std::vector<int>(m, -1));
@@ -117,7 +118,7 @@ private:
                     for (std::size_t b = 0; b < m; ++b) {
                         if (!(cost[b] < before)) continue;
                         const double turn = std::acos(std::clamp(axes_[a].dot(axes_[b]), -1.0, 1.0));
-                        if (turn > most_turn) continue;
+                        if (turn > max_turn) continue;
                         const double sum = cost[b] + turn_weight * turn * turn;
                         if (sum >= before) continue;
                         before = sum;
@@ -156,23 +157,24 @@ private:
             const Knot &a = knots_[i], &b = knots_[i + 1];
             const bool sure = a.axis >= 0 && b.axis >= 0
                               && axes_[std::size_t(a.axis)].dot(axes_[std::size_t(b.axis)])
-                                     >= std::cos(most_turn) - tolerance::level_angle;
+                                     >= std::cos(max_turn) - tolerance::level_angle;
             if (!sure) {
-                result_.lost += b.way - a.way;
+                result_.lost += b.route - a.route;
                 if (result_.by == ToolBody::none) result_.by = body_at(pass_.cl[a.axis < 0 ? a.cl : b.cl]);
                 cut();
                 continue;
             }
             const CutterLocation from{Vec3::Zero(), axes_[std::size_t(a.axis)]},
                 to{Vec3::Zero(), axes_[std::size_t(b.axis)]};
-            double way = a.way;
+            double route = a.route;
             for (std::size_t k = a.cl; k <= b.cl; ++k) {
-                if (k > a.cl) way += (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
+                if (k > a.cl) route += (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
                 if (k == a.cl && !run.cl.empty()) continue; // the end of the stretch before
-                const double t = b.way > a.way ? std::min((way - a.way) / (b.way - a.way), 1.0) : 1;
+                const double t =
+                    b.route > a.route ? std::min((route - a.route) / (b.route - a.route), 1.0) : 1;
                 CutterLocation at;
                 double raise = 0;
-                if (!stand(k, location_on_way(from, to, t).axis, at, raise)) {
+                if (!stand(k, location_on_route(from, to, t).axis, at, raise)) {
                     if (k > 0) result_.lost += (pass_.cl[k].tip - pass_.cl[k - 1].tip).norm();
                     if (result_.by == ToolBody::none) result_.by = body_at(pass_.cl[k]);
                     cut();
@@ -196,8 +198,8 @@ private:
         if (keeps_clear_between(*in_.whole, a, b, looking_step(radius_, in_.chord), chord_share * in_.chord,
                                 hint_))
             return true;
-        if (divisions == most_divisions) return false;
-        CutterLocation middle = location_on_way(a, b, 0.5);
+        if (divisions == max_divisions) return false;
+        CutterLocation middle = location_on_route(a, b, 0.5);
         const double lift = in_.whole->lift({middle.tip, middle.axis}, hint_);
         if (lift > in_.raise) return false;
         if (lift > 0) middle.tip += lift * middle.axis;

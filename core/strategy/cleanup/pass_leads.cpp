@@ -7,9 +7,9 @@ namespace {
 constexpr int lead_points = 6;
 constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
 
-std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& way, const Vec3& up) {
+std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& route, const Vec3& up) {
     const double r = lead_share * with.cover->radius();
-    Vec3 ahead(way.x(), way.y(), std::max(way.z(), 0.0));
+    Vec3 ahead(route.x(), route.y(), std::max(route.z(), 0.0));
     std::vector<Vec3> points;
     if (ahead.norm() > 0) {
         ahead.normalize();

@@ -18,7 +18,7 @@ constexpr std::size_t check_every = 2048;
 constexpr double edge_share = 0.07;
 /// Cells that say where a band may be, in radii.
 constexpr double mark_share = 0.12;
-constexpr int most_divisions = 24;
+constexpr int max_divisions = 24;
 /// Normals nearer to each other than this (cosine) ask the same.
 constexpr double same_normal = 0.9999;
 /// Of the tip's way: a centre that moves by less stands still.
@@ -29,7 +29,7 @@ constexpr double aside = 1.02;
 /// Of the tolerance: two valleys that leave the same within this leave alike.
 constexpr double alike = 0.25;
 /// Of an edge between two bands: neither gets less.
-constexpr double least_part = 0.02;
+constexpr double min_part = 0.02;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
 constexpr double last_step = 0.02;
 
@@ -152,16 +152,16 @@ private:
                 longest = std::max(longest, (points_[c[k]] - points_[c[(k + 1) % 3]]).norm());
             inside = longest > longest_;
         }
-        if (depth == most_divisions || (splits_count == 0 && !inside)) {
+        if (depth == max_divisions || (splits_count == 0 && !inside)) {
             leaves_.push_back({c, facet, -1, false});
             return;
         }
         const auto at = [&](int k) { return c[std::size_t(k % 3)]; };
         if (splits_count == 0) {
-            const auto centre = Index(points_.size());
+            const auto center = Index(points_.size());
             points_.push_back((points_[c[0]] + points_[c[1]] + points_[c[2]]) / 3);
             for (int k = 0; k < 3; ++k)
-                divide({at(k), at(k + 1), centre}, facet, depth + 1);
+                divide({at(k), at(k + 1), center}, facet, depth + 1);
         } else if (splits_count == 3) {
             const Index m[3] = {middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
             divide({c[0], m[0], m[2]}, facet, depth + 1);
@@ -369,8 +369,7 @@ private:
             const double at_a = std::max(nearer(a, owner_a, owner_b), 0.0),
                          at_b = std::max(nearer(b, owner_b, owner_a), 0.0);
             const double t = at_a + at_b > 0 ? at_a / (at_a + at_b) : 0.5;
-            points_.push_back(points_[a]
-                              + std::clamp(t, least_part, 1 - least_part) * (points_[b] - points_[a]));
+            points_.push_back(points_[a] + std::clamp(t, min_part, 1 - min_part) * (points_[b] - points_[a]));
         }
         return found->second;
     }

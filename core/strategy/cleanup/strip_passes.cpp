@@ -27,18 +27,18 @@ constexpr std::size_t check_every = 8192;
 /// ... and face along the fitted vector by more than this cosine.
 constexpr double facing = 0.01;
 /// A tip that the part holds up by more than this many radii above where it should be has no place there.
-constexpr double most_raise = 1.5, most_raise_z = 4;
+constexpr double max_raise = 1.5, max_raise_z = 4;
 /// Against the fitted vector it goes no deeper than this, in radii, beyond the plane across it; beyond a
 /// valley's end as deep as it takes to roll over the rim of both flanks.
-constexpr double most_sink = 0.25, most_sink_beyond = 1.5;
+constexpr double max_sink = 0.25, max_sink_beyond = 1.5;
 /// The first pass is looked for so far beside the centre, in radii.
 constexpr double aside_share = 0.3, aside_accuracy = 7e-4;
-constexpr int most_passes = 400, most_tries = 8;
+constexpr int max_passes = 400, max_tries = 8;
 /// Step-overs are no smaller, in radii of the cutter.
 constexpr double smallest_step = 0.01;
 /// The step-over suits this share of the places along a pass; elsewhere passes are put in, halving so often.
 constexpr double usual_share = 0.85;
-constexpr int most_fills = 4;
+constexpr int max_fills = 4;
 /// ... and so many radii of the way between two of them are passed over, too.
 constexpr double bridge_radii = 4;
 /// The end of a pass is found to this many halvings of a step.
@@ -61,7 +61,7 @@ double support(const CutterProfile& profile, const Vec3& d) {
     for (const ProfilePiece& p : profile.pieces()) {
         best = std::max({best, out * p.from.x() + d.z() * p.from.y(), out * p.to.x() + d.z() * p.to.y()});
         if (p.kind != ProfilePiece::Kind::arc) continue;
-        const Vec2 q = p.centre + p.radius * Vec2(out, d.z()).normalized();
+        const Vec2 q = p.center + p.radius * Vec2(out, d.z()).normalized();
         if (q.y() >= std::min(p.from.y(), p.to.y()) && q.y() <= std::max(p.from.y(), p.to.y())
             && q.x() >= std::min(p.from.x(), p.to.x()))
             best = std::max(best, out * q.x() + d.z() * q.y());
@@ -107,8 +107,8 @@ private:
         std::vector<std::array<std::size_t, 2>> chunks;
         for (std::size_t first = 0; first < count_;) {
             std::size_t last = first;
-            for (double way = 0; last + 1 < count_ && way < chunk_radii * radius_; ++last)
-                way += spacing(last, last + 1);
+            for (double route = 0; last + 1 < count_ && route < chunk_radii * radius_; ++last)
+                route += spacing(last, last + 1);
             chunks.push_back({first, last});
             first = last + 1;
         }
@@ -200,14 +200,14 @@ private:
             if (offset == 0) tip += lowest(of, tip, left);
             const VectorContact c = of.lift->contact({tip, Vec3::UnitZ(), p.up});
             // Past the end of the flanks it would slide on to whatever comes.
-            if (!(c.lift > -(p.on_part ? most_sink : most_sink_beyond) * radius_)) return s;
+            if (!(c.lift > -(p.on_part ? max_sink : max_sink_beyond) * radius_)) return s;
             s.touch = c.point;
             // A hair off what it touches: an upright wall would hold it up to its top else.
             s.tip = tip + (c.lift + tolerance::contact_distance) * p.up;
         }
         const double free = with_.lift->tip_z(s.tip.x(), s.tip.y());
         const double raise = free - s.tip.z();
-        if (raise > (with_.along_z ? most_raise_z : most_raise) * radius_) return s;
+        if (raise > (with_.along_z ? max_raise_z : max_raise) * radius_) return s;
         if (raise > 0 || with_.along_z) {
             const AxialContact c = with_.lift->contact(s.tip.x(), s.tip.y());
             if (!(c.tip_z > -infinity)) return s;
@@ -350,7 +350,7 @@ private:
         // On a flank that leans by 45 degrees.
         double step = std::sqrt(4 * std::max(with_.cover->profile().cutter().r, 0.1 * radius_) * with_.cusp);
         double offset = 0;
-        for (int number = 1; number <= most_passes; ++number) {
+        for (int number = 1; number <= max_passes; ++number) {
             std::vector<char> todo(count_, 0);
             std::size_t left = 0;
             for (std::size_t i = 0; i < count_; ++i)
@@ -363,7 +363,7 @@ private:
             Row next;
             double cusp = 0;
             step = std::max(step, smallest_step * radius_);
-            for (int tries = 0; tries < most_tries; ++tries) {
+            for (int tries = 0; tries < max_tries; ++tries) {
                 next.offsets.assign(count_, side * (offset + step));
                 next.spots = spots(next.offsets, todo, progress);
                 // Of most places; further passes are put in at the others.
@@ -376,7 +376,7 @@ private:
                                 smallest_step * radius_);
             }
             const std::vector<char> at_end = come_nearer(last, next, todo, progress);
-            fill(last, next, most_fills, progress);
+            fill(last, next, max_fills, progress);
             offset += step;
             for (std::size_t i = 0; i < count_; ++i) {
                 if (!todo[i]) continue;
@@ -414,9 +414,9 @@ private:
     /// other: there it is measured on the part, less what the cutter cannot reach at all.
     double left_between(const Spot& a, const Spot& b, std::size_t i) const {
         double most = ridge(with_.cover->profile(), b.tip - a.tip, along_[i]);
-        const Vec3 way = b.touch - a.touch;
+        const Vec3 route = b.touch - a.touch;
         if (most > with_.cusp || a.normal.cross(b.normal).norm() < same_plane
-            || (b.normal - a.normal).dot(way) >= 0)
+            || (b.normal - a.normal).dot(route) >= 0)
             return most;
         LiftHint hint;
         // Most stays where both leave the same: from the first the way there is to the other side of it.
@@ -427,13 +427,14 @@ private:
             const Vec3 out = (1 - share) * a.normal + share * b.normal;
             if (out.norm() < same_plane) continue;
             const Vec3 normal = out.normalized();
-            const double back = std::min(way.norm(), radius_);
+            const double back = std::min(route.norm(), radius_);
             const auto hit =
-                with_.grid->first_hit(a.touch + share * way + back * normal, -normal, 2 * back + radius_);
+                with_.grid->first_hit(a.touch + share * route + back * normal, -normal, 2 * back + radius_);
             if (!hit) continue;
             const Vec3 facet = with_.side->towards_tool(with_.mesh->facet_normal(hit->facet));
             if (!(facet.dot(normal) > 0) || facet.z() < -tolerance::vertical_normal_z) continue;
-            const Vec3 p = a.touch + share * way + (back - hit->distance) * normal + with_.allowance * facet;
+            const Vec3 p =
+                a.touch + share * route + (back - hit->distance) * normal + with_.allowance * facet;
             const double by_a = with_.cover->distance(p - a.tip), by_b = with_.cover->distance(p - b.tip);
             if (by_a < by_b) {
                 lo = share;
@@ -480,14 +481,14 @@ private:
     /// Cutting nothing over a short way takes less time than a way out, over and in again.
     void bridge(std::vector<char>& which) const {
         std::size_t last = count_;
-        double way = 0;
+        double route = 0;
         for (std::size_t i = 0; i < count_; ++i) {
-            if (i > 0) way += spacing(i - 1, i);
+            if (i > 0) route += spacing(i - 1, i);
             if (!which[i]) continue;
-            if (last < count_ && way <= bridge_radii * radius_)
+            if (last < count_ && route <= bridge_radii * radius_)
                 std::fill(which.begin() + std::ptrdiff_t(last), which.begin() + std::ptrdiff_t(i), 1);
             last = i;
-            way = 0;
+            route = 0;
         }
     }
 
@@ -498,13 +499,13 @@ private:
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             if (!which[std::size_t(i)]) continue;
             for (const std::ptrdiff_t step : {-1, 1}) {
-                double way = 0;
+                double route = 0;
                 std::ptrdiff_t k = i;
-                while (way < with_.overlap) {
+                while (route < with_.overlap) {
                     std::ptrdiff_t next = k + step;
                     if (curve_.closed) next = (next + n) % n;
                     if (next < 0 || next >= n || which[std::size_t(next)] || next == i) break;
-                    way += spacing(std::size_t(k), std::size_t(next));
+                    route += spacing(std::size_t(k), std::size_t(next));
                     k = next;
                     result[std::size_t(k)] = 1;
                 }
@@ -541,16 +542,16 @@ private:
             if (r.size() < 2) continue;
             if (curve_.closed && whole) {
                 // Once around, and the overlap.
-                double way = 0;
+                double route = 0;
                 const std::size_t n = r.size();
-                for (std::size_t k = 0; k < n && (k == 0 || way < with_.overlap); ++k) {
+                for (std::size_t k = 0; k < n && (k == 0 || route < with_.overlap); ++k) {
                     r.push_back(r[k]);
-                    way += spacing(r[k], r[(k + 1) % n]);
+                    route += spacing(r[k], r[(k + 1) % n]);
                 }
             }
-            std::vector<Spot> way;
+            std::vector<Spot> route;
             for (const std::size_t i : r)
-                way.push_back(spots[i]);
+                route.push_back(spots[i]);
             const auto next = [&](std::size_t i, bool ahead) {
                 if (ahead) return i + 1 < count_ ? i + 1 : curve_.closed ? 0 : count_;
                 return i > 0 ? i - 1 : curve_.closed ? count_ - 1 : count_;
@@ -559,16 +560,16 @@ private:
                 const std::size_t end = ahead ? r.back() : r.front(), k = next(end, ahead);
                 if (k == count_ || !wanted[k] || spots[k].free) continue;
                 if (const auto last = last_before(end, k, row.offsets[end]))
-                    way.insert(ahead ? way.end() : way.begin(), *last);
+                    route.insert(ahead ? route.end() : route.begin(), *last);
             }
             if (backwards) {
                 std::reverse(r.begin(), r.end());
-                std::reverse(way.begin(), way.end());
+                std::reverse(route.begin(), route.end());
             }
             Pass pass;
             pass.drive = number;
             pass.offset = offset;
-            for (const Spot& s : way) {
+            for (const Spot& s : route) {
                 pass.cl.push_back({s.tip, Vec3::UnitZ()});
                 pass.cc.push_back({s.touch, s.normal});
             }
@@ -633,7 +634,7 @@ namespace {
 void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
     auto& p = curve.points;
     if (curve.closed || p.size() < 3) return;
-    const double way = with.overlap + with.cover->radius();
+    const double route = with.overlap + with.cover->radius();
     for (const std::size_t side : {0, 1}) {
         if (curve.node[side] >= 0) continue;
         const PencilPoint end = side == 0 ? p.front() : p.back();
@@ -643,7 +644,7 @@ void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
         const Vec3 ahead = (end.center - before).normalized();
         const auto reach = side == 0 ? band.reach.front() : band.reach.back();
         const auto flank = side == 0 ? band.flank.front() : band.flank.back();
-        for (int k = 1; k * step <= way + step; ++k) {
+        for (int k = 1; k * step <= route + step; ++k) {
             PencilPoint q = end;
             q.on_part = false;
             for (Vec3* v : {&q.tip, &q.touch[0], &q.touch[1], &q.from, &q.center})

@@ -19,7 +19,7 @@ constexpr std::size_t check_every = 4096;
 constexpr double sample_share = 0.22;
 /// ... and in hollows that the cutter does not fill so far, of its radius.
 constexpr double deep_share = 0.25;
-constexpr double most_samples = 2e6;
+constexpr double max_samples = 2e6;
 /// Of what may be left: so much a pass leaves between two places that are asked about.
 constexpr double stand_share = 0.02;
 /// ... and in steps down to this the least that the cutter can leave is looked for, unless it is less than
@@ -29,7 +29,7 @@ constexpr double finest_share = 0.1, enough_share = 0.25;
 /// reach.
 constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5, gap_share = 4;
 /// Cosine: a pass turns by no more from one place to the next.
-constexpr double most_turn = 0.5, most_turn_after_gap = 0.95;
+constexpr double max_turn = 0.5, max_turn_after_gap = 0.95;
 /// A pass goes on over its ends in so many steps of this share of the radius.
 constexpr int end_steps = 3;
 constexpr double end_share = 0.1;
@@ -62,7 +62,7 @@ public:
 
 private:
     struct Stand {
-        Vec3 tip, way;
+        Vec3 tip, route;
     };
 
     void stand_along(const Vec3& from, const Vec3& to) {
@@ -109,7 +109,7 @@ private:
         for (const BandCut& b : bands_)
             area += b.band->area;
         const double apart =
-            std::max(sample_share * std::sqrt(2 * ball_ * with_.cusp), std::sqrt(area / most_samples));
+            std::max(sample_share * std::sqrt(2 * ball_ * with_.cusp), std::sqrt(area / max_samples));
         std::vector<Place> all;
         PointGrid seen(apart);
         std::size_t count = 0;
@@ -201,7 +201,7 @@ private:
             progress.check();
             if (!too_much(left_[seed])) continue;
             const Vec3 start = left_[seed].sample.tip;
-            const Vec3 along = way_near(start);
+            const Vec3 along = route_near(start);
             std::array<std::vector<Vec3>, 2> halves;
             std::size_t known = stand_.size();
             stand_along(start, start);
@@ -218,7 +218,7 @@ private:
                     cover(known);
                     // Where it cannot be bettered it is not asked again.
                     left_[next].rest = std::min(left_[next].rest, left_[next].sample.gap);
-                    if (const double way = (tip - at).norm(); way > 0) ahead = (tip - at) / way;
+                    if (const double route = (tip - at).norm(); route > 0) ahead = (tip - at) / route;
                     at = tip;
                     halves[half].push_back(tip);
                 }
@@ -226,10 +226,10 @@ private:
             }
             if (halves[0].empty() && halves[1].empty()) {
                 // A single place on a steep flank: level along it, or else straight down.
-                const Vec3 level_way = Vec3::UnitZ().cross(left_[seed].sample.normal);
-                if (level_way.norm() > tolerance::level_angle) {
-                    extend(start, level_way.normalized(), halves[0]);
-                    extend(start, -level_way.normalized(), halves[1]);
+                const Vec3 level_route = Vec3::UnitZ().cross(left_[seed].sample.normal);
+                if (level_route.norm() > tolerance::level_angle) {
+                    extend(start, level_route.normalized(), halves[0]);
+                    extend(start, -level_route.normalized(), halves[1]);
                 }
                 if (halves[0].empty() && halves[1].empty())
                     halves[1].push_back(start + end_share * radius_ * Vec3::UnitZ());
@@ -254,10 +254,10 @@ private:
             std::size_t next = left_.size();
             double least = infinity;
             tips.near(level(at), reach, [&](std::size_t i) {
-                const Vec3 way = left_[i].sample.tip - at;
-                const double length = way.norm();
-                const double cosine = reach == next_share * radius_ ? most_turn : most_turn_after_gap;
-                if (!too_much(left_[i]) || length > reach || way.dot(ahead) < cosine * length) return;
+                const Vec3 route = left_[i].sample.tip - at;
+                const double length = route.norm();
+                const double cosine = reach == next_share * radius_ ? max_turn : max_turn_after_gap;
+                if (!too_much(left_[i]) || length > reach || route.dot(ahead) < cosine * length) return;
                 const double rank = reach == next_share * radius_ ? -excess(i) : length;
                 if (rank > least || (rank == least && i > next)) return;
                 least = rank;
@@ -269,17 +269,17 @@ private:
     }
 
     /// Unit vector along the pass that comes nearest to a tip.
-    Vec3 way_near(const Vec3& tip) const {
-        Vec3 way = Vec3::UnitX();
+    Vec3 route_near(const Vec3& tip) const {
+        Vec3 route = Vec3::UnitX();
         double least = infinity;
         for (double reach = cell_share * radius_; least == infinity && reach < 4 * radius_; reach *= 2)
             stands_.near(level(tip), reach, [&](std::size_t i) {
                 const double d = (stand_[i].tip - tip).squaredNorm();
-                if (!(d < least) || !(stand_[i].way.norm() > 0)) return;
+                if (!(d < least) || !(stand_[i].route.norm() > 0)) return;
                 least = d;
-                way = stand_[i].way.normalized();
+                route = stand_[i].route.normalized();
             });
-        return way;
+        return route;
     }
 
     /// A little farther, as far as the part goes on.

@@ -15,7 +15,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t block_facets = 256;
-constexpr double most_samples = 4e6;
+constexpr double max_samples = 4e6;
 constexpr std::size_t check_every = 8192;
 /// Of the samples' spacing: facets with shorter edges are small.
 constexpr double small_share = 0.6;
@@ -23,13 +23,13 @@ constexpr double small_share = 0.6;
 constexpr double step_share = 0.08;
 /// Of the cutter's radius: touched points nearer to each other are the same flank's. More than noise lets a
 /// touched point jump about on one flank, less than the width of any valley that leaves something.
-constexpr double least_jump = 0.12;
+constexpr double min_jump = 0.12;
 /// By more the touched points do not move, in radii, between two steps on the same two flanks.
-constexpr double most_move = 0.45;
+constexpr double max_move = 0.45;
 /// By more, in radii, the tip falls only beside an upright wall.
 constexpr double fall_share = 0.02;
 /// Of a step: points nearer to each other are one.
-constexpr double least_step = 0.4;
+constexpr double min_step = 0.4;
 /// Of an arc on which the next point is looked for.
 constexpr int arc_samples = 13, ring_samples = 24;
 constexpr int halvings = 30, arc_halvings = 16;
@@ -37,7 +37,7 @@ constexpr int halvings = 30, arc_halvings = 16;
 constexpr double end_share = 1.0 / 32;
 /// After so many steps beyond a place where it was lost a curve has not ended.
 constexpr int steps_to_go_on = 4;
-constexpr std::size_t most_steps = 200000;
+constexpr std::size_t max_steps = 200000;
 /// The fitted vector is an average over this many radii along the curve, to either side.
 constexpr double fit_share = 0.25;
 /// Planes whose normals span less than this meet in no one place.
@@ -45,7 +45,7 @@ constexpr double flat_corner = 0.02;
 /// What is farther from the touched points than so many radii is no corner under the cutter.
 constexpr double corner_reach = 3;
 /// What is left ahead of the last centre is looked for up to this angle from the fitted vector.
-constexpr double most_turn = 1.2;
+constexpr double max_turn = 1.2;
 /// Ends nearer to each other than this many steps meet.
 constexpr double node_steps = 2;
 
@@ -143,7 +143,7 @@ private:
                 b = t;
                 hi = mid;
             }
-            if (apart(a, b) < least_jump) return false;
+            if (apart(a, b) < min_jump) return false;
         }
         return true;
     }
@@ -192,7 +192,7 @@ private:
         double area = 0;
         for (std::size_t f = 0; f < mesh.facet_count(); ++f)
             area += 0.5 * mesh.facet_cross(f).norm();
-        spacing = std::max(spacing, std::sqrt(area / most_samples));
+        spacing = std::max(spacing, std::sqrt(area / max_samples));
         const std::vector<Index> asked = asked_facets(spacing, progress);
         using Samples = std::vector<RestSample>;
         out_.samples = parallel_reduce(
@@ -226,17 +226,17 @@ private:
         const Vec2 at = s.tip.head<2>();
         Touch last = touch_at(at);
         if (!last.valid) return std::nullopt;
-        Vec2 way = (last.normal - s.normal).head<2>();
-        if (way.norm() < tolerance::level_angle) way = -s.normal.head<2>();
-        if (way.norm() < tolerance::level_angle) return std::nullopt;
-        way.normalize();
-        const auto on_way = [&](double x) { return touch_at(at + x * way); };
+        Vec2 route = (last.normal - s.normal).head<2>();
+        if (route.norm() < tolerance::level_angle) route = -s.normal.head<2>();
+        if (route.norm() < tolerance::level_angle) return std::nullopt;
+        route.normalize();
+        const auto on_route = [&](double x) { return touch_at(at + x * route); };
         const double stride = 0.15 * radius_;
         for (double x = 0; x < 2.2 * radius_; x += stride) {
-            Touch next = on_way(x + stride);
+            Touch next = on_route(x + stride);
             if (!next.valid) return std::nullopt;
             Touch a = last, b = next;
-            if (apart(a, b) >= least_jump && halve(on_way, x, x + stride, a, b, halvings))
+            if (apart(a, b) >= min_jump && halve(on_route, x, x + stride, a, b, halvings))
                 return pencil(a, b);
             last = next;
         }
@@ -270,7 +270,7 @@ private:
             const double next_angle = from + (to - from) * k / (samples - 1);
             const Touch next = on_arc(next_angle);
             Touch a = last, b = next;
-            if (a.valid && b.valid && apart(a, b) >= least_jump
+            if (a.valid && b.valid && apart(a, b) >= min_jump
                 && halve(on_arc, angle, next_angle, a, b, arc_halvings)) {
                 // Going on along the arc's radius, what comes later is on the left.
                 Found f;
@@ -292,13 +292,13 @@ private:
         double rho = step_, stop = 0;
         bool ending = false;
         int passed = 0; // steps since the curve was lost
-        while (t.points.size() < most_steps) {
+        while (t.points.size() < max_steps) {
             progress.check();
             const PencilPoint& last = t.points.back();
             const auto found =
                 jumps(last.tip.head<2>(), rho, heading - 0.5 * pi, heading + 0.5 * pi, arc_samples);
             const Found* best = nullptr;
-            double least = most_move;
+            double least = max_move;
             for (const Found& f : found)
                 if (const double m = moved(f.point, last); m <= least) {
                     least = m;
@@ -313,8 +313,8 @@ private:
                 if (rho < stop) return t;
                 continue;
             }
-            const double way = (best->point.tip - last.tip).norm();
-            if (way > 1.6 * step_ && rho > tolerance::lift_accuracy * radius_) {
+            const double route = (best->point.tip - last.tip).norm();
+            if (route > 1.6 * step_ && rho > tolerance::lift_accuracy * radius_) {
                 rho *= 0.5;
                 continue;
             }
@@ -327,7 +327,7 @@ private:
             }
             t.points.push_back(best->point);
             if (t.points.size() > 8 && (best->point.tip - start.tip).norm() < 0.75 * step_
-                && moved(best->point, start) < most_move) {
+                && moved(best->point, start) < max_move) {
                 t.closed = true;
                 t.points.pop_back();
                 return t;
@@ -336,7 +336,7 @@ private:
                 t.end = End::off;
                 return t;
             }
-            if (!ending && way < 0.6 * step_) rho = std::min(1.5 * rho, step_);
+            if (!ending && route < 0.6 * step_) rho = std::min(1.5 * rho, step_);
         }
         return t;
     }
@@ -355,7 +355,7 @@ private:
             if ((q.tip - p.tip).norm() > within) return false;
             PencilPoint turned = q;
             std::swap(turned.touch[0], turned.touch[1]);
-            return moved(p, q) < most_move || moved(p, turned) < most_move;
+            return moved(p, q) < max_move || moved(p, turned) < max_move;
         });
     }
 
@@ -372,13 +372,13 @@ private:
             std::array<std::optional<double>, 2> heading;
             for (double rho = step_; rho > end_share * step_ && !(heading[0] && heading[1]); rho *= 0.5) {
                 const auto ring = jumps(seed.tip.head<2>(), rho, -pi, pi, ring_samples);
-                for (const std::size_t way : {0, 1}) {
-                    if (heading[way]) continue;
-                    double least = most_move;
+                for (const std::size_t route : {0, 1}) {
+                    if (heading[route]) continue;
+                    double least = max_move;
                     for (const Found& f : ring)
-                        if (const double m = moved(f.point, way == 0 ? seed : turned); m < least) {
+                        if (const double m = moved(f.point, route == 0 ? seed : turned); m < least) {
                             least = m;
-                            heading[way] = f.angle;
+                            heading[route] = f.angle;
                         }
                 }
             }
@@ -439,7 +439,7 @@ private:
     void thin_out(ValleyCurve& curve) const {
         std::vector<PencilPoint> kept;
         for (const PencilPoint& p : curve.points)
-            if (kept.empty() || (p.tip - kept.back().tip).norm() >= least_step * step_) kept.push_back(p);
+            if (kept.empty() || (p.tip - kept.back().tip).norm() >= min_step * step_) kept.push_back(p);
         if (curve.points.size() > 1 && !curve.closed && kept.size() > 1) kept.back() = curve.points.back();
         curve.points = std::move(kept);
     }
@@ -472,7 +472,7 @@ private:
             if (bad != good.end()) first = std::size_t(bad - good.begin());
         }
         const auto at = [&](std::size_t i) { return (first + i) % n; };
-        const auto way = [&](std::size_t a, std::size_t b) {
+        const auto route = [&](std::size_t a, std::size_t b) {
             double sum = 0;
             for (std::size_t i = a; i < b; ++i)
                 sum += (p[at(i + 1)].center - p[at(i)].center).norm();
@@ -482,7 +482,7 @@ private:
         std::vector<std::array<std::size_t, 2>> ranges;
         for (std::size_t i = 0; i < n; ++i) {
             if (!good[at(i)]) continue;
-            bool bridge = !ranges.empty() && way(ranges.back()[1] - 1, i) <= in_.ripple;
+            bool bridge = !ranges.empty() && route(ranges.back()[1] - 1, i) <= in_.ripple;
             for (std::size_t k = bridge ? ranges.back()[1] : i; k < i; ++k)
                 bridge = bridge && p[at(k)].on_part;
             if (bridge || (!ranges.empty() && ranges.back()[1] == i))
@@ -492,7 +492,7 @@ private:
         }
         for (const auto& [a, b] : ranges) {
             const bool whole = b - a == n;
-            if (way(a, b - 1) < in_.ripple && !(whole && closed)) continue;
+            if (route(a, b - 1) < in_.ripple && !(whole && closed)) continue;
             ValleyCurve run;
             run.closed = whole && closed;
             for (std::size_t i = a; i < b; ++i)
@@ -520,25 +520,25 @@ private:
             ahead = end.center - p[i].center;
         if (ahead == Vec3::Zero()) return;
         ahead.normalize();
-        const auto ahead_by = [&](double way) -> std::optional<PencilPoint> {
+        const auto ahead_by = [&](double route) -> std::optional<PencilPoint> {
             PencilPoint q = end;
             for (Vec3* v : {&q.tip, &q.touch[0], &q.touch[1], &q.from})
-                *v += way * ahead;
+                *v += route * ahead;
             const auto hit = in_.grid->first_hit(q.from, -q.up, reach_);
             if (!hit) return std::nullopt;
             q.center = q.from - hit->distance * q.up;
-            if ((q.center - end.center).norm() > 1.5 * way) return std::nullopt; // another surface
+            if ((q.center - end.center).norm() > 1.5 * route) return std::nullopt; // another surface
             return q;
         };
         std::vector<PencilPoint> more;
-        double way = step_;
-        for (; way <= radius_; way += step_) {
-            const auto q = ahead_by(way);
+        double route = step_;
+        for (; route <= radius_; route += step_) {
+            const auto q = ahead_by(route);
             if (!q) break;
             more.push_back(*q);
         }
-        if (way > radius_) return; // no border there
-        double lo = way - step_, hi = way;
+        if (route > radius_) return; // no border there
+        double lo = route - step_, hi = route;
         std::optional<PencilPoint> last;
         while (hi - lo > end_share * step_) {
             const double mid = 0.5 * (lo + hi);
@@ -649,7 +649,7 @@ private:
                 for (std::size_t s = 0; s < 2; ++s) {
                     bool known = false;
                     for (const Vec3& t : touches)
-                        known = known || (t - p.touch[s]).norm() < most_move * radius_;
+                        known = known || (t - p.touch[s]).norm() < max_move * radius_;
                     if (known) continue;
                     touches.push_back(p.touch[s]);
                     normals.push_back(p.normal[s]);
@@ -668,13 +668,13 @@ private:
             up.z() = std::max(up.z(), 0.0);
             if (up.norm() < tolerance::level_angle) continue;
             node.up = up.normalized();
-            Vec3 way = -node.up;
-            if (const auto meet = corner(touches, normals); meet && (*meet - node.from).dot(way) > 0)
-                way = (*meet - node.from).normalized();
-            const auto hit = in_.grid->first_hit(node.from, way, corner_reach * radius_);
+            Vec3 route = -node.up;
+            if (const auto meet = corner(touches, normals); meet && (*meet - node.from).dot(route) > 0)
+                route = (*meet - node.from).normalized();
+            const auto hit = in_.grid->first_hit(node.from, route, corner_reach * radius_);
             if (!hit) continue;
             node.on_part = true;
-            node.center = node.from + hit->distance * way;
+            node.center = node.from + hit->distance * route;
             node.gap = in_.cover->distance(node.center - node.tip);
             // Three flanks that the cutter touches without leaving anything between them are no corner: as
             // where a floor becomes too narrow for it.
@@ -708,17 +708,17 @@ private:
             const double within = 2 * radius_ + q.gap;
             return !tips.near_until(q.center, within, [&](std::size_t i) {
                 const Vec3& tip = tips.points()[i];
-                return (tip - end.tip).norm() > least_step * step_
+                return (tip - end.tip).norm() > min_step * step_
                        && in_.cover->distance(q.center - tip) < q.gap - 0.1 * in_.tolerance;
             });
         };
         std::vector<PencilPoint> more;
         PencilPoint q = end;
-        for (double angle = turn; angle < most_turn; angle += turn) {
-            const Vec3 way = std::sin(angle) * ahead - std::cos(angle) * end.up;
-            const auto hit = in_.grid->first_hit(end.from, way, reach_);
+        for (double angle = turn; angle < max_turn; angle += turn) {
+            const Vec3 route = std::sin(angle) * ahead - std::cos(angle) * end.up;
+            const auto hit = in_.grid->first_hit(end.from, route, reach_);
             if (!hit) break;
-            q.center = end.from + hit->distance * way;
+            q.center = end.from + hit->distance * route;
             q.gap = in_.cover->distance(q.center - q.tip);
             if (!(q.gap > in_.tolerance) || !is_nearest(q)) break;
             more.push_back(q);
@@ -736,8 +736,8 @@ private:
         ValleyCurve& curve = out_.curves[c];
         curve.node[side] = number;
         const PencilPoint from = side == 0 ? curve.points.front() : curve.points.back();
-        const double way = (node.center - from.center).norm();
-        const auto steps = std::size_t(std::ceil(way / step_));
+        const double route = (node.center - from.center).norm();
+        const auto steps = std::size_t(std::ceil(route / step_));
         std::vector<PencilPoint> more;
         for (std::size_t k = 1; k <= steps; ++k) {
             const double x = double(k) / double(steps);

@@ -17,16 +17,16 @@ template <class Use>
 void within(const ValleyCurve& curve, std::size_t i, std::ptrdiff_t side, double window, Use&& use) {
     const auto& p = curve.points;
     const auto n = std::ptrdiff_t(p.size());
-    double way = 0;
+    double route = 0;
     auto k = std::ptrdiff_t(i);
     for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
         std::ptrdiff_t next = k + side;
         if (curve.closed) next = (next + n) % n;
         if (next < 0 || next >= n) break;
-        way += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
-        if (way > window) break;
+        route += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
+        if (route > window) break;
         k = next;
-        use(std::size_t(k), way);
+        use(std::size_t(k), route);
     }
 }
 
@@ -70,8 +70,8 @@ void fit_up(ValleyCurve& curve, double window, const std::vector<Rolls>& rolls) 
     std::vector<Vec3> sums(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) {
         Vec3 sum = Vec3::Zero();
-        const auto add = [&](std::size_t k, double way) {
-            const double weight = window > 0 ? 1 - way / window : 1;
+        const auto add = [&](std::size_t k, double route) {
+            const double weight = window > 0 ? 1 - route / window : 1;
             if (rolls[k] == Rolls::no) sum += weight * (p[k].normal[0] + p[k].normal[1]);
         };
         add(i, 0);

@@ -21,9 +21,9 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
 
 /// Cells of the stock, in radii of the cutter.
 constexpr double rest_cell_share = 0.04;
-constexpr std::size_t most_drive_planes = 100000;
+constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
-constexpr double most_places = 2e9;
+constexpr double max_places = 2e9;
 
 /// Everything one plan needs, worked out once.
 class Planner {
@@ -124,10 +124,10 @@ void Planner::check_size() const {
     const Vec3 size = context_.part_box.size();
     const double step =
         settings_.stepover.is_number() ? settings_.stepover.number : stepover_->largest_step();
-    if (size.x() * size.y() <= most_places * step * fine_.spacing) return;
+    if (size.x() * size.y() <= max_places * step * fine_.spacing) return;
     throw Error(ErrorCode::limit_exceeded, settings_.name,
                 "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
-                    + format_number(most_places) + " places of this tool",
+                    + format_number(max_places) + " places of this tool",
                 "check the part's units, or take a larger tool, tolerance or step-over");
 }
 
@@ -135,9 +135,9 @@ void Planner::plan_constant(double step) {
     const double lo = domain_->lo(), hi = domain_->hi();
     // Centred: the same margin at both borders, at most half a step.
     const double planes = std::max(1.0, std::ceil((hi - lo) / step - tolerance::level_angle));
-    if (planes > double(most_drive_planes))
+    if (planes > double(max_drive_planes))
         throw Error(ErrorCode::limit_exceeded, "stepover",
-                    "a step-over of " + text(step) + " makes more than " + std::to_string(most_drive_planes)
+                    "a step-over of " + text(step) + " makes more than " + std::to_string(max_drive_planes)
                         + " drive planes",
                     "choose a larger step-over");
     const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
@@ -180,9 +180,9 @@ void Planner::plan_adaptive() {
                 break;
             }
         }
-        if (i >= most_drive_planes)
+        if (i >= max_drive_planes)
             throw Error(ErrorCode::limit_exceeded, "stepover",
-                        "the tolerance asks for more than " + std::to_string(most_drive_planes)
+                        "the tolerance asks for more than " + std::to_string(max_drive_planes)
                             + " drive planes",
                         "allow a larger tolerance or set a step-over");
         StepOver::Step step = stepover_->next(last ? &*last : nullptr, here);

@@ -231,8 +231,8 @@ double StepOver::between(const DriveLine* a, const DriveLine* b, double u, doubl
 
 double StepOver::hollow(const DriveLine* a, const DriveLine* b, const Sample& s0, const Sample& s1, double u,
                         double v) const {
-    const Vec3 way = s1.point - s0.point;
-    if (!((s1.normal - s0.normal).dot(way) < 0)) return 0; // a ridge
+    const Vec3 route = s1.point - s0.point;
+    if (!((s1.normal - s0.normal).dot(route) < 0)) return 0; // a ridge
     const Vec2 xy = in_.frame.xy(u, v);
     const Vec3 seat(xy.x(), xy.y(), std::max(s0.tip_z, s1.tip_z));
     // A hollow that runs across the columns lies elsewhere half-way to the next.
@@ -243,7 +243,7 @@ double StepOver::hollow(const DriveLine* a, const DriveLine* b, const Sample& s0
     double worst = 0;
     for (const std::size_t k : {0, 1}) {
         const Sample* s = k == 0 ? &s0 : &s1;
-        Vec3 inward = s == &s0 ? way : Vec3(-way);
+        Vec3 inward = s == &s0 ? route : Vec3(-route);
         inward -= inward.dot(s->normal) * s->normal;
         const double length = inward.norm();
         if (!(length > 0)) continue;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t block_facets = 64;
 constexpr std::size_t check_every = 8192;
-constexpr double most_samples = 4e6;
+constexpr double max_samples = 4e6;
 /// Of the allowed height: where the part holds the cutter up by more, that is why too much stays.
 constexpr double reach_share = 0.25;
 /// Samples of a row between two looks at the cancel flag.
@@ -168,7 +168,7 @@ public:
             for (int k = 0; k < 3; ++k)
                 length += (mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k)).norm() / 3;
         }
-        spacing_ = std::max({spacing_, std::sqrt(area / most_samples), length / most_samples});
+        spacing_ = std::max({spacing_, std::sqrt(area / max_samples), length / max_samples});
     }
 
     UncutReport run(const Progress& progress) const {

@@ -25,13 +25,13 @@ namespace {
 const OperationRegistration registration("finish5", "Finish, 5-axis",
                                          [] { return std::make_unique<Finish5>(); });
 
-constexpr std::size_t most_drive_planes = 100000;
+constexpr std::size_t max_drive_planes = 100000;
 /// Contact points of a plan, roughly: a day's work.
-constexpr double most_contacts = 2e7;
+constexpr double max_contacts = 2e7;
 /// The step that the search starts with, in diameters.
 constexpr double first_step_share = 0.4;
 /// How far, in the cutter's radius, a pass goes on beyond the part's border at most.
-constexpr double most_extension_share = 2;
+constexpr double max_extension_share = 2;
 
 class Planner5 {
 public:
@@ -81,10 +81,10 @@ private:
         const Vec3 size = field_.context().part_box.size();
         const double step =
             settings_.stepover.is_number() ? settings_.stepover.number : 0.5 * field_.radius();
-        if (size.x() * size.y() <= most_contacts * step * 0.4 * field_.radius()) return;
+        if (size.x() * size.y() <= max_contacts * step * 0.4 * field_.radius()) return;
         throw Error(ErrorCode::limit_exceeded, settings_.name,
                     "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
-                        + format_number(most_contacts) + " contact points of this tool",
+                        + format_number(max_contacts) + " contact points of this tool",
                     "check the part's units, or take a larger tool or step-over");
     }
 
@@ -106,7 +106,7 @@ private:
             const Progress here = at(last ? last->v : lines.lo());
             if (last && is_piece_) break;
             if (last && timed([&] { return stepover_.reaches_border(*last); })) break;
-            if (result_.drive_planes >= int(most_drive_planes))
+            if (result_.drive_planes >= int(max_drive_planes))
                 refuse_planes("tolerance", "the tolerance asks for");
             // Nothing more to meet: the border is a line no plane cuts.
             if (last && lines.beyond(lines.hi(), lines.lo()) - last->plane <= 1) break;
@@ -141,7 +141,7 @@ private:
         std::vector<double> border_lo;
         while (true) {
             const Progress here = at(last.v);
-            if (result_.drive_planes >= int(most_drive_planes))
+            if (result_.drive_planes >= int(max_drive_planes))
                 refuse_planes("tolerance", "the tolerance asks for");
             const bool at_end = lines.beyond(lines.hi(), lines.lo()) - last.plane <= 1;
             TiltedStepOver::Gap gap;
@@ -190,7 +190,7 @@ private:
         const auto& lines = field_.lines();
         const double planes =
             std::max(1.0, std::ceil((lines.hi() - lines.lo()) / step - tolerance::level_angle));
-        if (planes > double(most_drive_planes))
+        if (planes > double(max_drive_planes))
             refuse_planes("stepover", "a step-over of " + text(step) + " makes");
         const double first = 0.5 * (lines.lo() + lines.hi()) - 0.5 * (planes - 1) * step;
         for (std::size_t i = 0; i < std::size_t(planes); ++i) {
@@ -207,7 +207,7 @@ private:
 
     [[noreturn]] void refuse_planes(const char* key, const std::string& what) const {
         throw Error(ErrorCode::limit_exceeded, key,
-                    what + " more than " + std::to_string(most_drive_planes) + " drive planes",
+                    what + " more than " + std::to_string(max_drive_planes) + " drive planes",
                     "choose a larger step-over or tolerance");
     }
 
@@ -227,7 +227,7 @@ private:
         const bool begins = first == (pass.travel > 0);
         const double aside = begins ? 0 : std::min(std::max(pass.v - v_lo, v_hi - pass.v), r);
         const double lag = r - std::sqrt(r * r - aside * aside);
-        return std::min(farther + lag, most_extension_share * r);
+        return std::min(farther + lag, max_extension_share * r);
     }
 
     void finish_pass(const EstimatedPass& pass, const std::vector<double>& border_lo,
@@ -344,9 +344,8 @@ private:
         for (std::size_t i = 0; i < line.places.size(); ++i) {
             const ContactPlace& place = line.places[i];
             if (!place.kept || study.points[i].kept) continue;
-            const auto [lambda, omega] = *place.kept;
-            const PostureBlock block =
-                field_.builder().reason(place.frame, lambda, omega, study.curves[i]).block;
+            const auto [lead, yaw] = *place.kept;
+            const PostureBlock block = field_.builder().reason(place.frame, lead, yaw, study.curves[i]).block;
             std::string why;
             switch (block) {
             case PostureBlock::local:
@@ -399,7 +398,7 @@ private:
         placed.choices = choose_postures(field_, line.study, settings_.posture, last_pose(), next, progress);
         FiveAxisRecord::Line recorded{record_->points.size(), 0, line.drive};
         for (std::size_t i = 0; i < placed.places.size(); ++i) {
-            record_->points.push_back({placed.places[i], line.study.points[i].cm2_lambda, placed.choices[i]});
+            record_->points.push_back({placed.places[i], line.study.points[i].cm2_lead, placed.choices[i]});
             if (placed.choices[i].free) continue;
             ++unfree_;
             ++blocked_[std::size_t(decisive_block(line.study.spaces[i]))];

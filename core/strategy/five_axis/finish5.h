@@ -27,7 +27,7 @@ struct Finish5Settings : OperationCommon {
         tolerance = 0.1;
     }
     PostureChoice posture = PostureChoice::global;
-    double grid_degrees = radians(3);
+    double grid_step = radians(3);
     std::array<double, 2> lead_limits{0, radians(45)};
     std::array<double, 2> yaw_limits{radians(-45), radians(45)};
     NumberOrWord stepover{0, "adaptive"}; ///< mm

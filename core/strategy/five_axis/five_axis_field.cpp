@@ -34,7 +34,7 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
       allowance_(settings_.allowance + context.tessellation_tolerance[1]) {
     drive_ = DriveFrame(travel_direction(settings_.direction, context_, progress.part(0, 0.5)));
     grid_ = PostureGrid::make(settings_.lead_limits[0], settings_.lead_limits[1], settings_.yaw_limits[0],
-                              settings_.yaw_limits[1], settings_.grid_degrees);
+                              settings_.yaw_limits[1], settings_.grid_step);
     lift_.emplace(context_.contact, context_.tool, clearance());
     radius_ = cutter().max_radius();
     kinematics_.emplace(context_.machine, gauge_length(context_.tool),
@@ -152,7 +152,7 @@ double FiveAxisField::cm2_lead(const ContactPlace& place) const {
 }
 
 std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {
-    const double longest = longest_share * 2 * radius_, most_away = 0.5 * chord_;
+    const double longest = longest_share * 2 * radius_, max_away = 0.5 * chord_;
     // With the normals the axes turn, and those of neighbours have to stay together.
     const double cos_limit = std::cos(std::min(settings_.normal_limit, turn_share * settings_.turn_limit));
     // Stations: the line's own points, and more on long pieces.
@@ -170,7 +170,7 @@ std::vector<double> FiveAxisField::samples(const SurfaceLine& line) const {
     const auto serves = [&](std::size_t a, std::size_t b) {
         if (stations[b] - stations[a] > longest || at[a].normal.dot(at[b].normal) < cos_limit) return false;
         for (std::size_t k = a + 1; k < b; ++k)
-            if (distance_to_segment(at[k].point, at[a].point, at[b].point) > most_away
+            if (distance_to_segment(at[k].point, at[a].point, at[b].point) > max_away
                 || at[a].normal.dot(at[k].normal) < cos_limit)
                 return false;
         return true;

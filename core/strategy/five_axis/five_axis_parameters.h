@@ -17,13 +17,13 @@ void add_five_axis_parameters(ParameterTable<S>& t) {
                   .help = "How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis "
                           "point by point, global takes the path that needs least machining time.",
                   .words = {"cm2", "local", "global"}});
-    t.add(member(&S::grid_degrees), {.key = "grid_degrees",
-                                     .label = "Posture grid",
-                                     .help = "Step of inclination and yaw in the configuration space.",
-                                     .kind = K::number,
-                                     .quantity = Quantity::angle,
-                                     .minimum = radians(0.25),
-                                     .maximum = radians(30)});
+    t.add(member(&S::grid_step), {.key = "grid_degrees",
+                                  .label = "Posture grid",
+                                  .help = "Step of inclination and yaw in the configuration space.",
+                                  .kind = K::number,
+                                  .quantity = Quantity::angle,
+                                  .minimum = radians(0.25),
+                                  .maximum = radians(30)});
     if constexpr (std::is_same_v<S, Finish5Settings>)
         t.add(member(&S::lead_limits),
               {.key = "lead_limits",

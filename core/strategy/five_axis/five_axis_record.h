@@ -13,7 +13,7 @@ namespace facetmill {
 struct FiveAxisRecord {
     struct Point {
         ContactPlace place; ///< with the posture kept by hand, if any, free or not
-        double cm2_lambda = 0;
+        double cm2_lead = 0;
         ChosenPosture choice; ///< by the method of the operation
     };
     /// One line of one pass, in the order of travel.

@@ -43,7 +43,7 @@ std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const P
         point.place = places[i];
         point.curves = std::move(study.curves[i]);
         point.space = std::move(study.spaces[i]);
-        point.cm2_lambda = study.points[i].cm2_lambda;
+        point.cm2_lead = study.points[i].cm2_lead;
         point.planned = record_->points[point.index].choice;
         for (std::size_t m = 0; m < chosen.size(); ++m)
             point.chosen[m] = chosen[m][i];

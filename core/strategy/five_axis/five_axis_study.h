@@ -20,7 +20,7 @@ public:
         ContactPlace place;
         std::vector<RaisedCurve> curves;
         CSpace space;                        ///< with the bottom everywhere
-        double cm2_lambda = 0;               ///< the CM2 lead, before anything is repaired
+        double cm2_lead = 0;                 ///< the CM2 lead, before anything is repaired
         std::array<ChosenPosture, 3> chosen; ///< by cm2, local, global (Finish5Settings::PostureChoice)
         ChosenPosture planned;               ///< the operation's own
     };
@@ -32,8 +32,8 @@ public:
     std::vector<Point> line(std::size_t index, const Progress& progress) const;
 
     /// Why a posture is as it is, also between nodes of the grid.
-    CSpaceBuilder::Reason reason(const Point& point, double lambda, double omega) const {
-        return field_.builder().reason(point.place.frame, lambda, omega, point.curves);
+    CSpaceBuilder::Reason reason(const Point& point, double lead, double yaw) const {
+        return field_.builder().reason(point.place.frame, lead, yaw, point.curves);
     }
     const FiveAxisField& field() const { return field_; }
     const FiveAxisRecord& record() const { return *record_; }

@@ -11,7 +11,7 @@ namespace facetmill {
 namespace {
 
 /// A motion between neighbouring contact points is halved this often at most.
-constexpr int most_divisions = 6;
+constexpr int max_divisions = 6;
 constexpr std::size_t places_per_block = 4;
 /// Of the cutter's radius: a run of free points shorter than this is left to clean-up with its neighbours.
 constexpr double shortest_run_share = 0.1;
@@ -30,7 +30,7 @@ struct Stop {
 /// From one contact place to the next.
 struct Gap {
     bool closed = false;
-    std::vector<Stop> way; ///< what stands between
+    std::vector<Stop> route; ///< what stands between
 };
 
 class Joiner {
@@ -48,22 +48,22 @@ public:
     }
 
     /// Appends what stands between a and b; false where the way is not free.
-    bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& way) {
+    bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& route) {
         const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
         const bool turns_little = angle <= field_.settings().turn_limit * (1 + tolerance::level_angle);
         const ContactPlace middle = place_between(a.place, b.place, 0.5);
         const bool clear = keeps_clear(a.cl, b.cl);
         if (turns_little && clear && clears(a, b, 0.5 * field_.chord())) return true;
         // So near to each other, what the two do not hold between them is narrower than a hair.
-        if (divisions == most_divisions) return turns_little && clear;
+        if (divisions == max_divisions) return turns_little && clear;
         Stop at;
         std::vector<Stop> first, second;
         if (!halfway(a, b, middle, at) || !between(a, at, divisions + 1, first)
             || !between(at, b, divisions + 1, second))
             return turns_little && clear && clears(a, b, field_.chord());
-        way.insert(way.end(), first.begin(), first.end());
-        way.push_back(at);
-        way.insert(way.end(), second.begin(), second.end());
+        route.insert(route.end(), first.begin(), first.end());
+        route.push_back(at);
+        route.insert(route.end(), second.begin(), second.end());
         return true;
     }
 
@@ -78,7 +78,7 @@ private:
     /// On the way the tool still holds a point of every line that it has to clear there, but for `slack`.
     bool clears(const Stop& a, const Stop& b, double slack) const {
         for (const double t : {0.5, 0.25, 0.75}) {
-            const CutterLocation on = location_on_way(a.cl, b.cl, t);
+            const CutterLocation on = location_on_route(a.cl, b.cl, t);
             const auto curves = field_.strip_curves(place_between(a.place, b.place, t));
             if (field_.builder().top(ToolPose{on.tip, on.axis}, curves) < -slack) return false;
         }
@@ -89,20 +89,19 @@ private:
     bool halfway(const Stop& a, const Stop& b, const ContactPlace& middle, Stop& at) {
         const auto& settings = field_.settings();
         const auto curves = field_.strip_curves(middle);
-        const double lambda = 0.5 * (a.posture.lambda + b.posture.lambda);
-        const double omega = 0.5 * (a.posture.omega + b.posture.omega);
-        const double step = settings.grid_degrees;
+        const double lead = 0.5 * (a.posture.lead + b.posture.lead);
+        const double yaw = 0.5 * (a.posture.yaw + b.posture.yaw);
+        const double step = settings.grid_step;
         constexpr std::array<std::array<int, 2>, 9> around{
             {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
         for (const double scale : {0.5, 1.0})
             for (const auto& [i, k] : around) {
                 PostureValue p;
-                p.lambda =
-                    std::clamp(lambda + i * scale * step, settings.lead_limits[0], settings.lead_limits[1]);
-                p.omega =
-                    std::clamp(omega + k * scale * step, settings.yaw_limits[0], settings.yaw_limits[1]);
-                const double bottom = field_.builder().bottom(middle.frame, p.lambda, p.omega, hint_);
-                const double top = field_.builder().top(middle.frame, p.lambda, p.omega, curves);
+                p.lead =
+                    std::clamp(lead + i * scale * step, settings.lead_limits[0], settings.lead_limits[1]);
+                p.yaw = std::clamp(yaw + k * scale * step, settings.yaw_limits[0], settings.yaw_limits[1]);
+                const double bottom = field_.builder().bottom(middle.frame, p.lead, p.yaw, hint_);
+                const double top = field_.builder().top(middle.frame, p.lead, p.yaw, curves);
                 if (!(bottom <= top)) continue;
                 p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
                 if (!field_.builder().holds(middle.frame, p)) continue;
@@ -118,15 +117,15 @@ private:
         const CSpace space = field_.builder().build(middle.frame, curves);
         const PostureGrid& grid = field_.grid();
         double nearest = -1;
-        for (std::size_t l = 0; l < grid.lambda.size(); ++l)
-            for (std::size_t o = 0; o < grid.omega.size(); ++o) {
+        for (std::size_t l = 0; l < grid.lead.size(); ++l)
+            for (std::size_t o = 0; o < grid.yaw.size(); ++o) {
                 const std::size_t n = grid.node(l, o);
                 if (space.block[n] != PostureBlock::free) continue;
-                const Vec3 axis = posture_axis(middle.frame, grid.lambda[l], grid.omega[o]);
+                const Vec3 axis = posture_axis(middle.frame, grid.lead[l], grid.yaw[o]);
                 const double cosine = std::min(axis.dot(a.cl.axis), axis.dot(b.cl.axis));
                 if (cosine <= nearest) continue;
                 nearest = cosine;
-                at = stop(middle, {grid.lambda[l], grid.omega[o], space.bottom[n]});
+                at = stop(middle, {grid.lead[l], grid.yaw[o], space.bottom[n]});
             }
         return nearest > a.cl.axis.dot(b.cl.axis);
     }
@@ -138,7 +137,7 @@ private:
 
 } // namespace
 
-CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t) {
+CutterLocation location_on_route(const CutterLocation& a, const CutterLocation& b, double t) {
     CutterLocation at;
     at.tip = a.tip + t * (b.tip - a.tip);
     const double angle = std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
@@ -159,23 +158,23 @@ double looking_step(double radius, double chord) {
 bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
                          double limit, ToolLift::Hint& hint) {
     const double turned = (b.axis - a.axis).norm() * lift.cutter().max_radius();
-    const double way = (b.tip - a.tip).norm() + turned;
-    constexpr int least = 4, most = 256, most_halvings = 6, sure_halvings = 2;
+    const double route = (b.tip - a.tip).norm() + turned;
+    constexpr int least = 4, most = 256, max_halvings = 6, sure_halvings = 2;
     // A lift that grows faster than this belongs to a wall, which the rim does not pass within a step unless
     // one of the step's ends is in it.
     constexpr double steepest = 2;
-    const int pieces = way < most * step ? std::max(least, int(std::ceil(way / step))) : most;
+    const int pieces = route < most * step ? std::max(least, int(std::ceil(route / step))) : most;
     const auto lift_at = [&](double t) {
-        const CutterLocation at = location_on_way(a, b, t);
+        const CutterLocation at = location_on_route(a, b, t);
         return lift.lift({at.tip, at.axis}, hint);
     };
     const auto between = [&](const auto& self, double t0, double l0, double t1, double l1,
                              int halvings) -> bool {
         // Alike: in touch with the same all the way, and round, or clear; but for edges between, which the
         // rim passes within a part of a step.
-        const bool alike = halvings <= most_halvings - sure_halvings && std::abs(l1 - l0) <= 0.5 * limit;
+        const bool alike = halvings <= max_halvings - sure_halvings && std::abs(l1 - l0) <= 0.5 * limit;
         if (halvings == 0 || alike) return true;
-        if (std::max(l0, l1) < -steepest * way * (t1 - t0)) return true;
+        if (std::max(l0, l1) < -steepest * route * (t1 - t0)) return true;
         const double t = 0.5 * (t0 + t1), l = lift_at(t);
         return l <= limit && self(self, t0, l0, t, l, halvings - 1) && self(self, t, l, t1, l1, halvings - 1);
     };
@@ -183,7 +182,7 @@ bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const Cu
     for (int k = 1; k <= pieces; ++k) {
         const double t = double(k) / pieces, here = lift_at(t);
         if (k < pieces && here > limit) return false;
-        if (!between(between, double(k - 1) / pieces, last, t, here, most_halvings)) return false;
+        if (!between(between, double(k - 1) / pieces, last, t, here, max_halvings)) return false;
         last = here;
     }
     return true;
@@ -191,8 +190,8 @@ bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const Cu
 
 double posture_cusp(const FiveAxisField& field, const ContactPlace& place, const PostureValue& posture) {
     const auto curves = field.strip_curves(place);
-    const double top = field.builder().top(place.frame, posture.lambda, posture.omega, curves);
-    const double margin = (top - posture.delta) * std::cos(posture.lambda);
+    const double top = field.builder().top(place.frame, posture.lead, posture.yaw, curves);
+    const double margin = (top - posture.delta) * std::cos(posture.lead);
     return std::max(field.cusp() - field.chord() - margin, 0.0);
 }
 
@@ -207,9 +206,9 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         stops[i] = own.stop(line.places[i], line.choices[i].posture);
         stops[i].cusp = posture_cusp(field, stops[i].place, stops[i].posture);
         if (i == 0 || !line.choices[i - 1].free) return;
-        gaps[i].closed =
-            own.between(own.stop(line.places[i - 1], line.choices[i - 1].posture), stops[i], 0, gaps[i].way);
-        for (Stop& s : gaps[i].way)
+        gaps[i].closed = own.between(own.stop(line.places[i - 1], line.choices[i - 1].posture), stops[i], 0,
+                                     gaps[i].route);
+        for (Stop& s : gaps[i].route)
             s.cusp = posture_cusp(field, s.place, s.posture);
     });
     std::vector<Stop> run;
@@ -235,8 +234,8 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
                 pass.cc.push_back({s.place.surface, s.place.frame.normal});
                 pass.cl.push_back(s.cl);
                 result.cusp = std::max(result.cusp, s.cusp);
-                result.lead_min = std::min(result.lead_min, s.posture.lambda);
-                result.lead_max = std::max(result.lead_max, s.posture.lambda);
+                result.lead_min = std::min(result.lead_min, s.posture.lead);
+                result.lead_max = std::max(result.lead_max, s.posture.lead);
             }
             if (line.before && begin == 0) {
                 const Stop further = joiner.stop(*line.before, run.front().posture);
@@ -264,7 +263,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         }
         if (!run.empty()) {
             if (gaps[i].closed) {
-                run.insert(run.end(), gaps[i].way.begin(), gaps[i].way.end());
+                run.insert(run.end(), gaps[i].route.begin(), gaps[i].route.end());
             } else {
                 // What lies between the two is cut by neither.
                 CutterContact middle = on_part(run.back().place);

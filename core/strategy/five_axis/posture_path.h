@@ -31,7 +31,7 @@ struct JoinedPasses {
 };
 
 /// Tip and axis between two locations, as they move.
-CutterLocation location_on_way(const CutterLocation& a, const CutterLocation& b, double t);
+CutterLocation location_on_route(const CutterLocation& a, const CutterLocation& b, double t);
 
 /// Whether the tool, on its way between two locations, cuts no deeper than `limit` along its axis; the
 /// locations themselves are the caller's. Looked at every `step` (mm) that the tip or the cutter's rim moves

@@ -14,12 +14,12 @@ constexpr double room_chords = 3;
 std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
                                          const std::vector<RaisedCurve>& curves) {
     if (!place.kept) return std::nullopt;
-    const auto [lambda, omega] = *place.kept;
+    const auto [lead, yaw] = *place.kept;
     ToolLift::Hint hint;
-    const double bottom = field.builder().bottom(place.frame, lambda, omega, hint);
-    if (!(bottom <= field.builder().top(place.frame, lambda, omega, curves)) || !(bottom < infinity))
+    const double bottom = field.builder().bottom(place.frame, lead, yaw, hint);
+    if (!(bottom <= field.builder().top(place.frame, lead, yaw, curves)) || !(bottom < infinity))
         return std::nullopt;
-    const PostureValue posture{lambda, omega, bottom};
+    const PostureValue posture{lead, yaw, bottom};
     if (!field.builder().holds(place.frame, posture)) return std::nullopt;
     return posture;
 }
@@ -42,7 +42,7 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
         point.frame = places[i].frame;
         point.space = &study.spaces[i];
         point.curves = &study.curves[i];
-        point.cm2_lambda = field.cm2_lead(places[i]);
+        point.cm2_lead = field.cm2_lead(places[i]);
         point.kept = kept_posture(field, places[i], study.curves[i]);
         study.points.push_back(point);
     }

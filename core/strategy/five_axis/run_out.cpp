@@ -70,12 +70,12 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
         look(border);
     if (need == 0) return std::nullopt;
 
-    const double way = need * step_share * r;
-    ContactPlace further = field.place(line, end.s + (low ? -way : way), end.v, travel);
+    const double route = need * step_share * r;
+    ContactPlace further = field.place(line, end.s + (low ? -route : route), end.v, travel);
     further.v_lo = end.v_lo;
     further.v_hi = end.v_hi;
     ToolLift::Hint hint;
-    const double bottom = field.builder().bottom(further.frame, posture.lambda, posture.omega, hint);
+    const double bottom = field.builder().bottom(further.frame, posture.lead, posture.yaw, hint);
     if (bottom > posture.delta || !field.builder().holds(further.frame, posture)) return std::nullopt;
     return further;
 }

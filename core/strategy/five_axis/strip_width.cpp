@@ -7,12 +7,12 @@ namespace facetmill {
 namespace {
 
 /// Of the cutter's radius.
-constexpr double most_width_share = 0.97;
+constexpr double max_width_share = 0.97;
 
 } // namespace
 
 double StripWidth::most(const FiveAxisField& field) {
-    return most_width_share * field.radius();
+    return max_width_share * field.radius();
 }
 
 const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
@@ -54,7 +54,7 @@ StripWidth::Width StripWidth::operator()(const PostureValue& posture, int side) 
         const double away = std::abs(at.v - place_.v);
         if (!at.holds) return {infinity, away};
         const double margin =
-            field_.builder().top(place_.frame, posture.lambda, posture.omega, {&at.line, 1}) - posture.delta;
+            field_.builder().top(place_.frame, posture.lead, posture.yaw, {&at.line, 1}) - posture.delta;
         if (!(margin >= 0)) {
             // The margin falls ever faster: the straight line between two looks is on the safe side.
             double share = 0;
@@ -74,7 +74,7 @@ bool StripWidth::clears_own_line(const PostureValue& posture) {
         RaisedCurve line;
         if (field_.own_line(place_, line)) own_.push_back(std::move(line));
     }
-    return field_.builder().top(place_.frame, posture.lambda, posture.omega, own_) >= posture.delta;
+    return field_.builder().top(place_.frame, posture.lead, posture.yaw, own_) >= posture.delta;
 }
 
 } // namespace facetmill

@@ -12,7 +12,7 @@ namespace facetmill {
 namespace {
 
 /// Shares of the cutter's radius.
-constexpr double bin_share = 0.25, beyond_share = 1.5, look_share = 1.0 / 16, least_width_share = 1.0 / 40;
+constexpr double bin_share = 0.25, beyond_share = 1.5, look_share = 1.0 / 16, min_width_share = 1.0 / 40;
 /// Of the tolerance: an estimated posture may be lifted by this.
 constexpr double lifted_share = 0.1;
 /// Postures with a yaw may be lifted by this: a flat end that stands on both flanks of a hollow clears a wide
@@ -37,7 +37,7 @@ constexpr std::size_t contacts_per_block = 16;
 constexpr double step_ratio = 1.15, partial_cost = 2;
 constexpr int tries_beyond = 4;
 /// Of a pass: where partial passes would be longer, a full one is closer by.
-constexpr double most_partial = 0.6;
+constexpr double max_partial = 0.6;
 /// Partial passes have partial passes between them, so deep at most.
 constexpr int deepest_partial = 3;
 
@@ -85,7 +85,7 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field
         }
     bin_ = bin_share * r;
     bins_ = std::size_t((u_hi - u_lo_) / bin_) + 1;
-    smallest_ = 2 * least_width_share * r;
+    smallest_ = 2 * min_width_share * r;
     largest_ = 2 * StripWidth::most(field);
     behind_ = behind_share * r;
     ahead_ = ahead_share * r;
@@ -93,7 +93,7 @@ TiltedStepOver::TiltedStepOver(const FiveAxisField& field, double leave) : field
         behind_ = yawed_behind_share * r;
         ahead_ = yawed_ahead_share * r;
         // From yaw 0 outward.
-        const auto& nodes = field.grid().omega;
+        const auto& nodes = field.grid().yaw;
         const std::size_t step =
             nodes.size() > 1 ? std::size_t(std::ceil(yaw_step / (nodes[1] - nodes[0]) - 0.5)) : 1;
         const auto middle =
@@ -116,13 +116,13 @@ std::size_t TiltedStepOver::bin(double u) const {
     return std::size_t(std::clamp((u - u_lo_) / bin_, 0.0, double(bins_ - 1)));
 }
 
-void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const {
+void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lead, ToolLift::Hint& hint) const {
     const auto& limits = field_.settings().lead_limits;
-    const double step = std::min(field_.settings().grid_degrees, radians(3));
+    const double step = std::min(field_.settings().grid_step, radians(3));
     const auto lift = [&](double at) { return field_.builder().bottom(contact.place.frame, at, 0, hint); };
     const double enough = lifted_share * field_.cusp();
     // From the neighbour's inclination: down as far as it serves, else up until it does.
-    double at = std::clamp(lambda, limits[0], limits[1]), delta = lift(at);
+    double at = std::clamp(lead, limits[0], limits[1]), delta = lift(at);
     double best = at, best_delta = delta;
     if (delta <= enough) {
         while (at > limits[0]) {
@@ -141,7 +141,7 @@ void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lambda, T
             }
         }
         if (!(best_delta <= enough))
-            for (at = std::clamp(lambda, limits[0], limits[1]); at > limits[0];) {
+            for (at = std::clamp(lead, limits[0], limits[1]); at > limits[0];) {
                 at = std::max(at - step, limits[0]);
                 delta = lift(at);
                 if (delta < best_delta) {
@@ -150,7 +150,7 @@ void TiltedStepOver::estimate(EstimatedPass::Contact& contact, double& lambda, T
                 }
             }
     }
-    lambda = best;
+    lead = best;
     contact.posture = {best, 0, best_delta};
     contact.usable = best_delta <= field_.cusp();
 }
@@ -168,17 +168,17 @@ void TiltedStepOver::find_widths(EstimatedPass::Contact& contact, double gap, To
     const double enough = wanted * wanted;
     const double hollow = std::max(field_.hollowness(place, place.frame.feed), 0.0), r = field_.radius();
     // Nodes of the grid: what is free there the choice of postures finds.
-    for (const double omega : yaws_) {
+    for (const double yaw : yaws_) {
         if (most >= enough) break;
         // Leaning to a side a flat end lies over the strip's border there with its whole width, and in a
         // hollow along the travel holds it with heel or toe only: what lies between them stays.
-        const double aside = std::abs(std::sin(omega));
+        const double aside = std::abs(std::sin(yaw));
         const double arched = 0.5 * hollow * r * r * aside * (2 - aside);
-        for (const double lambda : field_.grid().lambda) {
-            const PostureValue posture{lambda, omega, builder.bottom(place.frame, lambda, omega, hint)};
+        for (const double lead : field_.grid().lead) {
+            const PostureValue posture{lead, yaw, builder.bottom(place.frame, lead, yaw, hint)};
             if (!(posture.delta <= yawed_share * field_.cusp())) continue;
             if (builder.holds(place.frame, posture) && width.clears_own_line(posture)) {
-                const PostureValue arching{lambda, omega, posture.delta + arched};
+                const PostureValue arching{lead, yaw, posture.delta + arched};
                 const StripWidth::Width l = width(arching, -1), h = width(arching, +1);
                 if (value(l, h) > most) {
                     most = value(l, h);
@@ -210,8 +210,8 @@ void TiltedStepOver::answer_beyond_ends(EstimatedPass& pass, double gap) const {
             if (pass.cut_short[l][first ? 0 : 1] || !end.usable) continue;
             const double s = first ? -further : pass.lines[l].length() + further;
             EstimatedPass::Contact beyond{.place = field_.place(pass.lines[l], s, pass.v, pass.travel)};
-            double lambda = end.posture.lambda;
-            estimate(beyond, lambda, hint);
+            double lead = end.posture.lead;
+            estimate(beyond, lead, hint);
             if (!beyond.usable) continue;
             find_widths(beyond, gap, hint);
             end.width_lo = std::min(end.width_lo, beyond.width_lo);
@@ -258,7 +258,7 @@ EstimatedPass TiltedStepOver::estimate(long plane, int travel, double gap, const
     pass.end_lo.assign(bins_, 0);
     pass.end_hi.assign(bins_, 0);
     pass.comes.assign(bins_, false);
-    const double least = least_width_share * field_.radius(), most = StripWidth::most(field_);
+    const double least = min_width_share * field_.radius(), most = StripWidth::most(field_);
     const auto count = [&](const EstimatedPass::Contact& c, double beyond_lo, double beyond_hi) {
         const auto [from, to] = cleared(c.place.u, travel);
         for (std::size_t b = bin(from - beyond_lo); b <= bin(to + beyond_hi); ++b) {
@@ -292,12 +292,12 @@ void TiltedStepOver::find_widths(std::vector<EstimatedPass::Contact>& contacts, 
                                  const Progress& progress) const {
     // Blocks have their own hints: the same bits for every thread count.
     parallel_blocks(contacts.size(), contacts_per_block, progress, [&](std::size_t begin, std::size_t end) {
-        double lambda = field_.settings().lead_limits[0];
+        double lead = field_.settings().lead_limits[0];
         ToolLift::Hint hint;
         for (std::size_t i = begin; i < end; ++i) {
             progress.check();
             auto& c = contacts[i];
-            estimate(c, lambda, hint);
+            estimate(c, lead, hint);
             if (!c.usable) continue;
             find_widths(c, gap, hint);
             const double slope = std::abs(field_.drive().v(c.place.frame.left));
@@ -443,7 +443,7 @@ std::optional<EstimatedPass> TiltedStepOver::cheapest(const EstimatedPass& last,
                 std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
         if (!(travelled < least * (p.v - last.v))) return false;
         // Where most of the way asks for passes between, the last of them would come close to its neighbour.
-        if (whole.satisfied && partial_share(last, p, within) > most_partial) return false;
+        if (whole.satisfied && partial_share(last, p, within) > max_partial) return false;
         least = travelled / (p.v - last.v);
         best = std::move(p);
         return true;

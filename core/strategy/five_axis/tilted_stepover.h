@@ -120,7 +120,7 @@ private:
                                           const Progress& progress) const;
     void fill(const EstimatedPass& a, const EstimatedPass* b, bool turns, const Bins& within, int depth,
               Gap& gap, const Progress& progress) const;
-    void estimate(EstimatedPass::Contact& contact, double& lambda, ToolLift::Hint& hint) const;
+    void estimate(EstimatedPass::Contact& contact, double& lead, ToolLift::Hint& hint) const;
     /// Widths of its posture; where they are not enough for a gap (mm), of the one that comes nearest to
     /// that.
     void find_widths(EstimatedPass::Contact& contact, double gap, ToolLift::Hint& hint) const;

@@ -18,12 +18,11 @@ namespace {
 constexpr double lifted_share = 0.5;
 /// Leads are looked for in these steps, then halved down to the second.
 constexpr double lead_step = pi / 180, lead_accuracy = lead_step / 16;
-constexpr double most_contacts = 5e6;
+constexpr double max_contacts = 5e6;
 
 /// The smallest lead at which the tool touches, from a guess on; +inf where there is none. The guess becomes
 /// the lead found, or the limit.
-double least_lead(const FiveAxisField& field, const ContactPlace& place, double& guess,
-                  ToolLift::Hint& hint) {
+double min_lead(const FiveAxisField& field, const ContactPlace& place, double& guess, ToolLift::Hint& hint) {
     const double most = field.settings().lead_limits[1], enough = lifted_share * field.cusp();
     const auto touches = [&](double lead) {
         return field.builder().bottom(place.frame, lead, 0, hint) <= enough;
@@ -81,11 +80,11 @@ AssumedPath assume_path(const FiveAxisField& field, double spacing, const Progre
     path.travel = Vec3(field.drive().along.x(), field.drive().along.y(), 0);
     const double width = lines.hi() - lines.lo();
     const Vec3 size = field.context().part_box.size();
-    if (size.x() * size.y() > most_contacts * spacing * spacing)
+    if (size.x() * size.y() > max_contacts * spacing * spacing)
         throw Error(ErrorCode::limit_exceeded, "part",
                     "a part of " + length_text(size.x(), field.context().unit) + " by "
                         + length_text(size.y(), field.context().unit) + " asks for more than "
-                        + format_number(most_contacts) + " contact points of these tools",
+                        + format_number(max_contacts) + " contact points of these tools",
                     "check the part's units, or take larger tools");
     const auto planes = std::size_t(std::max(1.0, std::ceil(width / spacing)));
     struct Trajectory {
@@ -102,11 +101,11 @@ AssumedPath assume_path(const FiveAxisField& field, double spacing, const Progre
             ToolLift::Hint hint;
             const auto pieces = std::size_t(std::max(1.0, std::ceil(line.length() / spacing)));
             for (std::size_t k = 0; k <= pieces; ++k) {
-                const double way = line.length() * double(k) / double(pieces);
+                const double route = line.length() * double(k) / double(pieces);
                 const ContactPlace place =
-                    field.place(line, travel > 0 ? way : line.length() - way, v, travel);
-                t.contacts.push_back(contact_at(field, place, least_lead(field, place, guess, hint)));
-                t.contacts.back().s = way;
+                    field.place(line, travel > 0 ? route : line.length() - route, v, travel);
+                t.contacts.push_back(contact_at(field, place, min_lead(field, place, guess, hint)));
+                t.contacts.back().s = route;
             }
             found[i].push_back(std::move(t));
         }
@@ -155,7 +154,7 @@ ScreenedPath screen(const AssumedPath& path, double lead_limit, double offset, c
         const double t = (lead_limit - in.lead) / (beyond.lead - in.lead);
         return in.point + t * (beyond.point - in.point);
     };
-    std::vector<Vec3> way;
+    std::vector<Vec3> route;
     for (std::size_t start = 0; start < all.size(); start = all[start].end + 1) {
         progress.check();
         const std::size_t end = all[start].end;
@@ -171,14 +170,14 @@ ScreenedPath screen(const AssumedPath& path, double lead_limit, double offset, c
             pair.out_at_side = last == end;
             pair.in = pair.in_at_side ? all[i].point : crossing(all[i - 1], all[i]);
             pair.out = pair.out_at_side ? all[last].point : crossing(all[last + 1], all[last]);
-            way.assign(1, pair.in);
+            route.assign(1, pair.in);
             for (std::size_t k = i; k > start; --k)
-                way.push_back(all[k - 1].point);
-            pair.in_offset = offset_along(way, offset);
-            way.assign(1, pair.out);
+                route.push_back(all[k - 1].point);
+            pair.in_offset = offset_along(route, offset);
+            route.assign(1, pair.out);
             for (std::size_t k = last; k < end; ++k)
-                way.push_back(all[k + 1].point);
-            pair.out_offset = offset_along(way, offset);
+                route.push_back(all[k + 1].point);
+            pair.out_offset = offset_along(route, offset);
             pair.motion = motion_direction(view, machining, pair.out - pair.in);
             // A single contact at the side has no direction of its own.
             pair.regular = pair.motion == whole || pair.out == pair.in;

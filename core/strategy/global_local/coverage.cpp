@@ -132,10 +132,11 @@ Seen seen_from(const CutterLocation& at, const Vec3& place) {
 bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double height, double slack) {
     if (std::max(a.z, b.z) < slack || std::min(a.z, b.z) > height) return false;
     const double r = cutter.max_radius() - slack;
-    const Vec3 way = b.beside - a.beside;
+    const Vec3 route = b.beside - a.beside;
     // The part of the way beside which the cutter is: |a + t way| <= r, 0 <= z <= height.
     double from = 0, to = 1;
-    const double square = way.squaredNorm(), half = a.beside.dot(way), rest = a.beside.squaredNorm() - r * r;
+    const double square = route.squaredNorm(), half = a.beside.dot(route),
+                 rest = a.beside.squaredNorm() - r * r;
     if (square > 0) {
         const double root = half * half - square * rest;
         if (root < 0) return false;
@@ -151,7 +152,7 @@ bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double 
     }
     if (!(from <= to)) return false;
     const auto depth = [&](double t) {
-        return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * way).norm());
+        return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * route).norm());
     };
     // The cutter is convex: on a straight way the depth rises, then falls.
     if (depth(from) >= slack || depth(to) >= slack) return true;
@@ -182,14 +183,14 @@ void Coverage::add(std::span<const Pass> passes, const CutterProfile& cutter, co
         if (pass.cl.size() == 1) look(pass.cl[0], pass.cl[0]);
         for (std::size_t k = 0; k + 1 < pass.cl.size(); ++k) {
             const CutterLocation &a = pass.cl[k], &b = pass.cl[k + 1];
-            const double way = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
+            const double route = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
             // What a turning tool sees of a straight way bends by turn (reach turn + 2 way) / 8.
             const double pieces = std::ceil(std::max(
-                {1.0, way / (step_share * r), std::sqrt(turn * (reach * turn + 2 * way) / (8 * slack))}));
+                {1.0, route / (step_share * r), std::sqrt(turn * (reach * turn + 2 * route) / (8 * slack))}));
             CutterLocation last = a;
             for (double p = 1; p <= pieces; ++p) {
                 progress.check();
-                const CutterLocation next = p < pieces ? location_on_way(a, b, p / pieces) : b;
+                const CutterLocation next = p < pieces ? location_on_route(a, b, p / pieces) : b;
                 look(last, next);
                 last = next;
             }

@@ -22,15 +22,15 @@ const OperationRegistration registration("global_local", "Global-local CM²",
 /// Of the main cutter's radius: distance of trajectories, and of the places that are looked at afterwards.
 constexpr double spacing_share = 1.0 / 8, sample_share = 1.0 / 12;
 /// No more trajectory contacts and samples than about this.
-constexpr double most_contacts = 400'000, most_samples = 2'000'000;
+constexpr double max_contacts = 400'000, max_samples = 2'000'000;
 /// Of the part's surface: the main path has to have at least this much to cut.
-constexpr double least_main_share = 0.02;
+constexpr double min_main_share = 0.02;
 /// Of the surface: what stays is said from this on.
 constexpr double told_share = 1e-5;
 /// Of the main tool's diameter: a rework tool that is not known yet.
 constexpr double usual_rework_share = 0.25;
 /// Of the part: where more than this would be left for that, nothing is.
-constexpr double most_left_share = 0.1;
+constexpr double max_left_share = 0.1;
 /// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
 constexpr double along_share = 0.1;
 
@@ -52,7 +52,7 @@ std::string region_count(std::size_t n) {
 
 double spacing_of(const Box3& box, double radius) {
     const Vec3 size = box.size();
-    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / most_contacts));
+    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_contacts));
 }
 
 /// The travel as an angle; "auto": that of the main path.
@@ -143,7 +143,7 @@ public:
         check_main();
         StrategyResult result = main_path(leave(), progress_.part(0.05, 0.65));
         double left = look_at_main(result);
-        if (left > most_left_share * plan_->part_area) {
+        if (left > max_left_share * plan_->part_area) {
             // Narrow everywhere: such strips are better than those of the rework tool.
             plan_->left_by_main.clear();
             result = main_path(0, progress_.part(0.65, 0.65));
@@ -189,7 +189,7 @@ private:
 
     void check_main() const {
         const ReworkRegions& r = plan_->regions;
-        if (r.part_area - r.uncut_area >= least_main_share * r.part_area) return;
+        if (r.part_area - r.uncut_area >= min_main_share * r.part_area) return;
         throw Error(ErrorCode::empty_result, settings_.name,
                     "a lead of at most " + angle_text(settings_.lead_limit)
                         + " leaves the whole part uncut with this tool",
@@ -236,7 +236,7 @@ private:
         return std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.clearance;
     }
     double sample_spacing() const {
-        return std::max(sample_share * radius_, std::sqrt(2 * plan_->part_area / most_samples));
+        return std::max(sample_share * radius_, std::sqrt(2 * plan_->part_area / max_samples));
     }
     double raise() const {
         return settings_.allowance + context_.tessellation_tolerance[1] + cusp_budget(settings_, context_);

@@ -18,7 +18,7 @@ constexpr double turn_share = 1;
 /// Curvatures below this share of the scallop over the radius squared are none.
 constexpr double flat_share = 1e-3;
 /// Neighbours in a region are no farther apart, in spacings.
-constexpr double neighbour_share = 1.6;
+constexpr double neighbor_share = 1.6;
 /// Diameters that are compared, in shares of the tool's own; lead limits, in degrees.
 constexpr std::array<double, 9> diameter_shares{0.25, 0.375, 0.5, 0.625, 0.75, 1, 1.25, 1.5, 2};
 constexpr std::array<double, 14> lead_degrees{1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40};
@@ -94,7 +94,7 @@ StrategyEstimate estimate(const RegionSource& source, double source_diameter, do
             i = parent[i] = parent[parent[i]];
         return i;
     };
-    const double reach = neighbour_share * spacing;
+    const double reach = neighbor_share * spacing;
     const PointGrid grid(uncut, reach);
     for (std::size_t i = 0; i < uncut.size(); ++i)
         grid.near(uncut[i], reach, [&](std::size_t k) {
@@ -122,9 +122,9 @@ ToolAdvice tool_advice(const RegionSource& source, double diameter, const Global
         return *place;
     };
     advice.curvature_half = at(hollow, 0.5);
-    advice.curvature_most = at(hollow, 0.95);
+    advice.curvature_max = at(hollow, 0.95);
     advice.curvature_largest = at(hollow, 1);
-    advice.diameter = largest_diameter(settings.lead_limit, advice.curvature_most);
+    advice.diameter = largest_diameter(settings.lead_limit, advice.curvature_max);
     const double half_round = at(round, 0.5);
     advice.strip_convex = half_round > 0 ? widest_strip(1 / half_round, settings.tolerance) : infinity;
     const auto estimated = [&](double d, double lead) {

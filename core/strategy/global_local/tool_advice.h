@@ -37,7 +37,7 @@ StrategyEstimate estimate(const RegionSource& source, double source_diameter, do
 
 struct ToolAdvice {
     /// Of the hollow places' curvatures, weighted by area: largest, that of all but 5 %, that of half.
-    double curvature_largest = 0, curvature_most = 0, curvature_half = 0;
+    double curvature_largest = 0, curvature_max = 0, curvature_half = 0;
     double diameter = 0;     ///< (1) for the lead limit and all but 5 % of the hollow places; +inf: any
     double strip_convex = 0; ///< (2) at half of the round places; +inf: there are none
     std::vector<StrategyEstimate> by_lead;     ///< for the main tool, ascending lead limits

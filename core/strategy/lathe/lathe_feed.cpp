@@ -16,7 +16,7 @@ constexpr double line_share = 0.05;
 constexpr double steepest = 0.5, place_share = 0.25;
 /// Of the cutter's diameter: no feed is longer.
 constexpr double widest_share = 0.95;
-constexpr std::size_t fewest_lines = 24, most_lines = 720;
+constexpr std::size_t fewest_lines = 24, max_lines = 720;
 constexpr int halvings = 7;
 /// Places between two cutters at which the cusp is looked at, and halvings of their distance about the
 /// highest.
@@ -46,19 +46,19 @@ SideFeed::SideFeed(const LatheField& field, bool across_turns, double from, doub
     fine.below = fine.above = line_share * cusp;
     fine.spacing = std::min(0.25 * level, safe_lathe_spacing(cover.profile(), part, line_share * cusp));
     const double apart = across_turns ? 2 * pi * part : to - from;
-    const auto n = std::clamp(std::size_t(std::ceil(apart / level)), fewest_lines, most_lines);
+    const auto n = std::clamp(std::size_t(std::ceil(apart / level)), fewest_lines, max_lines);
     lines_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double at = (double(i) + (across_turns ? 0.0 : 0.5)) / double(n);
-        std::array<LathePlace, 2> way;
+        std::array<LathePlace, 2> route;
         if (across_turns)
-            way = {LathePlace{2 * pi * at, from}, LathePlace{2 * pi * at, to}};
+            route = {LathePlace{2 * pi * at, from}, LathePlace{2 * pi * at, to}};
         else // a little round, so that gaps over the closing line are seen
-            way = {LathePlace{0, from + at * (to - from)},
-                   LathePlace{2 * pi + largest_, from + at * (to - from)}};
+            route = {LathePlace{0, from + at * (to - from)},
+                     LathePlace{2 * pi + largest_, from + at * (to - from)}};
         Line& line = lines_[i];
         line.points =
-            trace(field, way, fine, progress.part(double(i) / double(n), double(i + 1) / double(n)));
+            trace(field, route, fine, progress.part(double(i) / double(n), double(i + 1) / double(n)));
         for (const LathePoint& p : line.points)
             line.at.push_back(across_turns ? p.place.y : p.place.angle);
     }

@@ -63,29 +63,28 @@ double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radi
     return std::hypot(part_radius * (b.angle - a.angle), b.y - a.y);
 }
 
-std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> way,
+std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
                               const LatheTolerance& tolerance, const Progress& progress) {
     // Places to look at: every piece of the way in even parts.
     std::vector<LathePlace> places;
     double count = 1;
     const auto parts = [&](std::size_t i) {
         return std::max(
-            1.0, std::ceil(lathe_distance(way[i - 1], way[i], field.part_radius()) / tolerance.spacing));
+            1.0, std::ceil(lathe_distance(route[i - 1], route[i], field.part_radius()) / tolerance.spacing));
     };
-    for (std::size_t i = 1; i < way.size(); ++i)
+    for (std::size_t i = 1; i < route.size(); ++i)
         count += parts(i);
-    if (!(count <= most_lathe_points))
+    if (!(count <= max_lathe_points))
         throw Error(ErrorCode::limit_exceeded, "side_feed",
-                    "the path asks for more than " + format_number(most_lathe_points)
-                        + " places of this tool",
+                    "the path asks for more than " + format_number(max_lathe_points) + " places of this tool",
                     "check the part's units, or take a larger tool, tolerance or side feed");
     places.reserve(std::size_t(count));
-    places.push_back(way[0]);
-    for (std::size_t i = 1; i < way.size(); ++i) {
+    places.push_back(route[0]);
+    for (std::size_t i = 1; i < route.size(); ++i) {
         const double n = parts(i);
         for (double k = 1; k < n; ++k)
-            places.push_back(between(way[i - 1], way[i], k / n));
-        places.push_back(way[i]);
+            places.push_back(between(route[i - 1], route[i], k / n));
+        places.push_back(route[i]);
     }
 
     const std::size_t n = places.size();
@@ -143,15 +142,15 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
     return points;
 }
 
-std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> way,
+std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> route,
                                 double part_radius, double below, double above) {
     std::vector<LathePoint> kept;
     std::vector<LinePoint> line;
     std::size_t from = 0;
-    for (std::size_t w = 1; w < way.size() && from + 1 < points.size(); ++w) {
+    for (std::size_t w = 1; w < route.size() && from + 1 < points.size(); ++w) {
         // The piece of the way up to its place w; radial moves at its end belong to it.
         const auto here = [&](std::size_t i) {
-            return points[i].place.angle == way[w].angle && points[i].place.y == way[w].y;
+            return points[i].place.angle == route[w].angle && points[i].place.y == route[w].y;
         };
         std::size_t to = from + 1;
         while (to + 1 < points.size() && !here(to))

@@ -28,15 +28,15 @@ double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radi
 /// Points over the polyline of `way` (at least one place), all of its places among them. Every point is on
 /// the field but for corners of radial moves, which are above it. Between two looked at, more are put in
 /// where neighbours say that the field bends by more than the tolerance holds. Throws Error(limit_exceeded)
-/// beyond most_lathe_points; Cancelled within 20 ms. The same bits for every thread count.
-std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> way,
+/// beyond max_lathe_points; Cancelled within 20 ms. The same bits for every thread count.
+std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
                               const LatheTolerance& tolerance, const Progress& progress);
 
 /// Leaves out points that the motion between the others passes within the tolerances, but never one of the
 /// way's places (in its order). This also takes off the jitter that facets cause.
-std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> way,
+std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> route,
                                 double part_radius, double below, double above);
 
-inline constexpr double most_lathe_points = 4e7;
+inline constexpr double max_lathe_points = 4e7;
 
 } // namespace facetmill

@@ -75,21 +75,21 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
         feed->limit(reach_.limits);
     }
 
-    const LatheWay way = lathe_way(s.pattern, range_, steps, advance, progress.part(0.3, 0.31));
+    const LatheRoute route = lathe_route(s.pattern, range_, steps, advance, progress.part(0.3, 0.31));
     LatheTolerance fine;
     fine.below = fine.above = look_share * chord;
     fine.spacing = safe_lathe_spacing(field_->cover().profile(), part_radius, fine.below);
-    points_ = thinned(trace(*field_, way.places, fine, progress.part(0.31, 0.95, "Following the part")),
-                      way.places, part_radius, thin_share * chord, thin_share * chord);
+    points_ = thinned(trace(*field_, route.places, fine, progress.part(0.31, 0.95, "Following the part")),
+                      route.places, part_radius, thin_share * chord, thin_share * chord);
     progress.set(0.97);
     // The way's places are all among the points, in their order.
     std::size_t next = 0;
-    for (std::size_t i = 0, place = 0; i < points_.size() && next < way.turns.size(); ++i) {
+    for (std::size_t i = 0, place = 0; i < points_.size() && next < route.turns.size(); ++i) {
         const auto is = [&](std::size_t k) {
-            return points_[i].place.angle == way.places[k].angle && points_[i].place.y == way.places[k].y;
+            return points_[i].place.angle == route.places[k].angle && points_[i].place.y == route.places[k].y;
         };
-        while (place < way.places.size() && is(place)) {
-            if (next < way.turns.size() && way.turns[next] == place) {
+        while (place < route.places.size() && is(place)) {
+            if (next < route.turns.size() && route.turns[next] == place) {
                 turns_.push_back(i);
                 ++next;
             }
@@ -106,14 +106,14 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     turned.to = range_.to;
     turned.surface_area = reach_.area;
     turned.unreached = reach_.regions;
-    turned.side_feed_most = way.feed_most;
+    turned.side_feed_max = route.feed_max;
     for (const LathePoint& p : points_)
         turned.at_core += p.held == LathePoint::HeldBy::core;
     base_.turned = turned;
     base_.drive_planes = int(turns_.size());
     const double length = across_turns ? 1 : part_radius;
-    base_.stepover_min = way.feed_least * length;
-    base_.stepover_max = way.feed_most * length;
+    base_.stepover_min = route.feed_min * length;
+    base_.stepover_max = route.feed_max * length;
     base_.chord_tolerance = chord;
     add_warnings(s, context);
     progress.set(1);

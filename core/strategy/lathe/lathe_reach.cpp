@@ -19,20 +19,20 @@ constexpr std::size_t facets_per_block = 256, samples_per_check = 64, creases_pe
 constexpr double finest_share = 0.1, coarsest_share = 0.3;
 /// More samples than that are not taken, one for every block of facets aside; of their spacing squared,
 /// facets that are smaller share a sample.
-constexpr double most_samples = 1e5, least_piece = 0.25;
+constexpr double max_samples = 1e5, min_piece = 0.25;
 /// Of what is allowed: a cutter that is so near touches; a fillet of so little takes nothing from the feed.
-constexpr double touching = 0.02, least_fillet = 0.05;
+constexpr double touching = 0.02, min_fillet = 0.05;
 /// Of the cutter's radius: distance of the places at which the cutter is lowered, once for all samples
 /// around, and the last step of a search about a place. Of a block of samples, and of places.
 constexpr double lattice_share = 1.0 / 8, last_step_share = 1.0 / 64;
-constexpr double most_places = 1e6; ///< of the whole part; else they are farther apart
+constexpr double max_places = 1e6; ///< of the whole part; else they are farther apart
 constexpr std::size_t doubtful_per_block = 64, stands_per_block = 64;
 /// Directions of the search about a place; each round begins with a step of half the one before.
-constexpr int directions = 8, most_moves = 40;
+constexpr int directions = 8, max_moves = 40;
 constexpr double golden_angle = 2.399963229728653;
 /// Of a thorough search: places that it looks at, within so many radii of the cutter, and from how many of
 /// the best it goes downhill; samples of a region that get one.
-constexpr int spread = 96, best_starts = 3, most_again = 64;
+constexpr int spread = 96, best_starts = 3, max_again = 64;
 constexpr double spread_share = 1.25;
 /// Steps to the angle at which the cutter that touches a plane stands.
 constexpr int angle_steps = 4;
@@ -84,7 +84,7 @@ public:
         }
         spacing_ =
             std::clamp(std::sqrt(2 * radius * allowed), finest_share * radius, coarsest_share * radius);
-        spacing_ = std::max({spacing_, std::sqrt(area / most_samples), tolerance::smallest_extent});
+        spacing_ = std::max({spacing_, std::sqrt(area / max_samples), tolerance::smallest_extent});
     }
 
     double spacing() const { return spacing_; }
@@ -104,7 +104,7 @@ public:
                     found.area += rows.area();
                     const double whole = carried + rows.area();
                     carried = 0;
-                    if (whole < least_piece * spacing_ * spacing_ && f + 1 < end) {
+                    if (whole < min_piece * spacing_ * spacing_ && f + 1 < end) {
                         carried = whole;
                         continue;
                     }
@@ -280,7 +280,7 @@ private:
             }
         }
         // The fillet of the largest ball that could be in the cutter.
-        const double least = 1 + least_fillet * allowed_ / field_.cover().radius();
+        const double least = 1 + min_fillet * allowed_ / field_.cover().radius();
         std::vector<Crease> creases;
         for (std::size_t v = 0; v < corners; ++v) {
             if (v % facets_per_check == 0) progress.check();
@@ -398,12 +398,12 @@ private:
         for (; step > 0.75 * last; step *= 0.5, first += golden_angle) {
             progress.check();
             bool moved = true;
-            for (int moves = 0; moved && moves < most_moves; ++moves) {
+            for (int moves = 0; moved && moves < max_moves; ++moves) {
                 moved = false;
                 for (int k = 0; k < directions; ++k) {
-                    const double way = first + 2 * pi * k / directions;
-                    const LathePlace next{place.angle + step * std::cos(way) / away,
-                                          place.y + step * std::sin(way)};
+                    const double route = first + 2 * pi * k / directions;
+                    const LathePlace next{place.angle + step * std::cos(route) / away,
+                                          place.y + step * std::sin(route)};
                     const Nearest here = at(next);
                     if (here.height <= allowed_) return here;
                     if (here.distance >= best.distance - tolerance::contact_distance) continue;
@@ -450,7 +450,7 @@ private:
         constexpr std::uint32_t none = ~std::uint32_t(0), wanted = none - 1;
         const double radius = field_.cover().radius(), outside = std::max(field_.part_radius(), radius);
         const double step = std::max(lattice_share * radius,
-                                     std::sqrt(2 * pi * outside * (range_.to - range_.from) / most_places));
+                                     std::sqrt(2 * pi * outside * (range_.to - range_.from) / max_places));
         lattice.around = std::int64_t(2 * pi * outside / step) + 1;
         lattice.along = std::int64_t((range_.to - range_.from) / step) + 2;
         lattice.turn = 2 * pi / double(lattice.around);
@@ -574,7 +574,7 @@ private:
         double rests = 0;
         for (const Vec3& n : normals)
             rests = std::max(rests, rest(over, p, n).height);
-        if (rests <= least_fillet * allowed_) return;
+        if (rests <= min_fillet * allowed_) return;
         if (rests > allowed_) {
             // A ball leaves h (s) = (w - s)^2 / 2r at the distance s from where it leaves h (0): more than is
             // allowed up to this. Where samples of facets are farther apart they would miss it; where not, it
@@ -673,7 +673,7 @@ private:
     /// Until the farthest has been searched thoroughly.
     void make_sure(std::vector<std::size_t>& of, const Progress& progress) const {
         LatheField::Hint hint;
-        for (int k = 0; k < most_again && !of.empty(); ++k) {
+        for (int k = 0; k < max_again && !of.empty(); ++k) {
             progress.check();
             const auto farthest = std::max_element(of.begin(), of.end(), [&](std::size_t a, std::size_t b) {
                 return samples_[a].distance < samples_[b].distance;

@@ -10,7 +10,7 @@ namespace facetmill {
 namespace {
 
 /// Regions that a warning names.
-constexpr std::size_t most_named = 3;
+constexpr std::size_t max_named = 3;
 
 /// "12° to 35°, 10 to 14 mm": angle and place along the axis.
 std::string place_text(const UnreachedRegion& r, LengthUnit unit) {
@@ -61,11 +61,11 @@ std::vector<std::string> reach_warnings(const LatheReach& reach, LengthUnit unit
             if (r.why != why) continue;
             area += r.area;
             most = std::max(most, r.distance);
-            if (regions++ >= most_named) continue;
+            if (regions++ >= max_named) continue;
             places += (places.empty() ? "" : "; ") + place_text(r, unit);
         }
         if (regions == 0) continue;
-        if (regions > most_named) places += "; and " + std::to_string(regions - most_named) + " more";
+        if (regions > max_named) places += "; and " + std::to_string(regions - max_named) + " more";
         const double per = mm_per(unit);
         warnings.push_back(std::string(what) + ": " + format_number(area / (per * per), 3) + " "
                            + std::string(unit_name(unit)) + "² ("

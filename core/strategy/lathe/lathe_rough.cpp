@@ -15,11 +15,11 @@ const OperationRegistration registration("lathe_rough", "Rough, turning part",
                                          [] { return std::make_unique<LatheRough>(); });
 
 constexpr std::size_t points_per_block = 256;
-constexpr double most_passes = 10000;
+constexpr double max_passes = 10000;
 /// In diameters of the cutter: gaps with nothing to cut that are shorter are passed at feed.
 constexpr double joined_gap = 2;
 /// Of the depth of cut: less is nothing to cut. At least the chord tolerance.
-constexpr double least_share = 1e-3;
+constexpr double min_share = 1e-3;
 
 /// A stretch of points of the way.
 struct Run {
@@ -42,14 +42,14 @@ public:
                 top = std::max(top, stock_[i]);
                 low = std::min(low, points[i].u);
             }
-        const double least = std::max(least_share * settings_.depth_of_cut, result_.chord_tolerance);
+        const double least = std::max(min_share * settings_.depth_of_cut, result_.chord_tolerance);
         if (!(top - low > least))
             throw_no_stock_above(settings_.name, settings_.allowance + settings_.finishing_allowance,
                                  context_.unit);
         const double wanted = (top - low) / settings_.depth_of_cut;
-        if (wanted > most_passes)
+        if (wanted > max_passes)
             throw Error(ErrorCode::limit_exceeded, "depth_of_cut",
-                        "the depth of cut asks for more than " + format_number(most_passes) + " passes",
+                        "the depth of cut asks for more than " + format_number(max_passes) + " passes",
                         "choose a larger depth of cut");
         if (settings_.depth_of_cut > top - low)
             result_.warnings.push_back("the depth of cut of " + text(settings_.depth_of_cut)
@@ -168,18 +168,18 @@ private:
         while (end + 1 < points.size() && in_first(end + 1))
             ++end;
         const double radius = path_.field().part_radius();
-        std::vector<double> way(end + 1, 0);
+        std::vector<double> route(end + 1, 0);
         for (std::size_t i = 1; i <= end; ++i)
-            way[i] = way[i - 1] + lathe_distance(points[i - 1].place, points[i].place, radius);
-        const double length = there_and_back ? 2 * way[end] : way[end];
+            route[i] = route[i - 1] + lathe_distance(points[i - 1].place, points[i].place, radius);
+        const double length = there_and_back ? 2 * route[end] : route[end];
         if (!(length > 0)) return;
         const auto add = [&](std::size_t i, double done) {
             pass.entry.push_back(path_.location(i, now[i] + drop * (1 - done / length)));
         };
         for (std::size_t i = 0; i <= end; ++i)
-            add(i, way[i]);
+            add(i, route[i]);
         for (std::size_t i = end; there_and_back && i-- > 0;)
-            add(i, length - way[i]);
+            add(i, length - route[i]);
     }
 
     const LatheRoughSettings& settings_;

@@ -10,7 +10,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t facets_per_block = 4096;
-constexpr std::size_t most_turns = 200000;
+constexpr std::size_t max_turns = 200000;
 /// Angles and places along the axis at which the part's lowest place is looked for, where something holds it.
 constexpr std::size_t low_angles = 72, low_places = 64;
 
@@ -121,75 +121,76 @@ std::size_t turn_steps(const NumberOrWord& asked, double radius, double sagitta)
     return std::size_t(asked.number * std::max(1.0, std::ceil(least / asked.number)));
 }
 
-LatheWay lathe_way(LatheCommon::Pattern pattern, const LatheRange& range, std::size_t steps,
-                   const std::function<double(double)>& advance, const Progress& progress) {
+LatheRoute lathe_route(LatheCommon::Pattern pattern, const LatheRange& range, std::size_t steps,
+                       const std::function<double(double)>& advance, const Progress& progress) {
     using Pattern = LatheCommon::Pattern;
-    LatheWay way;
-    way.feed_least = infinity;
+    LatheRoute route;
+    route.feed_min = infinity;
     const double n = double(steps);
     const auto counted = [&](double feed) {
-        way.feed_least = std::min(way.feed_least, feed);
-        way.feed_most = std::max(way.feed_most, feed);
+        route.feed_min = std::min(route.feed_min, feed);
+        route.feed_max = std::max(route.feed_max, feed);
         progress.check();
-        if (way.turns.size() > most_turns || double(way.places.size()) > most_lathe_points)
+        if (route.turns.size() > max_turns || double(route.places.size()) > max_lathe_points)
             throw Error(ErrorCode::limit_exceeded, "side_feed",
-                        "the side feed asks for more than " + std::to_string(most_turns) + " turns",
+                        "the side feed asks for more than " + std::to_string(max_turns) + " turns",
                         "choose a larger side feed or tolerance");
         return feed;
     };
     if (pattern == Pattern::lengthwise) {
         double angle = 0;
         for (bool back = false; angle < 2 * pi - tolerance::level_angle; back = !back) {
-            way.turns.push_back(way.places.size());
-            if (!way.places.empty() && angle > way.places.back().angle) {
+            route.turns.push_back(route.places.size());
+            if (!route.places.empty() && angle > route.places.back().angle) {
                 // Round to the next line, in steps as short as any.
-                const LathePlace last = way.places.back();
+                const LathePlace last = route.places.back();
                 const double parts = std::ceil((angle - last.angle) * n / (2 * pi));
                 for (double k = 1; k < parts; ++k)
-                    way.places.push_back({last.angle + (angle - last.angle) * k / parts, last.y});
+                    route.places.push_back({last.angle + (angle - last.angle) * k / parts, last.y});
             }
-            way.places.push_back({angle, back ? range.to : range.from});
-            way.places.push_back({angle, back ? range.from : range.to});
+            route.places.push_back({angle, back ? range.to : range.from});
+            route.places.push_back({angle, back ? range.from : range.to});
             angle += counted(advance(angle));
         }
-        return way;
+        return route;
     }
     if (pattern == Pattern::rings) {
         double turn = 0;
         for (double y = range.from;;) {
-            way.turns.push_back(way.places.size());
+            route.turns.push_back(route.places.size());
             for (std::size_t k = 0; k <= steps; ++k)
-                way.places.push_back({2 * pi * (turn + double(k) / n), y});
+                route.places.push_back({2 * pi * (turn + double(k) / n), y});
             ++turn;
             if (!(y < range.to)) break;
             const double next = std::min(y + advance(y), range.to);
             counted(next - y);
             y = next;
         }
-        return way;
+        return route;
     }
     // Helix: each turn is the one before, moved by what the feed allows at every step; the first stands
     // still. Feeds that change slowly keep it rising everywhere.
     std::vector<double> before(steps, range.from), now(steps);
     for (std::size_t k = 0; k < steps; ++k)
-        way.places.push_back({2 * pi * double(k) / n, range.from});
-    way.turns.push_back(0);
+        route.places.push_back({2 * pi * double(k) / n, range.from});
+    route.turns.push_back(0);
     const double first = advance(range.from);
     std::size_t at_end = 0; // steps since the end was reached
     for (std::size_t turn = 1; at_end <= steps; ++turn) {
-        way.turns.push_back(way.places.size());
+        route.turns.push_back(route.places.size());
         for (std::size_t k = 0; k < steps && at_end <= steps; ++k) {
             const double feed = turn == 1 ? first * double(k) / n : advance(before[k]);
             now[k] = std::min(before[k] + feed, range.to);
             if (turn > 1 && now[k] < range.to) counted(feed);
             if (at_end > 0 || now[k] >= range.to) ++at_end;
-            way.places.push_back({2 * pi * (double(turn) + double(k) / n), now[k]});
+            route.places.push_back({2 * pi * (double(turn) + double(k) / n), now[k]});
         }
         before = now;
     }
-    if (way.turns.back() + 1 == way.places.size()) way.turns.pop_back(); // the point that closes the last one
-    if (way.feed_least == infinity) way.feed_least = way.feed_most = first;
-    return way;
+    if (route.turns.back() + 1 == route.places.size())
+        route.turns.pop_back(); // the point that closes the last one
+    if (route.feed_min == infinity) route.feed_min = route.feed_max = first;
+    return route;
 }
 
 } // namespace facetmill

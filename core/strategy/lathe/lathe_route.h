@@ -20,16 +20,16 @@ struct LatheRange {
 LatheRange lathe_range(const LatheCommon& settings, const LatheField& field, const PlanContext& context,
                        const Progress& progress);
 
-struct LatheWay {
+struct LatheRoute {
     std::vector<LathePlace> places; ///< in machining order; the path runs straight between them
     std::vector<std::size_t> turns; ///< where each turn (of rings and lines: each of them) begins in `places`
-    double feed_least = 0, feed_most = 0;
+    double feed_min = 0, feed_max = 0;
 };
 
 /// `advance`: mm in a turn, or radians between lengthwise lines, at a place. `steps`: of a turn. A helix
 /// begins and ends with a full turn in place, so that both ends are cut fully. Throws Error(limit_exceeded).
-LatheWay lathe_way(LatheCommon::Pattern pattern, const LatheRange& range, std::size_t steps,
-                   const std::function<double(double)>& advance, const Progress& progress);
+LatheRoute lathe_route(LatheCommon::Pattern pattern, const LatheRange& range, std::size_t steps,
+                       const std::function<double(double)>& advance, const Progress& progress);
 
 /// Even steps of a turn: as asked for, times a whole number where the arcs between them would leave their
 /// chords by more than `sagitta` at the radius of the path; then a reader of the program that takes motions

@@ -8,11 +8,11 @@ namespace facetmill {
 namespace {
 
 /// Of passes in their order: moves of runs to another place are tried until none helps, or so often.
-constexpr int most_rounds = 8;
+constexpr int max_rounds = 8;
 constexpr std::size_t longest_run = 24;
 /// Beyond so many passes that, or any order, would take longer than it saves.
-constexpr std::size_t most_moved = 3000, most_ordered = 20'000;
-constexpr double least_gain = 1e-6; // mm
+constexpr std::size_t max_moved = 3000, max_ordered = 20'000;
+constexpr double min_gain = 1e-6; // mm
 
 /// One pass, perhaps turned round.
 struct Piece {
@@ -31,21 +31,21 @@ public:
     }
 
     std::vector<Piece> run() {
-        if (planned_.size() > most_ordered) return planned_;
+        if (planned_.size() > max_ordered) return planned_;
         std::vector<Piece> order = nearest();
-        if (planned_.size() > most_moved) return length(order) < length(planned_) ? order : planned_;
-        for (int round = 0; round < most_rounds && moved(order); ++round) {
+        if (planned_.size() > max_moved) return length(order) < length(planned_) ? order : planned_;
+        for (int round = 0; round < max_rounds && moved(order); ++round) {
         }
         return length(order) < length(planned_) ? order : planned_;
     }
 
 private:
-    double way(const Piece& a, const Piece& b) const { return travel_between(a.end, b.start, clear_z_); }
+    double route(const Piece& a, const Piece& b) const { return travel_between(a.end, b.start, clear_z_); }
 
     double length(const std::vector<Piece>& order) const {
         double sum = 0;
         for (std::size_t i = 1; i < order.size(); ++i)
-            sum += way(order[i - 1], order[i]);
+            sum += route(order[i - 1], order[i]);
         return sum;
     }
 
@@ -62,7 +62,7 @@ private:
             for (std::size_t k = 0; k < left.size(); ++k) {
                 Piece p = left[k];
                 const auto look = [&](bool round) {
-                    const double d = way(order.back(), p);
+                    const double d = route(order.back(), p);
                     if (!(d < least)) return;
                     least = d;
                     best = k;
@@ -94,15 +94,15 @@ private:
                 const Piece &before = order[i - 1], &first = order[i], &last = order[i + count - 1];
                 const Piece* after = i + count < order.size() ? &order[i + count] : nullptr;
                 const double gain =
-                    way(before, first) + (after ? way(last, *after) - way(before, *after) : 0);
-                if (!(gain > least_gain)) continue;
-                double best = gain - least_gain;
+                    route(before, first) + (after ? route(last, *after) - route(before, *after) : 0);
+                if (!(gain > min_gain)) continue;
+                double best = gain - min_gain;
                 std::size_t to = 0;
                 for (std::size_t k = 0; k < order.size(); ++k) {
                     if (k + 1 >= i && k < i + count) continue;
                     const Piece* next = k + 1 < order.size() ? &order[k + 1] : nullptr;
                     const double cost =
-                        way(order[k], first) + (next ? way(last, *next) - way(order[k], *next) : 0);
+                        route(order[k], first) + (next ? route(last, *next) - route(order[k], *next) : 0);
                     if (!(cost < best)) continue;
                     best = cost;
                     to = k + 1;

@@ -61,7 +61,7 @@ struct TurnedPath {
     double part_radius = 0;    ///< largest distance of the part from the axis
     double stock_radius = 0;   ///< of the stock
     double from = 0, to = 0;   ///< places along the axis that the path begins and ends at
-    double side_feed_most = 0; ///< largest advance in a turn, mm; of lengthwise lines the largest angle
+    double side_feed_max = 0;  ///< largest advance in a turn, mm; of lengthwise lines the largest angle
     std::size_t at_core = 0;   ///< CL points where nothing but the core radius holds the tool
     double surface_area = 0;   ///< of what was looked at for places that the cutter cannot go to, mm^2
     std::vector<UnreachedRegion> unreached; ///< the largest first; looked for by finishing

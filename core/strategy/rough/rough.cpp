@@ -28,12 +28,12 @@ const OperationRegistration registration("rough", "Rough", [] { return std::make
 constexpr double stepover_share = 0.95;
 /// Of the cutter's diameter: what tips keep from the exact surface; the cells of the stock; what is too
 /// little to be cut.
-constexpr double margin_share = 2e-3, cell_share = 0.02, least_share = 2e-3;
+constexpr double margin_share = 2e-3, cell_share = 0.02, min_share = 2e-3;
 /// Of the tolerance: the margin is at most this.
 constexpr double margin_of_tolerance = 0.05;
 /// Lines on floors are at most so many times closer than others.
-constexpr int most_divisions = 64;
-constexpr double most_lines = 1e5;
+constexpr int max_divisions = 64;
+constexpr double max_lines = 1e5;
 /// Links between lines stay down if they are no longer than this many diameters.
 constexpr double longest_link = 3, longest_join = 10;
 /// A pass along a floor goes on so far to begin where nothing stands.
@@ -53,17 +53,19 @@ public:
 private:
     void look_at_stock(const Progress& progress);
     void choose_heights(const Progress& progress);
-    double expected() const { return layers_.excess + 2 * margin_ + least_; }
+    double expected() const { return layers_.excess + 2 * margin_ + min_; }
     void plan_layers(const Progress& progress);
     void plan_layer(std::size_t layer, const Progress& progress);
     bool shank_comes_by(const Vec2& a, const Vec2& b, double z) const;
     void cut_floors(const Progress& progress);
     void number_layers();
     void cut_floor(std::vector<Vec3> tips);
-    void finish(RoughWay way, double z, int layer, const LayerWays& ways, std::span<const Contour> contours);
-    bool join(RoughWay& way, double z, int layer, const LayerWays& ways, std::span<const Contour> contours);
+    void finish(RoughRoute route, double z, int layer, const LayerRoutes& routes,
+                std::span<const Contour> contours);
+    bool join(RoughRoute& route, double z, int layer, const LayerRoutes& routes,
+              std::span<const Contour> contours);
     void finish_later(double z, int layer);
-    void take(const RoughWay& way, const std::vector<Vec3>& down, double z, int layer);
+    void take(const RoughRoute& route, const std::vector<Vec3>& down, double z, int layer);
     void take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer);
     void add_warnings();
     void warn_of_short_tool();
@@ -78,7 +80,7 @@ private:
     const Progress& progress_;
     CutterProfile profile_;
     StockCutter cutter_;
-    double diameter_, budget_, allowance_, margin_, least_;
+    double diameter_, budget_, allowance_, margin_, min_;
     DriveFrame frame_;
     std::optional<StockField> field_;
     std::optional<UprightBodies> bodies_;
@@ -94,8 +96,8 @@ private:
     StrategyResult result_;
     Vec2 at_ = Vec2::Zero();
     double blocked_length_ = 0, closed_length_ = 0; ///< left out: shank or holder; no room to enter
-    std::size_t closed_ways_ = 0;
-    std::vector<RoughWay> later_; ///< of the layer, without an entry so far
+    std::size_t closed_routes_ = 0;
+    std::vector<RoughRoute> later_; ///< of the layer, without an entry so far
     Vec3 blocked_at_ = Vec3::Zero(), closed_at_ = Vec3::Zero();
 };
 
@@ -120,8 +122,8 @@ Planner::Planner(const RoughSettings& settings, const PlanContext& context, cons
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
       margin_(std::max(std::min(margin_share * diameter_, margin_of_tolerance * budget_),
                        tolerance::smallest_chord)),
-      least_(least_share * diameter_) {
-    least_ = std::min(least_, 0.1 * budget_);
+      min_(min_share * diameter_) {
+    min_ = std::min(min_, 0.1 * budget_);
 }
 
 /// Depth and step-over are right, and there is something to cut.
@@ -183,11 +185,11 @@ StrategyResult Planner::run() {
     plan_layers(progress_.part(0.08, 0.92, "Cutting layers"));
     if (result_.passes.empty()) {
         std::string why = "of what stands above the allowance this tool reaches nothing";
-        if (closed_ways_ > 0) why = "there is no room for the tool to enter";
+        if (closed_routes_ > 0) why = "there is no room for the tool to enter";
         if (blocked_length_ > 0) why = "shank or holder would hit the stock";
         throw Error(ErrorCode::empty_result, settings_.name, why,
-                    closed_ways_ > 0 ? "take a smaller tool, or allow it to plunge"
-                                     : "check tool, allowance and stock");
+                    closed_routes_ > 0 ? "take a smaller tool, or allow it to plunge"
+                                       : "check tool, allowance and stock");
     }
     result_.drive_planes = int(result_.passes.size());
     result_.stepover_min = step_ / divisions_;
@@ -240,10 +242,10 @@ void Planner::choose_heights(const Progress& progress) {
     } else {
         // Of what may stay, the floor between lines takes a share, the layers have the rest: few lines make
         // many layers, and the other way round. Cheapest is what makes the least length of lines.
-        input.excess = budget_ - 2 * margin_ - least_;
+        input.excess = budget_ - 2 * margin_ - min_;
         input.deepest = std::min(context_.tool.flute_length, diameter_);
         double best = infinity;
-        for (int m = 1; m <= most_divisions; ++m) {
+        for (int m = 1; m <= max_divisions; ++m) {
             const double rest = input.excess - profile_.height_at(0.5 * step_ / m);
             if (!(rest > 0)) continue;
             const double layers = std::max(1.0, (input.top - input.low) / std::min(rest, input.deepest));
@@ -273,12 +275,12 @@ void Planner::plan_layers(const Progress& progress) {
     }
     const double out = profile_.max_radius() + 2 * field_->cell() + 2 * reach_->spacing();
     const double n = std::max(1.0, std::ceil((hi.y() - lo.y()) / step_));
-    if (n * divisions_ > most_lines)
+    if (n * divisions_ > max_lines)
         throw Error(ErrorCode::limit_exceeded, "stepover",
-                    "more than " + format_number(most_lines) + " lines a layer are asked for",
+                    "more than " + format_number(max_lines) + " lines a layer are asked for",
                     "choose a larger step-over or tolerance");
     grid_.emplace(*reach_, frame_, lo.array() - out, hi.array() + out, progress.part(0, 0.15));
-    const FloorJudge judge(profile_, layers_.heights, box.hi.z(), (1 - kept_away_share) * expected(), least_);
+    const FloorJudge judge(profile_, layers_.heights, box.hi.z(), (1 - kept_away_share) * expected(), min_);
     valleys_ = find_valleys(
         *reach_, *grid_, low_, field_->highest(), layers_.depth_max,
         [&](const FloorPlace& place) { return judge.too_high(place); }, progress.part(0.15, 0.2));
@@ -316,7 +318,7 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     highest_ = field_->highest();
     const std::optional<double> next =
         layer + 1 < layers_.heights.size() ? std::optional(layers_.heights[layer + 1]) : std::nullopt;
-    const LayerWays ways(*reach_, *field_, cutter_, frame_, least_);
+    const LayerRoutes routes(*reach_, *field_, cutter_, frame_, min_);
     const std::vector<Contour> contours = grid_->contours(z, progress);
     const bool oneway = settings_.pattern == RoughSettings::Pattern::oneway;
     const auto divisions = std::size_t(divisions_);
@@ -345,15 +347,15 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
                 free = std::move(rest);
             }
             // Usual lines are neighbours of usual ones, others of any.
-            ways.add_pieces(int(which == Lines::usual ? i / divisions : i), lines_[i].v(), free, z,
-                            short_air * diameter_, which == Lines::usual, of_line[i]);
+            routes.add_pieces(int(which == Lines::usual ? i / divisions : i), lines_[i].v(), free, z,
+                              short_air * diameter_, which == Lines::usual, of_line[i]);
         });
         std::vector<LinePiece> pieces;
         for (auto& p : of_line)
             pieces.insert(pieces.end(), p.begin(), p.end());
-        for (RoughWay& way : ways.joined_lines(std::move(pieces), contours, z, longest_link * diameter_,
-                                               oneway, at_, progress))
-            finish(std::move(way), z, int(layer), ways, contours);
+        for (RoughRoute& route : routes.joined_lines(std::move(pieces), contours, z, longest_link * diameter_,
+                                                     oneway, at_, progress))
+            finish(std::move(route), z, int(layer), routes, contours);
     };
     cut_lines(Lines::usual);
     // An earlier operation may have left a skin on a wall that is too thin to be worth a cut, and to be seen
@@ -364,14 +366,14 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
         by_shank = [&](const Vec2& a, const Vec2& b) { return shank_comes_by(a, b, z); };
         cleared_ = z;
     }
-    for (RoughWay& way : ways.along_contours(contours, z, at_, progress, by_shank))
-        finish(std::move(way), z, int(layer), ways, contours);
+    for (RoughRoute& route : routes.along_contours(contours, z, at_, progress, by_shank))
+        finish(std::move(route), z, int(layer), routes, contours);
     cut_lines(Lines::floors);
     cut_lines(Lines::all);
     const std::vector<Contour> channels = unseen_channels(*reach_, valleys_, z, progress);
-    for (RoughWay& way : ways.along_contours(channels, z, at_, progress)) {
-        way.reversible = true;
-        finish(std::move(way), z, int(layer), ways, contours);
+    for (RoughRoute& route : routes.along_contours(channels, z, at_, progress)) {
+        route.reversible = true;
+        finish(std::move(route), z, int(layer), routes, contours);
     }
     finish_later(z, int(layer));
     progress.set(1);
@@ -380,11 +382,11 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
 /// True where something may stand by the cutter on a way along a border at z, and a deeper layer may bring
 /// the shank there: the lift falls off beside the way, or nearly so.
 bool Planner::shank_comes_by(const Vec2& a, const Vec2& b, double z) const {
-    if (field_->clear_height(cutter_, a, b) <= z + least_) return false;
+    if (field_->clear_height(cutter_, a, b) <= z + min_) return false;
     RoughReach::Hints hints;
-    const Vec2 way = b - a, middle = 0.5 * (a + b);
+    const Vec2 route = b - a, middle = 0.5 * (a + b);
     // The free side is on the left.
-    const Vec2 left = way.norm() > 0 ? Vec2(Vec2(-way.y(), way.x()).normalized()) : Vec2::Zero();
+    const Vec2 left = route.norm() > 0 ? Vec2(Vec2(-route.y(), route.x()).normalized()) : Vec2::Zero();
     const double lift = std::min(reach_->tip_z(middle, hints),
                                  reach_->tip_z(middle + std::numbers::sqrt2 * field_->cell() * left, hints));
     return std::max(lift, low_) + bodies_->sliding_base() < field_->highest_near(a, b, profile_.max_radius());
@@ -418,14 +420,14 @@ void Planner::cut_floors(const Progress& progress) {
         for (std::size_t i = 0; i + 1 < n; ++i)
             busy[i] = (valley.deep[i] || valley.deep[i + 1])
                       && std::max(valley.tips[i].z(), valley.tips[i + 1].z()) >= low_
-                      && field_->has_work(cutter_, tips[i], tips[i + 1], least_);
+                      && field_->has_work(cutter_, tips[i], tips[i + 1], min_);
         if (std::find(busy.begin(), busy.end(), 1) == busy.end()) continue;
         std::vector<double> stand(n);
         for (std::size_t i = 0; i < n; ++i)
             stand[i] = field_->stand_height(cutter_, tips[i].head<2>(), tips[i].head<2>());
-        for (std::vector<Vec3>& way :
+        for (std::vector<Vec3>& route :
              floor_stretches(tips, busy, stand, diameter_, longest_floor_entry * diameter_, diameter_))
-            cut_floor(std::move(way));
+            cut_floor(std::move(route));
     }
 }
 
@@ -440,8 +442,8 @@ void Planner::cut_floor(std::vector<Vec3> tips) {
             || !bodies_->clear(*field_, a, b, low))
             return;
     }
-    tips = thinned_way(tips, 0.25 * margin_);
-    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, least_);
+    tips = thinned_route(tips, 0.25 * margin_);
+    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, min_);
     std::vector<Vec3> turned(tips.rbegin(), tips.rend()), down, other;
     const bool ahead = entry.descend(tips, down), back = entry.descend(turned, other);
     if (!ahead && !back) return;
@@ -460,14 +462,14 @@ void Planner::cut_floor(std::vector<Vec3> tips) {
 }
 
 /// Leaves out what shank or holder forbid, finds the way in, and cuts.
-void Planner::finish(RoughWay way, double z, int layer, const LayerWays& ways,
+void Planner::finish(RoughRoute route, double z, int layer, const LayerRoutes& routes,
                      std::span<const Contour> contours) {
     progress_.check();
-    std::vector<RoughWay> parts;
+    std::vector<RoughRoute> parts;
     if (highest_ <= z + bodies_->lowest_base()) {
-        parts.push_back(std::move(way));
+        parts.push_back(std::move(route));
     } else {
-        RoughWay part = way;
+        RoughRoute part = route;
         part.points.clear();
         const auto end = [&] {
             if (part.points.size() < 2) {
@@ -480,8 +482,8 @@ void Planner::finish(RoughWay way, double z, int layer, const LayerWays& ways,
             part.closed = false;
         };
         bool whole = true;
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const Vec2 a = way.points[i - 1], d = way.points[i] - a;
+        for (std::size_t i = 1; i < route.points.size(); ++i) {
+            const Vec2 a = route.points[i - 1], d = route.points[i] - a;
             const double n = std::max(1.0, std::ceil(d.norm() / (0.5 * diameter_)));
             for (double k = 0; k < n; ++k) {
                 const Vec2 from = a + (k / n) * d, to = a + ((k + 1) / n) * d;
@@ -500,16 +502,16 @@ void Planner::finish(RoughWay way, double z, int layer, const LayerWays& ways,
             }
         }
         if (whole) {
-            parts.push_back(std::move(way));
+            parts.push_back(std::move(route));
         } else {
             end();
-            for (RoughWay& p : parts)
-                p.points = thinned_way(p.points, 1e-9 * diameter_);
+            for (RoughRoute& p : parts)
+                p.points = thinned_route(p.points, 1e-9 * diameter_);
         }
     }
-    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, least_);
-    for (RoughWay& p : parts) {
-        if (join(p, z, layer, ways, contours)) continue;
+    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, min_);
+    for (RoughRoute& p : parts) {
+        if (join(p, z, layer, routes, contours)) continue;
         std::vector<Vec3> down;
         if (entry.enter(p, z, down)) {
             take(p, down, z, layer);
@@ -521,59 +523,61 @@ void Planner::finish(RoughWay way, double z, int layer, const LayerWays& ways,
 
 /// Where the last pass ended nearby on the same layer the tool stays down: what it meets on the way is to be
 /// cut on this layer anyway.
-bool Planner::join(RoughWay& way, double z, int layer, const LayerWays& ways,
+bool Planner::join(RoughRoute& route, double z, int layer, const LayerRoutes& routes,
                    std::span<const Contour> contours) {
     const bool oneway = settings_.pattern == RoughSettings::Pattern::oneway;
     if (oneway || result_.passes.empty() || result_.passes.back().layer != layer) return false;
     Pass& last = result_.passes.back();
     const Vec2 from = last.cl.back().tip.head<2>();
-    if (way.reversible && (way.points.back() - from).norm() < (way.points.front() - from).norm()) way.turn();
+    if (route.reversible && (route.points.back() - from).norm() < (route.points.front() - from).norm())
+        route.turn();
     std::vector<Vec2> points{from};
-    if (!ways.connect(from, way.points.front(), contours, z, longest_join * diameter_, points)) return false;
+    if (!routes.connect(from, route.points.front(), contours, z, longest_join * diameter_, points))
+        return false;
     for (std::size_t i = 1; i <= points.size(); ++i)
-        if (!bodies_->clear(*field_, points[i - 1], i < points.size() ? points[i] : way.points.front(), z))
+        if (!bodies_->clear(*field_, points[i - 1], i < points.size() ? points[i] : route.points.front(), z))
             return false;
-    points.insert(points.end(), way.points.begin(), way.points.end());
+    points.insert(points.end(), route.points.begin(), route.points.end());
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Vec3 tip(points[i].x(), points[i].y(), z);
         field_->cut(cutter_, last.cl.back().tip, tip);
         last.cl.push_back({tip, Vec3(0, 0, 1)});
         last.cc.push_back({tip, Vec3(0, 0, 1)});
     }
-    at_ = way.points.back();
+    at_ = route.points.back();
     return true;
 }
 
 /// What had no room for an entry may have one when all round it is cut, or nothing left to cut.
 void Planner::finish_later(double z, int layer) {
-    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, least_);
-    for (RoughWay& way : std::exchange(later_, {})) {
+    const RoughEntry entry(settings_, *reach_, *field_, cutter_, *bodies_, min_);
+    for (RoughRoute& route : std::exchange(later_, {})) {
         progress_.check();
         double length = 0;
         bool work = false;
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const Vec2 &a = way.points[i - 1], &b = way.points[i];
+        for (std::size_t i = 1; i < route.points.size(); ++i) {
+            const Vec2 &a = route.points[i - 1], &b = route.points[i];
             length += (b - a).norm();
-            work = work || field_->has_work(cutter_, Vec3(a.x(), a.y(), z), Vec3(b.x(), b.y(), z), least_);
+            work = work || field_->has_work(cutter_, Vec3(a.x(), a.y(), z), Vec3(b.x(), b.y(), z), min_);
         }
         if (!work) continue;
         std::vector<Vec3> down;
-        if (entry.enter(way, z, down)) {
-            take(way, down, z, layer);
+        if (entry.enter(route, z, down)) {
+            take(route, down, z, layer);
             continue;
         }
-        if (closed_ways_++ == 0) closed_at_ = Vec3(way.points.front().x(), way.points.front().y(), z);
+        if (closed_routes_++ == 0) closed_at_ = Vec3(route.points.front().x(), route.points.front().y(), z);
         closed_length_ += length;
     }
 }
 
-void Planner::take(const RoughWay& way, const std::vector<Vec3>& down, double z, int layer) {
+void Planner::take(const RoughRoute& route, const std::vector<Vec3>& down, double z, int layer) {
     std::vector<Vec3> tips;
-    for (const Vec2& p : way.points)
+    for (const Vec2& p : route.points)
         tips.emplace_back(p.x(), p.y(), z);
     take(tips, down, layer);
-    result_.passes.back().drive = way.line;
-    result_.passes.back().offset = way.offset;
+    result_.passes.back().drive = route.line;
+    result_.passes.back().offset = route.offset;
 }
 
 void Planner::take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer) {
@@ -611,11 +615,11 @@ void Planner::add_warnings() {
         warnings.push_back("shank or holder would hit the stock: " + text(blocked_length_)
                            + " of cuts are left out, the first at " + text(blocked_at_)
                            + ": use a longer tool");
-    if (closed_ways_ > 0)
-        warnings.push_back(std::to_string(closed_ways_) + (closed_ways_ == 1 ? " place is" : " places are")
-                           + " left out that the tool has no room to enter by a ramp or a helix ("
-                           + text(closed_length_) + " of cuts), the first at " + text(closed_at_)
-                           + ": use a smaller tool, or allow it to plunge");
+    if (closed_routes_ > 0)
+        warnings.push_back(
+            std::to_string(closed_routes_) + (closed_routes_ == 1 ? " place is" : " places are")
+            + " left out that the tool has no room to enter by a ramp or a helix (" + text(closed_length_)
+            + " of cuts), the first at " + text(closed_at_) + ": use a smaller tool, or allow it to plunge");
     if (settings_.allowance > 0 && context_.part_box.hi.z() + settings_.allowance > field_->box().hi.z())
         warnings.push_back("the stock ends " + text(field_->box().hi.z() - context_.part_box.hi.z())
                            + " above the part: the allowance of " + text(settings_.allowance)
@@ -679,10 +683,10 @@ void Planner::check_passes(const Progress& progress) {
         [&](std::size_t begin, std::size_t end) {
             Worst w;
             LiftHint hint;
-            const auto look = [&](const std::vector<CutterLocation>& way) {
-                for (std::size_t k = 1; k < way.size(); ++k) {
+            const auto look = [&](const std::vector<CutterLocation>& route) {
+                for (std::size_t k = 1; k < route.size(); ++k) {
                     progress.check();
-                    const Vec3 &a = way[k - 1].tip, &b = way[k].tip;
+                    const Vec3 &a = route[k - 1].tip, &b = route[k].tip;
                     const double n = std::max(1.0, std::ceil((b - a).norm() / reach_->spacing()));
                     for (double i = 0; i <= n; ++i) {
                         const Vec3 p = a + (i / n) * (b - a);

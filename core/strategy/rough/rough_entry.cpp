@@ -9,29 +9,29 @@ namespace {
 
 /// In radii of the cutter: how far outside a way may begin to stand free; the longest and the shortest leg of
 /// a ramp, and the shortest where there is room for nothing else; looks along a way.
-constexpr double most_outside = 4, longest_leg = 12, usual_leg = 2, shortest_leg = 0.7, look = 0.5;
-constexpr double most_legs = 200;
+constexpr double max_outside = 4, longest_leg = 12, usual_leg = 2, shortest_leg = 0.7, look = 0.5;
+constexpr double max_legs = 200;
 /// Radii of a helix, in radii of the cutter: the larger the better the chips come out, but a core must not
 /// stay in its middle.
 constexpr double helix_radii[] = {0.9, 0.7, 0.5, 0.35};
 constexpr int helix_sides = 24, helix_directions = 8;
 
 /// The part of a polyline from its beginning to `arc`.
-std::vector<Vec2> head(const std::vector<Vec2>& way, double arc) {
-    std::vector<Vec2> part{way.front()};
-    for (std::size_t i = 1; i < way.size() && arc > 0; ++i) {
-        const double length = (way[i] - way[i - 1]).norm();
+std::vector<Vec2> head(const std::vector<Vec2>& route, double arc) {
+    std::vector<Vec2> part{route.front()};
+    for (std::size_t i = 1; i < route.size() && arc > 0; ++i) {
+        const double length = (route[i] - route[i - 1]).norm();
         if (length == 0) continue;
-        part.push_back(way[i - 1] + std::min(1.0, arc / length) * (way[i] - way[i - 1]));
+        part.push_back(route[i - 1] + std::min(1.0, arc / length) * (route[i] - route[i - 1]));
         arc -= length;
     }
     return part;
 }
 
-double length_of(const std::vector<Vec2>& way) {
+double length_of(const std::vector<Vec2>& route) {
     double sum = 0;
-    for (std::size_t i = 1; i < way.size(); ++i)
-        sum += (way[i] - way[i - 1]).norm();
+    for (std::size_t i = 1; i < route.size(); ++i)
+        sum += (route[i] - route[i - 1]).norm();
     return sum;
 }
 
@@ -78,48 +78,49 @@ bool UprightBodies::clear(const StockField& field, const Vec2& a, const Vec2& b,
 }
 
 bool RoughEntry::stands_free(const Vec2& p, double z) const {
-    return field_.stand_height(cutter_, p, p) <= z + least_ && bodies_.clear(field_, p, p, z);
+    return field_.stand_height(cutter_, p, p) <= z + min_ && bodies_.clear(field_, p, p, z);
 }
 
-bool RoughEntry::begin_free(RoughWay& way, double z) const {
-    if (stands_free(way.points.front(), z)) return true;
-    const Vec2 out = way.before - way.points.front();
-    const double most = std::min(out.norm(), most_outside * cutter_.radius());
+bool RoughEntry::begin_free(RoughRoute& route, double z) const {
+    if (stands_free(route.points.front(), z)) return true;
+    const Vec2 out = route.before - route.points.front();
+    const double most = std::min(out.norm(), max_outside * cutter_.radius());
     if (!(most > 0)) return false;
     const double n = std::ceil(most / (look * cutter_.radius()));
     for (double i = 1; i <= n; ++i) {
-        const Vec2 p = way.points.front() + (i / n) * most / out.norm() * out;
+        const Vec2 p = route.points.front() + (i / n) * most / out.norm() * out;
         if (!stands_free(p, z)) continue;
         RoughReach::Hints hints;
-        if (!reach_.is_free(p, way.points.front(), z, hints)) return false;
-        way.points.insert(way.points.begin(), p);
+        if (!reach_.is_free(p, route.points.front(), z, hints)) return false;
+        route.points.insert(route.points.begin(), p);
         return true;
     }
     return false;
 }
 
-bool RoughEntry::enter(RoughWay& way, double z, std::vector<Vec3>& down) const {
+bool RoughEntry::enter(RoughRoute& route, double z, std::vector<Vec3>& down) const {
     down.clear();
-    if (begin_free(way, z)) return true;
-    if (way.reversible) {
-        way.turn();
-        if (begin_free(way, z)) return true;
-        way.turn();
+    if (begin_free(route, z)) return true;
+    if (route.reversible) {
+        route.turn();
+        if (begin_free(route, z)) return true;
+        route.turn();
     }
-    if (way.closed) {
+    if (route.closed) {
         // Begun anywhere, also within a straight piece.
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const Vec2 a = way.points[i - 1], d = way.points[i] - a;
+        for (std::size_t i = 1; i < route.points.size(); ++i) {
+            const Vec2 a = route.points[i - 1], d = route.points[i] - a;
             const double n = std::max(1.0, std::ceil(d.norm() / (look * cutter_.radius())));
             for (double k = 1; k <= n; ++k) {
                 const Vec2 p = a + (k / n) * d;
                 if (!stands_free(p, z)) continue;
                 std::vector<Vec2> turned{p};
-                if (k < n) turned.push_back(way.points[i]);
-                turned.insert(turned.end(), way.points.begin() + std::ptrdiff_t(i) + 1, way.points.end());
-                turned.insert(turned.end(), way.points.begin() + 1, way.points.begin() + std::ptrdiff_t(i));
+                if (k < n) turned.push_back(route.points[i]);
+                turned.insert(turned.end(), route.points.begin() + std::ptrdiff_t(i) + 1, route.points.end());
+                turned.insert(turned.end(), route.points.begin() + 1,
+                              route.points.begin() + std::ptrdiff_t(i));
                 turned.push_back(p);
-                way.points = std::move(turned);
+                route.points = std::move(turned);
                 return true;
             }
         }
@@ -127,22 +128,22 @@ bool RoughEntry::enter(RoughWay& way, double z, std::vector<Vec3>& down) const {
     using Entry = RoughSettings::Entry;
     const double radius = cutter_.radius();
     if (settings_.entry == Entry::plunge) return true;
-    if (settings_.entry == Entry::helix && helix(way, z, down)) return true;
-    if (ramp(way, z, usual_leg * radius, down)) return true;
-    if (settings_.entry == Entry::automatic && helix(way, z, down)) return true;
-    return ramp(way, z, shortest_leg * radius, down);
+    if (settings_.entry == Entry::helix && helix(route, z, down)) return true;
+    if (ramp(route, z, usual_leg * radius, down)) return true;
+    if (settings_.entry == Entry::automatic && helix(route, z, down)) return true;
+    return ramp(route, z, shortest_leg * radius, down);
 }
 
-bool RoughEntry::ramp(const RoughWay& way, double z, double shortest, std::vector<Vec3>& down) const {
-    const double length = length_of(way.points);
+bool RoughEntry::ramp(const RoughRoute& route, double z, double shortest, std::vector<Vec3>& down) const {
+    const double length = length_of(route.points);
     if (length < shortest) return false;
-    std::vector<Vec2> leg = head(way.points, std::min(length, longest_leg * cutter_.radius()));
+    std::vector<Vec2> leg = head(route.points, std::min(length, longest_leg * cutter_.radius()));
     double top = z;
     for (std::size_t i = 1; i < leg.size(); ++i)
         top = std::max(top, field_.stand_height(cutter_, leg[i - 1], leg[i]));
     const double run = (top - z) / std::tan(settings_.ramp_angle);
     const double legs = std::ceil(run / length_of(leg));
-    if (!(legs <= most_legs)) return false;
+    if (!(legs <= max_legs)) return false;
     leg = head(leg, run / std::max(legs, 1.0));
     if (length_of(leg) < shortest && legs > 1) return false;
     // Forth and back, so that the last leg ends where the way begins.
@@ -181,7 +182,7 @@ bool RoughEntry::descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down)
     if (length < shortest_leg * cutter_.radius()) return false;
     const double fall = std::tan(settings_.ramp_angle);
     const double legs = 2 * std::max(1.0, std::ceil((top - low) / (2 * fall * length)));
-    if (!(legs <= most_legs)) return false;
+    if (!(legs <= max_legs)) return false;
     double done = 0;
     down.emplace_back(leg[0].x(), leg[0].y(), top);
     for (double k = 0; k < legs; ++k) {
@@ -194,10 +195,10 @@ bool RoughEntry::descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down)
     return true;
 }
 
-bool RoughEntry::helix(const RoughWay& way, double z, std::vector<Vec3>& down) const {
+bool RoughEntry::helix(const RoughRoute& route, double z, std::vector<Vec3>& down) const {
     // Where the way begins in a corner there is more room farther along it.
-    for (double arc = 0; arc <= most_outside * cutter_.radius(); arc += cutter_.radius()) {
-        const std::vector<Vec2> back = head(way.points, arc);
+    for (double arc = 0; arc <= max_outside * cutter_.radius(); arc += cutter_.radius()) {
+        const std::vector<Vec2> back = head(route.points, arc);
         if (!helix_at(back.back(), z, down)) continue;
         for (std::size_t i = back.size() - 1; i-- > 0;)
             down.emplace_back(back[i].x(), back[i].y(), z);
@@ -229,7 +230,7 @@ bool RoughEntry::helix_at(const Vec2& end, double z, std::vector<Vec3>& down) co
                 top = std::max(top, field_.stand_height(cutter_, round[i - 1], round[i]));
             const double side = (round[1] - round[0]).norm();
             const double sides = std::ceil((top - z) / (side * std::tan(settings_.ramp_angle)));
-            if (!(sides <= most_legs * helix_sides)) return false;
+            if (!(sides <= max_legs * helix_sides)) return false;
             // Down to the level, then once round on it.
             for (double i = sides; i >= 0; --i) {
                 const auto at = std::size_t(helix_sides - int(std::fmod(i, helix_sides))) % helix_sides;

@@ -40,13 +40,12 @@ public:
     /// All of it must outlive this; the field is asked as it stands at the call.
     RoughEntry(const RoughSettings& settings, const RoughReach& reach, const StockField& field,
                const StockCutter& cutter, const UprightBodies& bodies, double least)
-        : settings_(settings), reach_(reach), field_(field), cutter_(cutter), bodies_(bodies), least_(least) {
-    }
+        : settings_(settings), reach_(reach), field_(field), cutter_(cutter), bodies_(bodies), min_(least) {}
 
     /// Decides where the way begins (it may be made longer, turned round or, a closed one, begun elsewhere)
     /// and the way down to its first point at z: nothing where that stands free, or where plunging is
     /// allowed. False where there is no room for a ramp or a helix.
-    bool enter(RoughWay& way, double z, std::vector<Vec3>& down) const;
+    bool enter(RoughRoute& route, double z, std::vector<Vec3>& down) const;
     /// The way down to the first of tips that are not level: nothing where that stands free, or where
     /// plunging is allowed; else a ramp forth and back over their beginning, no deeper than they are. False
     /// where that is too short.
@@ -54,9 +53,9 @@ public:
 
 private:
     bool stands_free(const Vec2& p, double z) const;
-    bool begin_free(RoughWay& way, double z) const;
-    bool ramp(const RoughWay& way, double z, double shortest, std::vector<Vec3>& down) const;
-    bool helix(const RoughWay& way, double z, std::vector<Vec3>& down) const;
+    bool begin_free(RoughRoute& route, double z) const;
+    bool ramp(const RoughRoute& route, double z, double shortest, std::vector<Vec3>& down) const;
+    bool helix(const RoughRoute& route, double z, std::vector<Vec3>& down) const;
     bool helix_at(const Vec2& end, double z, std::vector<Vec3>& down) const;
 
     const RoughSettings& settings_;
@@ -64,7 +63,7 @@ private:
     const StockField& field_;
     const StockCutter& cutter_;
     const UprightBodies& bodies_;
-    double least_;
+    double min_;
 };
 
 } // namespace facetmill

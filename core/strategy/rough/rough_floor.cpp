@@ -17,13 +17,13 @@ constexpr double steepest_floor = 0.5;
 
 FloorJudge::FloorJudge(const CutterProfile& profile, const std::vector<double>& heights, double top,
                        double most, double least)
-    : cover_(profile, 0), heights_(heights), top_(top), most_(most), least_(least) {}
+    : cover_(profile, 0), heights_(heights), top_(top), max_(most), min_(least) {}
 
 double FloorJudge::left(const FloorPlace& place) const {
     const auto below = std::upper_bound(heights_.begin(), heights_.end(), place.z, std::greater<>());
     const double above = below == heights_.begin() ? top_ : *(below - 1);
     const double high = above - place.z - place.rise;
-    if (high <= least_) return 0;
+    if (high <= min_) return 0;
     const double slope = std::min(std::atan(place.slope), steepest);
     const Vec3 n(std::sin(slope), 0, std::cos(slope));
     // The cutter that touches the place, raised to the layer above.
@@ -42,8 +42,8 @@ std::vector<std::vector<Vec3>> floor_stretches(const std::vector<Vec3>& tips, co
     const std::size_t n = tips.size();
     const auto piece = [&](std::size_t k) { return (tips[k + 1] - tips[k]).norm(); };
     const auto passable = [&](std::size_t k) {
-        const Vec3 way = tips[k + 1] - tips[k];
-        return std::abs(way.z()) <= steepest_floor * way.head<2>().norm();
+        const Vec3 route = tips[k + 1] - tips[k];
+        return std::abs(route.z()) <= steepest_floor * route.head<2>().norm();
     };
     for (std::size_t i = 0; i + 1 < n;) {
         if (!busy[i] || !passable(i)) {
@@ -71,30 +71,30 @@ std::vector<std::vector<Vec3>> floor_stretches(const std::vector<Vec3>& tips, co
         const bool before = stands_free(first, from) && back <= beyond,
                    behind = stands_free(last, to) && ahead <= beyond;
         const bool low_end = before && !(behind && tips[last].z() < tips[first].z());
-        std::vector<Vec3> way;
+        std::vector<Vec3> route;
         if (low_end)
             for (std::size_t k = first; k < from; ++k)
-                way.emplace_back(tips[k].x(), tips[k].y(), std::max(tips[k].z(), stand[first]));
+                route.emplace_back(tips[k].x(), tips[k].y(), std::max(tips[k].z(), stand[first]));
         for (std::size_t k = from; k <= to; ++k)
-            way.push_back(tips[k]);
+            route.push_back(tips[k]);
         if (behind && !low_end)
             for (std::size_t k = to + 1; k <= last; ++k)
-                way.emplace_back(tips[k].x(), tips[k].y(), std::max(tips[k].z(), stand[last]));
+                route.emplace_back(tips[k].x(), tips[k].y(), std::max(tips[k].z(), stand[last]));
         if (!before && !behind)
             for (bool more = true; more && length < shortest;) {
                 more = false;
                 if (to + 1 < n && passable(to)) {
                     length += piece(to++);
-                    way.push_back(tips[to]);
+                    route.push_back(tips[to]);
                     more = true;
                 }
                 if (from > 0 && passable(from - 1)) {
                     length += piece(--from);
-                    way.insert(way.begin(), tips[from]);
+                    route.insert(route.begin(), tips[from]);
                     more = true;
                 }
             }
-        stretches.push_back(std::move(way));
+        stretches.push_back(std::move(route));
     }
     return stretches;
 }

@@ -22,12 +22,12 @@ public:
 
     /// What the layers above and below it leave there, along the normal.
     double left(const FloorPlace& place) const;
-    bool too_high(const FloorPlace& place) const { return left(place) > most_; }
+    bool too_high(const FloorPlace& place) const { return left(place) > max_; }
 
 private:
     CutterCover cover_;
     const std::vector<double>& heights_;
-    double top_, most_, least_;
+    double top_, max_, min_;
 };
 
 /// The stretches of a floor's way on which the way from a tip to the next is `busy`; gaps up to `gap` are

@@ -14,12 +14,12 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t check_every = 8192;
-constexpr std::size_t most_layers = 100000;
+constexpr std::size_t max_layers = 100000;
 constexpr int slope_bins = 180;
 constexpr std::size_t height_bins = 2048;
 /// Facets flatter than this are level; a level place counts from this share of the cutter's area on.
 constexpr double level_slope = 0.25 * pi / 180, level_share = 0.05;
-constexpr std::size_t most_level_places = 200;
+constexpr std::size_t max_level_places = 200;
 /// Edges whose facets' normals make a smaller angle belong to a smooth surface.
 const double smooth_cosine = std::cos(10 * pi / 180);
 
@@ -113,7 +113,7 @@ public:
         std::erase_if(places, [&](const Level& l) { return l.area < level_share * pi * radius * radius; });
         std::sort(places.begin(), places.end(),
                   [](const Level& a, const Level& b) { return a.area > b.area; });
-        if (places.size() > most_level_places) places.resize(most_level_places);
+        if (places.size() > max_level_places) places.resize(max_level_places);
         for (const Level& l : places)
             level_.push_back(l.height);
         std::sort(level_.begin(), level_.end());
@@ -222,9 +222,9 @@ Layers layer_heights(const LayerInput& in, const Progress& progress) {
     ends.push_back(in.low);
     double z = in.top;
     const auto add = [&](double next) {
-        if (layers.heights.size() >= most_layers)
+        if (layers.heights.size() >= max_layers)
             throw Error(ErrorCode::limit_exceeded, "depth",
-                        "more than " + std::to_string(most_layers) + " layers are asked for",
+                        "more than " + std::to_string(max_layers) + " layers are asked for",
                         "choose a larger depth or tolerance");
         layers.depth_min = std::min(layers.depth_min, z - next);
         layers.depth_max = std::max(layers.depth_max, z - next);
@@ -237,7 +237,7 @@ Layers layer_heights(const LayerInput& in, const Progress& progress) {
         const double gap = z - end;
         if (in.depth) {
             const double n = std::ceil(gap / *in.depth - tolerance::grid_rounding), top = z;
-            for (double i = 1; i <= n && layers.heights.size() <= most_layers; ++i)
+            for (double i = 1; i <= n && layers.heights.size() <= max_layers; ++i)
                 add(i == n ? end : top - gap * (i / n));
             continue;
         }

@@ -21,9 +21,9 @@ std::uint64_t key(const Square& s) {
 
 std::vector<Square> squares_of(const Pass& pass, double side) {
     std::vector<Square> squares;
-    const auto add_way = [&](const std::vector<CutterLocation>& way) {
-        for (std::size_t i = 0; i < way.size(); ++i) {
-            const Vec2 b = way[i].tip.head<2>(), a = i > 0 ? Vec2(way[i - 1].tip.head<2>()) : b;
+    const auto add_route = [&](const std::vector<CutterLocation>& route) {
+        for (std::size_t i = 0; i < route.size(); ++i) {
+            const Vec2 b = route[i].tip.head<2>(), a = i > 0 ? Vec2(route[i - 1].tip.head<2>()) : b;
             const double n = std::max(1.0, std::ceil((b - a).norm() / (seen_every * side)));
             for (double k = i > 0 ? 1 : 0; k <= n; ++k) {
                 const Vec2 p = a + (k / n) * (b - a);
@@ -33,8 +33,8 @@ std::vector<Square> squares_of(const Pass& pass, double side) {
             }
         }
     };
-    add_way(pass.entry);
-    add_way(pass.cl);
+    add_route(pass.entry);
+    add_route(pass.cl);
     std::sort(squares.begin(), squares.end());
     squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
     return squares;

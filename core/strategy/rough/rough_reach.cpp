@@ -10,10 +10,10 @@ namespace facetmill {
 
 namespace {
 
-constexpr double most_places = 2e7;
+constexpr double max_places = 2e7;
 constexpr std::size_t line_block = 1;
 /// Halvings of a grid's edge: down to a thousandth of the margin on any edge that is allowed.
-constexpr int most_halvings = 40;
+constexpr int max_halvings = 40;
 constexpr std::size_t longest_thinned = 256;
 /// Of the margin: how well ends of what is free are known.
 constexpr double border_share = 0.25;
@@ -99,7 +99,7 @@ double RoughReach::last_free(const Vec2& free, double lift_free, const Vec2& blo
     // As if the lift were straight between the two, now a little on one side of the root and now on the
     // other, so that both ends close in on it; by halves where that does not help, as at a jump.
     bool straight = std::isfinite(lift_free) && std::isfinite(lift_blocked), was_free = false;
-    for (int i = 0; i < most_halvings && high - low > enough; ++i) {
+    for (int i = 0; i < max_halvings && high - low > enough; ++i) {
         double mid = 0.5 * (low + high);
         if (straight) {
             const double root = low + (high - low) * (z - lift_free) / (lift_blocked - lift_free);
@@ -129,9 +129,9 @@ ReachGrid::ReachGrid(const RoughReach& reach, const DriveFrame& frame, const Vec
     const double wanted = reach.spacing() / std::numbers::sqrt2;
     const double columns = std::ceil((hi.x() - lo.x()) / wanted) + 1,
                  rows = std::ceil((hi.y() - lo.y()) / wanted) + 1;
-    if (!(columns * rows <= most_places))
+    if (!(columns * rows <= max_places))
         throw Error(ErrorCode::limit_exceeded, "tolerance",
-                    "the part asks for more than " + format_number(most_places)
+                    "the part asks for more than " + format_number(max_places)
                         + " places of this tool on a layer",
                     "check the part's units, or take a larger tool or tolerance");
     columns_ = std::size_t(std::max(columns, 2.0));
@@ -234,7 +234,7 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) con
             contour.points.push_back(crossings[start].at);
         }
         if (contour.points.size() < 2) return;
-        contour.points = thinned_way(contour.points, 0.5 * reach_.margin());
+        contour.points = thinned_route(contour.points, 0.5 * reach_.margin());
         all.push_back(std::move(contour));
     };
     for (std::size_t i = 0; i < crossings.size(); ++i)
@@ -281,18 +281,18 @@ std::vector<Interval> ReachLine::free(double z, RoughReach::Hints& hints) const 
 namespace {
 
 template <class Point>
-std::vector<Point> thinned_points(const std::vector<Point>& way, double beside) {
-    if (way.size() < 3) return way;
-    std::vector<Point> kept{way.front()};
+std::vector<Point> thinned_points(const std::vector<Point>& route, double beside) {
+    if (route.size() < 3) return route;
+    std::vector<Point> kept{route.front()};
     std::size_t from = 0;
-    while (from + 1 < way.size()) {
+    while (from + 1 < route.size()) {
         std::size_t best = from + 1;
-        for (std::size_t to = from + 2; to < way.size() && to - from < longest_thinned; ++to) {
-            const Point chord = way[to] - way[from];
+        for (std::size_t to = from + 2; to < route.size() && to - from < longest_thinned; ++to) {
+            const Point chord = route[to] - route[from];
             const double length = chord.norm();
             bool near = length > 0;
             for (std::size_t k = from + 1; near && k < to; ++k) {
-                const Point d = way[k] - way[from];
+                const Point d = route[k] - route[from];
                 const double along = d.dot(chord) / length;
                 const double across = (d - along / length * chord).norm();
                 near = across <= beside && along >= -beside && along <= length + beside;
@@ -300,7 +300,7 @@ std::vector<Point> thinned_points(const std::vector<Point>& way, double beside) 
             if (!near) break;
             best = to;
         }
-        kept.push_back(way[best]);
+        kept.push_back(route[best]);
         from = best;
     }
     return kept;
@@ -308,12 +308,12 @@ std::vector<Point> thinned_points(const std::vector<Point>& way, double beside) 
 
 } // namespace
 
-std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside) {
-    return thinned_points(way, beside);
+std::vector<Vec2> thinned_route(const std::vector<Vec2>& route, double beside) {
+    return thinned_points(route, beside);
 }
 
-std::vector<Vec3> thinned_way(const std::vector<Vec3>& way, double beside) {
-    return thinned_points(way, beside);
+std::vector<Vec3> thinned_route(const std::vector<Vec3>& route, double beside) {
+    return thinned_points(route, beside);
 }
 
 } // namespace facetmill

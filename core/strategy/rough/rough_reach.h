@@ -126,7 +126,7 @@ private:
 };
 
 /// The polyline without the points that it passes within `beside` when they are left out. Ends stay.
-std::vector<Vec2> thinned_way(const std::vector<Vec2>& way, double beside);
-std::vector<Vec3> thinned_way(const std::vector<Vec3>& way, double beside);
+std::vector<Vec2> thinned_route(const std::vector<Vec2>& route, double beside);
+std::vector<Vec3> thinned_route(const std::vector<Vec3>& route, double beside);
 
 } // namespace facetmill

@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr double most_looked_at = 2e5;
+constexpr double max_looked_at = 2e5;
 constexpr std::size_t block = 256;
 /// Where the part keeps the cutter away by more than this share of what is allowed, a place is out of reach.
 constexpr double reach_share = 0.05;
@@ -48,7 +48,7 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
     const CutterCover cover(*in.profile, 0.125 * in.allowed);
     const UpSide up(*in.mesh, progress);
     const double cells = double(field.columns()) * double(field.rows());
-    const int stride = std::max(1, int(std::ceil(std::sqrt(cells / most_looked_at))));
+    const int stride = std::max(1, int(std::ceil(std::sqrt(cells / max_looked_at))));
     const auto columns = std::size_t((field.columns() - 1) / stride + 1),
                rows = std::size_t((field.rows() - 1) / stride + 1);
     return parallel_reduce(
@@ -58,7 +58,7 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
             LiftHint hint;
             for (std::size_t i = begin; i < end; ++i) {
                 const int column = int(i % columns) * stride, row = int(i / columns) * stride;
-                const Vec2 p = field.centre(column, row);
+                const Vec2 p = field.center(column, row);
                 if (field.middle(column, row) == -infinity) continue;
                 const AxialContact seen = needle.contact(p.x(), p.y());
                 if (seen.facet == no_index) continue;

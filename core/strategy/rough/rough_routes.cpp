@@ -9,20 +9,20 @@ namespace facetmill {
 namespace {
 
 /// A place on a polyline.
-struct OnWay {
+struct OnRoute {
     std::size_t segment = 0;
     Vec2 point = Vec2::Zero();
     double arc = 0, distance = infinity;
 };
 
-OnWay nearest_on(const std::vector<Vec2>& way, const Vec2& p) {
-    OnWay best;
+OnRoute nearest_on(const std::vector<Vec2>& route, const Vec2& p) {
+    OnRoute best;
     double arc = 0;
-    for (std::size_t i = 1; i < way.size(); ++i) {
-        const Vec2 d = way[i] - way[i - 1];
+    for (std::size_t i = 1; i < route.size(); ++i) {
+        const Vec2 d = route[i] - route[i - 1];
         const double length = d.norm();
-        const double t = length > 0 ? std::clamp((p - way[i - 1]).dot(d) / (length * length), 0.0, 1.0) : 0;
-        const Vec2 q = way[i - 1] + t * d;
+        const double t = length > 0 ? std::clamp((p - route[i - 1]).dot(d) / (length * length), 0.0, 1.0) : 0;
+        const Vec2 q = route[i - 1] + t * d;
         if (const double distance = (p - q).norm(); distance < best.distance)
             best = {i - 1, q, arc + t * length, distance};
         arc += length;
@@ -31,34 +31,34 @@ OnWay nearest_on(const std::vector<Vec2>& way, const Vec2& p) {
 }
 
 /// Points of the polyline between two places, without them, in the order from a to b.
-void between(const std::vector<Vec2>& way, const OnWay& a, const OnWay& b, bool closed, bool forward,
+void between(const std::vector<Vec2>& route, const OnRoute& a, const OnRoute& b, bool closed, bool forward,
              std::vector<Vec2>& out) {
-    const std::size_t n = way.size() - 1; // segments
+    const std::size_t n = route.size() - 1; // segments
     if (forward) {
         const bool wraps = closed && a.arc > b.arc;
         for (std::size_t i = a.segment + 1; i < (wraps ? n : b.segment + 1); ++i)
-            out.push_back(way[i]);
+            out.push_back(route[i]);
         if (wraps)
             for (std::size_t i = 0; i <= b.segment; ++i)
-                out.push_back(way[i]);
+                out.push_back(route[i]);
     } else {
         const bool wraps = closed && a.arc < b.arc;
         for (std::size_t i = a.segment + 1; i-- > (wraps ? 0 : b.segment + 1);)
-            out.push_back(way[i]);
+            out.push_back(route[i]);
         if (wraps)
             for (std::size_t i = n; i-- > b.segment + 1;)
-                out.push_back(way[i]);
+                out.push_back(route[i]);
     }
 }
 
 } // namespace
 
-void LayerWays::add_pieces(int line, double v, std::span<const Interval> free, double z, double merge,
-                           bool but_ends, std::vector<LinePiece>& pieces) const {
+void LayerRoutes::add_pieces(int line, double v, std::span<const Interval> free, double z, double merge,
+                             bool but_ends, std::vector<LinePiece>& pieces) const {
     for (const Interval& range : free) {
         const Vec3 a = frame_.point(range.lo, v, z), b = frame_.point(range.hi, v, z);
         const std::size_t first = pieces.size();
-        for (const Interval& share : field_.work(cutter_, a, b, least_)) {
+        for (const Interval& share : field_.work(cutter_, a, b, min_)) {
             const double slack = field_.cell();
             const Interval cut{std::max(range.lo, range.lo + share.lo * range.length() - slack),
                                std::min(range.hi, range.lo + share.hi * range.length() + slack)};
@@ -76,15 +76,15 @@ void LayerWays::add_pieces(int line, double v, std::span<const Interval> free, d
     }
 }
 
-bool LayerWays::connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
-                        double longest, std::vector<Vec2>& way) const {
+bool LayerRoutes::connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
+                          double longest, std::vector<Vec2>& route) const {
     RoughReach::Hints hints;
     if ((to - from).norm() <= longest && reach_.is_free(from, to, z, hints)) return true;
     const double near = 4 * reach_.spacing();
     for (const Contour& c : contours) {
-        const OnWay a = nearest_on(c.points, from);
+        const OnRoute a = nearest_on(c.points, from);
         if (a.distance > near) continue;
-        const OnWay b = nearest_on(c.points, to);
+        const OnRoute b = nearest_on(c.points, to);
         if (b.distance > near) continue;
         const double whole = c.closed ? c.length() : 0;
         double ahead = b.arc - a.arc, back = -ahead;
@@ -98,18 +98,18 @@ bool LayerWays::connect(const Vec2& from, const Vec2& to, std::span<const Contou
         const bool forward = ahead <= back;
         if (std::min(ahead, back) > longest) continue;
         if (!reach_.is_free(from, a.point, z, hints) || !reach_.is_free(b.point, to, z, hints)) continue;
-        way.push_back(a.point);
-        between(c.points, a, b, c.closed, forward, way);
-        way.push_back(b.point);
+        route.push_back(a.point);
+        between(c.points, a, b, c.closed, forward, route);
+        route.push_back(b.point);
         return true;
     }
     return false;
 }
 
-std::vector<RoughWay> LayerWays::joined_lines(std::vector<LinePiece> pieces,
-                                              std::span<const Contour> contours, double z, double longest,
-                                              bool oneway, Vec2& at, const Progress& progress) const {
-    std::vector<RoughWay> ways;
+std::vector<RoughRoute> LayerRoutes::joined_lines(std::vector<LinePiece> pieces,
+                                                  std::span<const Contour> contours, double z, double longest,
+                                                  bool oneway, Vec2& at, const Progress& progress) const {
+    std::vector<RoughRoute> routes;
     std::vector<char> done(pieces.size(), 0);
     int lines = 0;
     for (const LinePiece& p : pieces)
@@ -138,23 +138,23 @@ std::vector<RoughWay> LayerWays::joined_lines(std::vector<LinePiece> pieces,
                     from_high = high;
                 }
             }
-        RoughWay way;
-        way.line = pieces[next].line;
-        way.offset = pieces[next].v;
-        way.reversible = !oneway;
-        way.before = end(next, from_high, &LinePiece::free);
+        RoughRoute route;
+        route.line = pieces[next].line;
+        route.offset = pieces[next].v;
+        route.reversible = !oneway;
+        route.before = end(next, from_high, &LinePiece::free);
         int turn = 0; // to which side the lines went on
         for (;;) {
             done[next] = 1;
             --left;
-            way.points.push_back(end(next, from_high, &LinePiece::cut));
-            way.points.push_back(end(next, !from_high, &LinePiece::cut));
-            way.after = end(next, !from_high, &LinePiece::free);
-            at = way.points.back();
+            route.points.push_back(end(next, from_high, &LinePiece::cut));
+            route.points.push_back(end(next, !from_high, &LinePiece::cut));
+            route.after = end(next, !from_high, &LinePiece::free);
+            at = route.points.back();
             if (oneway) break;
             std::optional<std::size_t> best;
             bool best_high = false;
-            std::vector<Vec2> best_way;
+            std::vector<Vec2> best_route;
             double shortest = infinity;
             for (const int side : {-1, 1}) {
                 const int line = pieces[next].line + side;
@@ -168,25 +168,25 @@ std::vector<RoughWay> LayerWays::joined_lines(std::vector<LinePiece> pieces,
                         if (!connect(at, start, contours, z, longest, link)) continue;
                         best = i;
                         best_high = high;
-                        best_way = std::move(link);
+                        best_route = std::move(link);
                         shortest = (start - at).norm();
                     }
             }
             if (!best) break;
             turn = pieces[*best].line - pieces[next].line;
-            way.points.insert(way.points.end(), best_way.begin(), best_way.end());
+            route.points.insert(route.points.end(), best_route.begin(), best_route.end());
             next = *best;
             from_high = best_high;
         }
-        ways.push_back(std::move(way));
+        routes.push_back(std::move(route));
     }
-    return ways;
+    return routes;
 }
 
-std::vector<RoughWay>
-LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
-                          const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
-    std::vector<RoughWay> all;
+std::vector<RoughRoute>
+LayerRoutes::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+                            const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
+    std::vector<RoughRoute> all;
     const double step = 0.5 * cutter_.radius();
     for (const Contour& contour : contours) {
         progress.check();
@@ -203,8 +203,8 @@ LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
         bool any = false, every = true;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3 a(points[i].x(), points[i].y(), z), b(points[i + 1].x(), points[i + 1].y(), z);
-            busy[i] = field_.has_work(cutter_, a, b, least_)
-                      || (wanted_too && wanted_too(points[i], points[i + 1]));
+            busy[i] =
+                field_.has_work(cutter_, a, b, min_) || (wanted_too && wanted_too(points[i], points[i + 1]));
             any = any || busy[i];
         }
         if (!any) continue;
@@ -229,7 +229,7 @@ LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
             if (!wanted[i] || !starts) continue;
             double arc = 0;
             for (std::size_t j = i; arc < 1.1 * cutter_.radius();) {
-                if (field_.stand_height(cutter_, points[j], points[j]) <= z + least_) break;
+                if (field_.stand_height(cutter_, points[j], points[j]) <= z + min_) break;
                 if (j == 0 && !contour.closed) break;
                 j = (j + n - 1) % n;
                 if (wanted[j]) break;
@@ -240,11 +240,11 @@ LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
         for (std::size_t i = 0; i < n; ++i)
             every = every && cut[i];
         if (every) {
-            RoughWay way;
-            way.points = contour.points;
-            way.closed = contour.closed;
-            way.reversible = false;
-            all.push_back(std::move(way));
+            RoughRoute route;
+            route.points = contour.points;
+            route.closed = contour.closed;
+            route.reversible = false;
+            all.push_back(std::move(route));
             continue;
         }
         std::size_t start = 0;
@@ -256,17 +256,17 @@ LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
                 ++k;
                 continue;
             }
-            RoughWay way;
-            way.reversible = false;
-            way.points.push_back(points[(start + k) % n]);
+            RoughRoute route;
+            route.reversible = false;
+            route.points.push_back(points[(start + k) % n]);
             for (; k < n && cut[(start + k) % n]; ++k)
-                way.points.push_back(points[(start + k) % n + 1]);
-            way.points = thinned_way(way.points, 1e-9 * cutter_.radius());
-            all.push_back(std::move(way));
+                route.points.push_back(points[(start + k) % n + 1]);
+            route.points = thinned_route(route.points, 1e-9 * cutter_.radius());
+            all.push_back(std::move(route));
         }
     }
     // Nearest first.
-    std::vector<RoughWay> ordered;
+    std::vector<RoughRoute> ordered;
     while (!all.empty()) {
         std::size_t best = 0;
         double nearest = infinity;
@@ -279,22 +279,22 @@ LayerWays::along_contours(std::span<const Contour> contours, double z, Vec2& at,
                 best = i;
             }
         }
-        RoughWay way = std::move(all[best]);
+        RoughRoute route = std::move(all[best]);
         all.erase(all.begin() + std::ptrdiff_t(best));
-        if (way.closed) {
-            const OnWay begin = nearest_on(way.points, at);
+        if (route.closed) {
+            const OnRoute begin = nearest_on(route.points, at);
             std::vector<Vec2> turned{begin.point};
-            turned.insert(turned.end(), way.points.begin() + std::ptrdiff_t(begin.segment) + 1,
-                          way.points.end());
-            turned.insert(turned.end(), way.points.begin() + 1,
-                          way.points.begin() + std::ptrdiff_t(begin.segment) + 1);
+            turned.insert(turned.end(), route.points.begin() + std::ptrdiff_t(begin.segment) + 1,
+                          route.points.end());
+            turned.insert(turned.end(), route.points.begin() + 1,
+                          route.points.begin() + std::ptrdiff_t(begin.segment) + 1);
             turned.push_back(begin.point);
-            way.points = std::move(turned);
+            route.points = std::move(turned);
         }
-        way.before = way.points.front();
-        way.after = way.points.back();
-        at = way.points.back();
-        ordered.push_back(std::move(way));
+        route.before = route.points.front();
+        route.after = route.points.back();
+        at = route.points.back();
+        ordered.push_back(std::move(route));
     }
     return ordered;
 }

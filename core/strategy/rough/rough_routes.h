@@ -14,7 +14,7 @@
 namespace facetmill {
 
 /// One go of the tool.
-struct RoughWay {
+struct RoughRoute {
     std::vector<Vec2> points;
     Vec2 before = Vec2::Zero(),
          after = Vec2::Zero(); ///< how far it may begin earlier and end later, straight
@@ -37,12 +37,12 @@ struct LinePiece {
     Interval free; ///< how far the line is free round it
 };
 
-class LayerWays {
+class LayerRoutes {
 public:
     /// All of it must outlive this. `least`: height below which there is nothing to take away.
-    LayerWays(const RoughReach& reach, const StockField& field, const StockCutter& cutter,
-              const DriveFrame& frame, double least)
-        : reach_(reach), field_(field), cutter_(cutter), frame_(frame), least_(least) {}
+    LayerRoutes(const RoughReach& reach, const StockField& field, const StockCutter& cutter,
+                const DriveFrame& frame, double least)
+        : reach_(reach), field_(field), cutter_(cutter), frame_(frame), min_(least) {}
 
     /// Where on the free ranges of a line at z there is something to cut; gaps shorter than `merge` are cut
     /// through. `but_ends`: without pieces shorter than the cutter's radius at the ends of a range, most of
@@ -51,25 +51,25 @@ public:
                     std::vector<LinePiece>& pieces) const;
     /// The pieces in machining order. Neighbouring lines are joined where the way between their ends is free,
     /// straight or along a contour, and no longer than `longest`; never with `oneway`.
-    std::vector<RoughWay> joined_lines(std::vector<LinePiece> pieces, std::span<const Contour> contours,
-                                       double z, double longest, bool oneway, Vec2& at,
-                                       const Progress& progress) const;
+    std::vector<RoughRoute> joined_lines(std::vector<LinePiece> pieces, std::span<const Contour> contours,
+                                         double z, double longest, bool oneway, Vec2& at,
+                                         const Progress& progress) const;
     /// Where on the contours there is something to cut at z, or the way between two places is `wanted`.
-    std::vector<RoughWay>
+    std::vector<RoughRoute>
     along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
                    const std::function<bool(const Vec2&, const Vec2&)>& wanted = {}) const;
 
     /// Points between two free places for a level way at z that is free all along, straight or along a
     /// contour, and no longer than `longest`; false where there is none.
     bool connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
-                 double longest, std::vector<Vec2>& way) const;
+                 double longest, std::vector<Vec2>& route) const;
 
 private:
     const RoughReach& reach_;
     const StockField& field_;
     const StockCutter& cutter_;
     DriveFrame frame_;
-    double least_;
+    double min_;
 };
 
 } // namespace facetmill

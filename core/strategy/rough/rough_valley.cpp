@@ -13,11 +13,11 @@ namespace {
 /// Of a grid's cells: the floor is known to this, and lies on in the next row no farther aside than this.
 constexpr double floor_accuracy = 0.004, farthest_aside = 2;
 /// Of a cell: nearer than this a node says nothing of how steep the side is.
-constexpr double least_run = 0.1;
+constexpr double min_run = 0.1;
 /// Of the margin: the bend of a level floor's lift from node to node is less.
-constexpr double least_bend = 0.02;
+constexpr double min_bend = 0.02;
 /// Halvings of a straight way along a floor that bends.
-constexpr int most_halvings = 6;
+constexpr int max_halvings = 6;
 
 /// A place of a floor on a row or a column of the grid.
 struct RowPlace {
@@ -67,23 +67,23 @@ private:
             const double bent = bend(line, k);
             const bool lowest_node = h <= before && h < after;
             const bool sharp = bent > 2 * reach_.margin();
-            if (!sharp && !(lowest_node && bent > least_bend * reach_.margin())) continue;
+            if (!sharp && !(lowest_node && bent > min_bend * reach_.margin())) continue;
             // An edge between two nodes bends the lift at both, a hollow at many: the floor is at the lowest.
             const std::size_t lower = before < after ? k - 1 : k + 1;
             if (!lowest_node && lower > 0 && lower + 1 < length_ && bend(line, lower) > 2 * reach_.margin())
                 continue;
             progress.check();
-            const Vec2 from = node(line, k - 1), way = node(line, k + 1) - from;
+            const Vec2 from = node(line, k - 1), route = node(line, k + 1) - from;
             RowPlace p;
             p.at = double(k);
             p.tip = Vec3(node(line, k).x(), node(line, k).y(), h);
             if (sharp) {
                 // Both sides rise as seen from the slope between theirs.
                 const double tilt = lowest_node ? 0 : after - before;
-                const auto lift = [&](double t) { return reach_.tip_z(from + t * way, hints) - tilt * t; };
+                const auto lift = [&](double t) { return reach_.tip_z(from + t * route, hints) - tilt * t; };
                 const LowPlace lowest = golden_minimum(lift, 0, 1, 0.5 * floor_accuracy, -infinity);
                 if (lowest.value + 0.5 * tilt < h) {
-                    const Vec2 q = from + lowest.at * way;
+                    const Vec2 q = from + lowest.at * route;
                     p.at += 2 * lowest.at - 1;
                     p.tip = Vec3(q.x(), q.y(), std::max(lowest.value + tilt * lowest.at, low_));
                 }
@@ -111,7 +111,7 @@ private:
             floor.fall =
                 std::max(0.0, (floor.z - height(line, other)) / std::max(cell + (up ? aside : -aside), cell));
             floor.rise = 0;
-            double run = std::max(cell + (up ? -aside : aside), least_run * cell);
+            double run = std::max(cell + (up ? -aside : aside), min_run * cell);
             for (std::size_t i = next(k); floor.rise < reach_up_; i = next(i)) {
                 const double rise = height(line, i) - floor.z;
                 if (!(rise > floor.rise) || !std::isfinite(rise)) break;
@@ -191,7 +191,7 @@ private:
         const double z = reach_.tip_z(middle.head<2>(), hints);
         const bool below = z - middle.z() > 0.25 * reach_.margin();
         if (!below && (b - a).norm() <= reach_.spacing()) return true;
-        if (depth >= most_halvings) return false;
+        if (depth >= max_halvings) return false;
         if (below) middle.z() = z;
         if (!join(valley, next, a, middle, hints, depth + 1)) return false;
         if (below) {
@@ -272,7 +272,7 @@ std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<
                 channels.push_back(std::move(floor));
             } else {
                 for (Contour& side : sides) {
-                    side.points = thinned_way(side.points, 0.25 * reach.margin());
+                    side.points = thinned_route(side.points, 0.25 * reach.margin());
                     if (side.points.size() > 1) channels.push_back(std::move(side));
                 }
             }

@@ -8,14 +8,14 @@ namespace facetmill {
 namespace {
 
 double angle_of(const ProfilePiece& piece, const Vec2& at) {
-    return std::atan2(at.y() - piece.centre.y(), at.x() - piece.centre.x());
+    return std::atan2(at.y() - piece.center.y(), at.x() - piece.center.x());
 }
 
 /// The point of a piece where support sin * rho - cos * z is largest.
 Vec2 piece_support(const ProfilePiece& piece, double sine, double cosine) {
     const auto value = [&](const Vec2& q) { return sine * q.x() - cosine * q.y(); };
     if (piece.kind == ProfilePiece::Kind::arc) {
-        const Vec2 q = piece.centre + piece.radius * Vec2(sine, -cosine);
+        const Vec2 q = piece.center + piece.radius * Vec2(sine, -cosine);
         const double a = std::atan2(-cosine, sine), from = angle_of(piece, piece.from),
                      to = angle_of(piece, piece.to);
         if (a >= std::min(from, to) && a <= std::max(from, to)) return q;
@@ -44,7 +44,7 @@ Near nearest(const ProfilePiece& piece, const Vec2& q) {
                      to = angle_of(piece, piece.to);
         const double low = std::min(from, to), high = std::max(from, to), c = std::clamp(a, low, high);
         const Vec2 out(std::cos(c), std::sin(c));
-        near.foot = piece.centre + piece.radius * out;
+        near.foot = piece.center + piece.radius * out;
         near.normal = -out;
     }
     near.distance = (q - near.foot).norm();
@@ -72,7 +72,7 @@ CutterCover::CutterCover(const CutterProfile& profile, double slack)
             shoulder_ = p.to.y();
             break;
         }
-    ball_ = first.kind == ProfilePiece::Kind::arc && first.centre.x() == 0 && first.radius == radius_;
+    ball_ = first.kind == ProfilePiece::Kind::arc && first.center.x() == 0 && first.radius == radius_;
 }
 
 Vec2 CutterCover::support(const Vec3& n) const {

@@ -10,7 +10,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t check_every = 8192;
-constexpr double most_cells = 4e6;
+constexpr double max_cells = 4e6;
 /// Facets of usual size are in about this many cells along x and y.
 constexpr double cells_per_facet = 0.5;
 
@@ -36,8 +36,8 @@ FacetGrid::FacetGrid(const Mesh& mesh, const Progress& progress) : mesh_(mesh), 
         [](double x, double y) { return x + y; });
     extent /= 2 * std::max<double>(1, double(n));
     const double area = std::max(size.x() * size.y(), tolerance::smallest_extent);
-    cell_ = std::max({extent / cells_per_facet, std::sqrt(area / most_cells),
-                      std::max(size.x(), size.y()) / std::sqrt(most_cells), tolerance::smallest_extent});
+    cell_ = std::max({extent / cells_per_facet, std::sqrt(area / max_cells),
+                      std::max(size.x(), size.y()) / std::sqrt(max_cells), tolerance::smallest_extent});
     columns_ = int(size.x() / cell_) + 1;
     rows_ = int(size.y() / cell_) + 1;
     start_.assign(std::size_t(columns_) * std::size_t(rows_) + 1, 0);

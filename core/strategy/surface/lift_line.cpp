@@ -76,7 +76,7 @@ double safe_spacing(const CutterProfile& profile, double below) {
     for (const ProfilePiece& p : profile.lower_pieces()) {
         if (p.kind == ProfilePiece::Kind::arc) {
             // Of a sharp corner it is the roundness of its rim, sideways, that counts.
-            spacing = std::min(spacing, round(std::max(p.radius, 0.5 * (p.centre.x() + p.radius))));
+            spacing = std::min(spacing, round(std::max(p.radius, 0.5 * (p.center.x() + p.radius))));
         } else if (p.angle_at_start() > slope + tolerance::cutter_angle) {
             // A cone is as round as its inner rim. Of a peak too thin to be seen at the ends and the middle
             // of a piece of length c, a pointed one passes at most c / 4 times the sine of its slope,

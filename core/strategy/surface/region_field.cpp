@@ -14,14 +14,14 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t most_facets = 4'000'000;
+constexpr std::size_t max_facets = 4'000'000;
 constexpr std::size_t vertices_per_block = 2000;
 /// Of the spacing: edges of the fine mesh; nearer to a vertex than this share of an edge nothing is cut.
 constexpr double edge_share = 0.5, inset_share = 0.03;
 /// Rounds of smoothing: over about one spacing.
 constexpr int smoothing_rounds = 6;
 /// Of a drag's length: how far around it the boundary goes along, and the smallest such distance in spacings.
-constexpr double drag_reach = 4, least_drag_reach = 3;
+constexpr double drag_reach = 4, min_drag_reach = 3;
 
 Vec3 vec(const std::array<double, 3>& p) {
     return {p[0], p[1], p[2]};
@@ -86,12 +86,12 @@ public:
             result_.outside = fine_.piece(all);
             return std::move(result_);
         }
-        double most_grow = 0;
+        double max_grow = 0;
         for (const RegionEdit& e : in_.edits)
-            most_grow = std::max(most_grow, e.grow);
+            max_grow = std::max(max_grow, e.grow);
         for (const BoundaryDrag& d : in_.drags)
-            most_grow = std::max(most_grow, (vec(d.to) - vec(d.from)).norm());
-        far_ = 4 * in_.spacing + in_.offset + most_grow;
+            max_grow = std::max(max_grow, (vec(d.to) - vec(d.from)).norm());
+        far_ = 4 * in_.spacing + in_.offset + max_grow;
         std::vector<Vec3> points;
         for (const auto& u : uncut_)
             points.push_back(u.point);
@@ -136,7 +136,7 @@ private:
             return found;
         };
         fine_ = fine_.derived(
-            refined(fine_.mesh, wanted, edge_share * in_.spacing, most_facets, progress_.part(0, 0.3)));
+            refined(fine_.mesh, wanted, edge_share * in_.spacing, max_facets, progress_.part(0, 0.3)));
     }
 
     Vec3 towards(Index v) const { return up_.towards_tool(fine_.normals[v]); }
@@ -298,7 +298,7 @@ private:
             for (const BoundaryDrag& d : in_.drags) {
                 const Vec3 from = vec(d.from), to = vec(d.to);
                 const double length = (to - from).norm();
-                const double reach = std::max(drag_reach * length, least_drag_reach * in_.spacing);
+                const double reach = std::max(drag_reach * length, min_drag_reach * in_.spacing);
                 const double share = bump((fine_.mesh.vertices[v] - from).norm() / reach);
                 if (!(share > 0) || !(length > 0)) continue;
                 // Outward where the place dragged to is farther from what is uncut.
@@ -308,7 +308,7 @@ private:
                         least = std::min(least, (u.point - p).norm());
                     return least;
                 };
-                const auto [known, is_new] = drag_way_.try_emplace(&d, 0);
+                const auto [known, is_new] = drag_length_.try_emplace(&d, 0);
                 if (is_new) known->second = (distance(to) - distance(from)) / bump(length / reach);
                 out_[v] += share * known->second;
             }
@@ -379,7 +379,7 @@ private:
     std::vector<std::size_t>
         unedited_; ///< of each uncut place: its region without edits; empty: there are none
     std::vector<std::size_t> edited_; ///< of each edit: the uncut place nearest to it
-    std::map<const BoundaryDrag*, double> drag_way_;
+    std::map<const BoundaryDrag*, double> drag_length_;
     ReworkRegions result_;
 };
 

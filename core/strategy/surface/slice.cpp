@@ -125,11 +125,11 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
         else if (p.back().u < p.front().u)
             std::reverse(p.begin(), p.end());
     }
-    const auto least_u = [&](const SliceChain& c) {
+    const auto min_u = [&](const SliceChain& c) {
         return std::min_element(c.points.begin(), c.points.end(), by_u)->u;
     };
     std::stable_sort(chains.begin(), chains.end(),
-                     [&](const SliceChain& a, const SliceChain& b) { return least_u(a) < least_u(b); });
+                     [&](const SliceChain& a, const SliceChain& b) { return min_u(a) < min_u(b); });
     return chains;
 }
 

@@ -47,18 +47,18 @@ private:
 
 class StockField {
 public:
-    /// Cells of about `cell`, coarser where they would be more than `most_cells`. Throws
+    /// Cells of about `cell`, coarser where they would be more than `max_cells`. Throws
     /// Error(out_of_range) for a cell that is not above 0; Cancelled within 20 ms.
     StockField(const StockSolid& solid, double cell, const Progress& progress);
 
-    static constexpr double most_cells = 2e6;
+    static constexpr double max_cells = 2e6;
 
     double cell() const { return cell_; }
     const Box3& box() const { return box_; } ///< of the solid
     /// Cells in x and y, and the centre and the heights of one; -inf where there is no material.
     int columns() const { return columns_; }
     int rows() const { return rows_; }
-    Vec2 centre(int column, int row) const {
+    Vec2 center(int column, int row) const {
         return {box_.lo.x() + (column + 0.5) * cell_, box_.lo.y() + (row + 0.5) * cell_};
     }
     double top(int column, int row) const { return cells_[at(column, row)].top; }
@@ -97,8 +97,8 @@ private:
     /// `floor`; ends when visit returns false. Most cells near a way are cut already: `wanted` is asked
     /// first.
     template <class Field, class Wanted, class Visit>
-    static void near_way(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                         Wanted&& wanted, Visit&& visit);
+    static void near_route(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                           Wanted&& wanted, Visit&& visit);
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;

@@ -20,7 +20,7 @@ double slope_of(double angle, bool vertical) {
 LowerSurface::LowerSurface(const CutterProfile& profile) : max_radius_(profile.max_radius()) {
     for (const ProfilePiece& p : profile.lower_pieces()) {
         if (p.to.x() <= p.from.x()) continue;
-        if (count_ == most_pieces)
+        if (count_ == max_pieces)
             throw Error(ErrorCode::internal, "LowerSurface", "the profile has too many pieces",
                         "report this");
         Piece q{};
@@ -30,8 +30,8 @@ LowerSurface::LowerSurface(const CutterProfile& profile) : max_radius_(profile.m
             q.z0 = p.from.y();
             q.slope0 = q.slope1 = std::max(0.0, (p.to.y() - p.from.y()) / (q.rho1 - q.rho0));
         } else {
-            q.e = p.centre.x();
-            q.f = p.centre.y();
+            q.e = p.center.x();
+            q.f = p.center.y();
             q.r = p.radius;
             q.slope0 = std::max(0.0, slope_of(p.angle_at_start(), false));
             q.slope1 = slope_of(p.angle_at_end(), p.to.y() >= q.f);
@@ -108,8 +108,8 @@ double LowerSurface::arc_contact(const Piece& p, double l, double rise, double r
         const double x1 = std::min(1.0, (p.rho1 - p.e) / p.r);
         y = leg(std::max(x1, k), k);
     }
-    constexpr int most_steps = 100; // a guard only: about 45 is the most that random tries see
-    for (int i = 0; i < most_steps; ++i) {
+    constexpr int max_steps = 100; // a guard only: about 45 is the most that random tries see
+    for (int i = 0; i < max_steps; ++i) {
         const double x = std::sqrt(y * y + k * k);
         if (x == 0) break;
         const double value = p.e * (y / x) + p.r * y - target;

@@ -57,8 +57,8 @@ private:
     };
     double arc_contact(const Piece& piece, double l, double rise, double run, double s0, double s1) const;
 
-    static constexpr std::size_t most_pieces = 8;
-    std::array<Piece, most_pieces> pieces_{};
+    static constexpr std::size_t max_pieces = 8;
+    std::array<Piece, max_pieces> pieces_{};
     std::array<Tangent, 3> tangents_{};
     std::size_t count_ = 0;
     double max_radius_ = 0;

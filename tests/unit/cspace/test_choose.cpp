@@ -59,7 +59,7 @@ struct Row {
         }
         spaces = builder->build(frames, curves, Progress());
         for (std::size_t i = 0; i < frames.size(); ++i)
-            points.push_back({frames[i], &spaces[i], &curves[i], grid.lambda.front()});
+            points.push_back({frames[i], &spaces[i], &curves[i], grid.lead.front()});
         input.builder = builder.get();
         input.feed = feed;
         input.turn_limit = pi;
@@ -92,10 +92,10 @@ double best_seconds(const Kinematics& k, std::span<const ToolPose> poses, std::s
                     const Joints* last = nullptr) {
     if (i == poses.size()) return 0;
     double least = infinity;
-    const auto ways = k.inverse(poses[i], last ? *last : Joints{});
-    for (std::size_t w = 0; w < std::size_t(ways.count); ++w) {
-        const double step = last ? seconds(k, poses[i - 1], *last, poses[i], ways.at[w]) : 0;
-        least = std::min(least, step + best_seconds(k, poses, i + 1, &ways.at[w]));
+    const auto routes = k.inverse(poses[i], last ? *last : Joints{});
+    for (std::size_t w = 0; w < std::size_t(routes.count); ++w) {
+        const double step = last ? seconds(k, poses[i - 1], *last, poses[i], routes.at[w]) : 0;
+        least = std::min(least, step + best_seconds(k, poses, i + 1, &routes.at[w]));
     }
     return least;
 }
@@ -147,11 +147,11 @@ private slots:
                     const PostureValue& p = choices[i].posture;
                     ToolLift::Hint hint;
                     const ContactFrame& frame = row.points[i].frame;
-                    QVERIFY(p.delta >= row.builder->bottom(frame, p.lambda, p.omega, hint));
-                    QVERIFY(p.delta <= row.builder->top(frame, p.lambda, p.omega, row.curves[i]));
+                    QVERIFY(p.delta >= row.builder->bottom(frame, p.lead, p.yaw, hint));
+                    QVERIFY(p.delta <= row.builder->top(frame, p.lead, p.yaw, row.curves[i]));
                     QVERIFY(row.builder->holds(frame, p));
-                    QVERIFY(p.lambda >= 0 && p.lambda <= radians(40) + 1e-12);
-                    QVERIFY(std::abs(p.omega) <= radians(40) + 1e-12);
+                    QVERIFY(p.lead >= 0 && p.lead <= radians(40) + 1e-12);
+                    QVERIFY(std::abs(p.yaw) <= radians(40) + 1e-12);
                 }
             }
         }
@@ -177,12 +177,12 @@ private slots:
             std::vector<std::vector<ToolPose>> poses;
             for (std::size_t i = 0; i < row.points.size(); ++i) {
                 poses.emplace_back();
-                for (std::size_t l = 0; l < row.bench.grid.lambda.size(); ++l)
-                    for (std::size_t o = 0; o < row.bench.grid.omega.size(); ++o) {
+                for (std::size_t l = 0; l < row.bench.grid.lead.size(); ++l)
+                    for (std::size_t o = 0; o < row.bench.grid.yaw.size(); ++o) {
                         const std::size_t n = row.bench.grid.node(l, o);
                         if (row.spaces[i].block[n] == PostureBlock::free)
-                            poses[i].push_back(row.pose(i, {row.bench.grid.lambda[l], row.bench.grid.omega[o],
-                                                            row.spaces[i].bottom[n]}));
+                            poses[i].push_back(row.pose(
+                                i, {row.bench.grid.lead[l], row.bench.grid.yaw[o], row.spaces[i].bottom[n]}));
                     }
             }
             if (std::any_of(poses.begin(), poses.end(), [](const auto& p) { return p.empty(); })) continue;
@@ -224,16 +224,15 @@ private slots:
         input.before = ToolPose{Vec3(-5, 0, 0), before};
         for (const ChosenPosture& c : choose_local(plane.points, input, Progress())) {
             QVERIFY(c.free);
-            const Vec3 axis = posture_axis(plane.points[0].frame, c.posture.lambda, c.posture.omega);
-            QVERIFY2(
-                std::acos(std::min(axis.dot(before), 1.0)) < radians(4),
-                qPrintable(QString("%1 %2").arg(degrees(c.posture.lambda)).arg(degrees(c.posture.omega))));
+            const Vec3 axis = posture_axis(plane.points[0].frame, c.posture.lead, c.posture.yaw);
+            QVERIFY2(std::acos(std::min(axis.dot(before), 1.0)) < radians(4),
+                     qPrintable(QString("%1 %2").arg(degrees(c.posture.lead)).arg(degrees(c.posture.yaw))));
         }
         // With nowhere to come from it begins as CM2 does.
         const auto alone = choose_local(plane.points, plane.input, Progress());
         const auto cm2 = choose_cm2(plane.points, plane.input, Progress());
-        QVERIFY(std::abs(alone[0].posture.lambda - cm2[0].posture.lambda) < radians(1));
-        QCOMPARE(cm2[0].posture.omega, 0.0);
+        QVERIFY(std::abs(alone[0].posture.lead - cm2[0].posture.lead) < radians(1));
+        QCOMPARE(cm2[0].posture.yaw, 0.0);
     }
 
     /// The next pass comes back; leaning aside there is an axis that both can hold, and from point to point C
@@ -251,9 +250,9 @@ private slots:
         const auto turned = [&](const std::vector<ChosenPosture>& choices) {
             const Vec3 last = there.pose(choices.size() - 1, choices.back().posture).axis;
             double least = pi;
-            for (const double omega : aside.omega)
+            for (const double yaw : aside.yaw)
                 least = std::min(
-                    least, std::acos(std::min(back.pose(0, {radians(20), omega, 0}).axis.dot(last), 1.0)));
+                    least, std::acos(std::min(back.pose(0, {radians(20), yaw, 0}).axis.dot(last), 1.0)));
             return least;
         };
         const double blind = turned(choose_global(there.points, input, Progress()));
@@ -313,7 +312,7 @@ private slots:
         QVERIFY2(minded < 0.99 * plain, qPrintable(QString("%1 %2").arg(minded).arg(plain)));
     }
 
-    void neighbours_keep_the_turn_limit() {
+    void neighbors_keep_the_turn_limit() {
         Random rng(5);
         const auto mesh = hills(5);
         Row row(*mesh, small_tool, PostureGrid::make(0, radians(40), radians(-40), radians(40), radians(8)),

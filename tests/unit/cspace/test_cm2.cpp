@@ -16,8 +16,8 @@ using Real = long double;
 /// Support function of the cutter that leans by lambda along X, in direction (0, sin turn, -cos turn): how
 /// far it reaches there. Seen along the feed the swept cutter is convex with this support. By a search over
 /// the profile.
-Real support(const BruteCutter& cutter, Real lambda, Real turn) {
-    const Real along = -std::cos(turn) * std::cos(lambda); // on the axis (sin lambda, 0, cos lambda)
+Real support(const BruteCutter& cutter, Real lead, Real turn) {
+    const Real along = -std::cos(turn) * std::cos(lead); // on the axis (sin lambda, 0, cos lambda)
     const Real across = std::sqrt(std::max(Real(0), 1 - along * along));
     const auto reach = [&](Real rho) {
         return rho * across + cutter.height(rho) * along;
@@ -31,10 +31,10 @@ Real support(const BruteCutter& cutter, Real lambda, Real turn) {
 }
 
 /// Radius of curvature at the lowest point of the swept profile: h + h''.
-Real swept_radius(const BruteCutter& cutter, Real lambda) {
-    const Real step = 1e-3L, h0 = support(cutter, lambda, 0);
-    const Real h1 = support(cutter, lambda, step) + support(cutter, lambda, -step),
-               h2 = support(cutter, lambda, 2 * step) + support(cutter, lambda, -2 * step);
+Real swept_radius(const BruteCutter& cutter, Real lead) {
+    const Real step = 1e-3L, h0 = support(cutter, lead, 0);
+    const Real h1 = support(cutter, lead, step) + support(cutter, lead, -step),
+               h2 = support(cutter, lead, 2 * step) + support(cutter, lead, -2 * step);
     return h0 + (16 * h1 - h2 - 30 * h0) / (12 * step * step);
 }
 
@@ -50,17 +50,16 @@ private slots:
             const CutterProfile cutter(shape);
             const BruteCutter brute(shape);
             for (int i = 0; i < 30; ++i) {
-                const double lambda = radians(uniform(rng, 2, 80));
+                const double lead = radians(uniform(rng, 2, 80));
                 bool straight = false; // where the profile's straight pieces touch there is no one curvature
                 for (const double angle : {shape.alpha, pi / 2 - shape.beta})
-                    straight |= std::abs(lambda - angle) < radians(1);
-                if (straight || !can_touch(cutter, lambda)) continue;
+                    straight |= std::abs(lead - angle) < radians(1);
+                if (straight || !can_touch(cutter, lead)) continue;
                 ++compared;
-                const double want = 1 / double(swept_radius(brute, lambda));
-                const double got = cutter_curvature_across(cutter, lambda);
-                QVERIFY2(
-                    got == infinity ? std::abs(want) > 1e6 : std::abs(got - want) < 1e-6 * (1 + got),
-                    qPrintable(QString("%1 %2: %3 %4").arg(name).arg(degrees(lambda)).arg(got).arg(want)));
+                const double want = 1 / double(swept_radius(brute, lead));
+                const double got = cutter_curvature_across(cutter, lead);
+                QVERIFY2(got == infinity ? std::abs(want) > 1e6 : std::abs(got - want) < 1e-6 * (1 + got),
+                         qPrintable(QString("%1 %2: %3 %4").arg(name).arg(degrees(lead)).arg(got).arg(want)));
             }
         }
         QVERIFY(compared > 100);

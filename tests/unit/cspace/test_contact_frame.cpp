@@ -73,20 +73,20 @@ private slots:
         Random rng(2);
         for (int i = 0; i < 10000; ++i) {
             const ContactFrame f = random_frame(rng);
-            const double lambda = i % 4 == 0 ? std::pow(10, uniform(rng, -7, 0)) : uniform(rng, 0.01, 3.13),
-                         omega = uniform(rng, -pi, pi);
-            const Vec3 axis = posture_axis(f, lambda, omega);
+            const double lead = i % 4 == 0 ? std::pow(10, uniform(rng, -7, 0)) : uniform(rng, 0.01, 3.13),
+                         yaw = uniform(rng, -pi, pi);
+            const Vec3 axis = posture_axis(f, lead, yaw);
             QVERIFY(std::abs(axis.norm() - 1) < 1e-14);
             const PostureValue back = posture_of_axis(f, axis);
-            QVERIFY(std::abs(back.lambda - lambda) < 1e-14);
-            const double turn = std::remainder(back.omega - omega, 2 * pi);
-            QVERIFY(std::abs(turn) * std::sin(lambda) < 1e-14);
-            QVERIFY(back.omega > -pi && back.omega <= pi);
+            QVERIFY(std::abs(back.lead - lead) < 1e-14);
+            const double turn = std::remainder(back.yaw - yaw, 2 * pi);
+            QVERIFY(std::abs(turn) * std::sin(lead) < 1e-14);
+            QVERIFY(back.yaw > -pi && back.yaw <= pi);
         }
         const ContactFrame f = random_frame(rng);
-        QCOMPARE(posture_of_axis(f, f.normal).lambda, 0.0);
-        QCOMPARE(posture_of_axis(f, f.normal).omega, 0.0);
-        QCOMPARE(posture_of_axis(f, -f.normal).lambda, pi);
+        QCOMPARE(posture_of_axis(f, f.normal).lead, 0.0);
+        QCOMPARE(posture_of_axis(f, f.normal).yaw, 0.0);
+        QCOMPARE(posture_of_axis(f, -f.normal).lead, pi);
     }
 
     /// No point of the cutter is below the plane, and the frame's point is on the cutter.
@@ -99,17 +99,17 @@ private slots:
                 const ContactFrame f = random_frame(rng);
                 const PostureValue posture{i < 2 ? 0 : radians(uniform(rng, -89, 89)), uniform(rng, -pi, pi),
                                            0};
-                if (!can_touch(cutter, posture.lambda)) continue;
+                if (!can_touch(cutter, posture.lead)) continue;
                 ++touched;
                 const ToolPose pose = posture_pose(cutter, f, posture);
                 const Lowest low = lowest(shape, f, pose);
                 QVERIFY2(low.height > -1e-9 && low.height < 0.1, name);
                 QVERIFY2(low.distance < 0.1, name);
-                if (posture.lambda > 1e-3) { // where it has a direction, the pose of the kernel's own
+                if (posture.lead > 1e-3) { // where it has a direction, the pose of the kernel's own
                     const Vec3 tip = tip_at_contact(cutter, f.point, f.normal, pose.axis);
                     QVERIFY2((tip - pose.tip).norm() < 1e-9, name);
                 }
-                const ToolPose lifted = posture_pose(cutter, f, {posture.lambda, posture.omega, 2.5});
+                const ToolPose lifted = posture_pose(cutter, f, {posture.lead, posture.yaw, 2.5});
                 QVERIFY((lifted.tip - pose.tip - 2.5 * pose.axis).norm() < 1e-13);
                 QCOMPARE(lifted.axis, pose.axis);
             }
@@ -137,16 +137,16 @@ private slots:
             const CutterProfile cutter(shape);
             for (int i = 0; i < 200; ++i) {
                 const ContactFrame f = random_frame(rng);
-                const double omega = uniform(rng, -pi, pi), step = 1e-7;
-                const double lambda = i % 2 == 0 ? 0 : radians(uniform(rng, 0, 85));
+                const double yaw = uniform(rng, -pi, pi), step = 1e-7;
+                const double lead = i % 2 == 0 ? 0 : radians(uniform(rng, 0, 85));
                 // The straight pieces of these profiles.
                 bool straight = false;
                 for (const double angle : {0.0, shape.alpha, pi / 2 - shape.beta})
-                    straight |= angle > 0 && std::abs(lambda - angle) < 1e-3;
+                    straight |= angle > 0 && std::abs(lead - angle) < 1e-3;
                 if (straight) continue;
-                const ToolPose here = posture_pose(cutter, f, {lambda, omega, 0});
-                const ToolPose leaning = posture_pose(cutter, f, {lambda + step, omega, 0});
-                const ToolPose turned = posture_pose(cutter, f, {lambda, omega + step, 0});
+                const ToolPose here = posture_pose(cutter, f, {lead, yaw, 0});
+                const ToolPose leaning = posture_pose(cutter, f, {lead + step, yaw, 0});
+                const ToolPose turned = posture_pose(cutter, f, {lead, yaw + step, 0});
                 QVERIFY2((here.tip - leaning.tip).norm() < 50 * step, name);
                 QVERIFY2((here.tip - turned.tip).norm() < 50 * step, name);
                 QVERIFY2((here.axis - leaning.axis).norm() < 2 * step, name);
@@ -165,27 +165,27 @@ private slots:
         QVERIFY(can_touch(ball, radians(59), 2.5) && !can_touch(ball, radians(61), 2.5));
         QVERIFY(can_touch(ball, radians(61)));
         for (const auto& [name, shape] : cutters())
-            for (const double lambda : {90.0, 100.0, 180.0, -135.0, 89.999999, 61.0}) {
+            for (const double lead : {90.0, 100.0, 180.0, -135.0, 89.999999, 61.0}) {
                 const ToolPose pose =
-                    posture_pose(CutterProfile(shape), ContactFrame(), {radians(lambda), 0.3, 1});
+                    posture_pose(CutterProfile(shape), ContactFrame(), {radians(lead), 0.3, 1});
                 QVERIFY2(pose.tip.allFinite() && std::abs(pose.axis.norm() - 1) < 1e-14, name);
             }
     }
 
     void grid() {
         const PostureGrid g = PostureGrid::make(0, radians(45), radians(-45), radians(45), radians(3));
-        QCOMPARE(g.lambda.size(), std::size_t(16));
-        QCOMPARE(g.omega.size(), std::size_t(31));
+        QCOMPARE(g.lead.size(), std::size_t(16));
+        QCOMPARE(g.yaw.size(), std::size_t(31));
         QCOMPARE(g.size(), std::size_t(496));
         QCOMPARE(g.node(1, 2), std::size_t(33));
-        QCOMPARE(g.lambda.front(), 0.0);
-        QCOMPARE(g.lambda.back(), radians(45));
-        QCOMPARE(g.omega.front(), radians(-45));
-        QCOMPARE(g.omega.back(), radians(45));
-        QVERIFY(std::abs(g.lambda[1] - radians(3)) < 1e-15);
+        QCOMPARE(g.lead.front(), 0.0);
+        QCOMPARE(g.lead.back(), radians(45));
+        QCOMPARE(g.yaw.front(), radians(-45));
+        QCOMPARE(g.yaw.back(), radians(45));
+        QVERIFY(std::abs(g.lead[1] - radians(3)) < 1e-15);
         const PostureGrid uneven = PostureGrid::make(0, 1, 0, 0, 0.3);
-        QCOMPARE(uneven.lambda.size(), std::size_t(5));
-        QCOMPARE(uneven.omega.size(), std::size_t(1));
+        QCOMPARE(uneven.lead.size(), std::size_t(5));
+        QCOMPARE(uneven.yaw.size(), std::size_t(1));
         QCOMPARE(PostureGrid::make(0.2, 0.2, 0, 0, 1).size(), std::size_t(1));
 
         const auto key = [](double a, double b, double c, double d, double step) -> std::string {

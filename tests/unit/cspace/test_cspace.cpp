@@ -41,7 +41,7 @@ double sampled_top(const BruteCutter& cutter, const ToolPose& pose, std::span<co
 }
 
 /// Past a place, more or less straight, with some points that repeat.
-RaisedCurve random_curve(Random& rng, const Vec3& centre, int points, double size, double wild) {
+RaisedCurve random_curve(Random& rng, const Vec3& center, int points, double size, double wild) {
     const Vec3 along = random_unit(rng), bend = random_unit(rng);
     const Vec3 offset = 0.3 * size * random_unit(rng);
     RaisedCurve curve;
@@ -50,7 +50,7 @@ RaisedCurve random_curve(Random& rng, const Vec3& centre, int points, double siz
         if (i > 0 && whole(rng, 0, 7) == 0)
             curve.push_back(curve.back());
         else
-            curve.push_back(centre + offset + t * size * along + 0.2 * t * t * size * bend
+            curve.push_back(center + offset + t * size * along + 0.2 * t * t * size * bend
                             + wild * size * random_unit(rng));
     }
     return curve;
@@ -218,8 +218,8 @@ private slots:
         const CSpaceBuilder flat_space(flat.input), ball_space(ball.input);
         const ContactFrame frame;
         for (const double d : {0.0, 0.3, 2.0, 4.0, 5.9})
-            for (const double lambda : {0.0, 1.0, 10.0, 45.0}) {
-                const double a = radians(lambda), leg = std::sqrt(radius * radius - d * d);
+            for (const double lead : {0.0, 1.0, 10.0, 45.0}) {
+                const double a = radians(lead), leg = std::sqrt(radius * radius - d * d);
                 const std::vector<RaisedCurve> curve = {
                     {{-90, d, tau}, {-7, d, tau}, {1, d, tau}, {90, d, tau}}};
                 const double flat_top = (tau + std::sin(a) * (leg - radius)) / std::cos(a);
@@ -257,19 +257,19 @@ private slots:
         const double needed = std::asin(6 / sphere), chord = sphere * (1 - std::cos(0.25 * pi / n)) * 2;
         for (int deg = 0; deg <= 40; deg += 2) {
             ToolLift::Hint hint;
-            const double lambda = radians(deg), got = space.bottom(frame, lambda, 0.4, hint);
+            const double lead = radians(deg), got = space.bottom(frame, lead, 0.4, hint);
             // The rim is a circle of radius R at lift s. Its centre is at R(-cos, sin) from the contact
             // point, along and up; it is inside the sphere when the plane of the rim is no deeper than a
             // circle of that size.
             const double axial =
-                -sphere * std::cos(lambda) + 6 * 0; // of the contact point from the centre, along the axis
-            const double offset = sphere * std::sin(lambda) - 6; // of the rim's centre across it
+                -sphere * std::cos(lead) + 6 * 0; // of the contact point from the centre, along the axis
+            const double offset = sphere * std::sin(lead) - 6; // of the rim's centre across it
             const double reach = std::abs(offset) + 6;
             const double want = std::max(0.0, -std::sqrt(sphere * sphere - reach * reach) - axial);
             QVERIFY2(std::abs(got - want) < 3 * chord,
                      qPrintable(QString("%1: %2 %3").arg(deg).arg(got).arg(want)));
-            if (lambda > needed + 0.01) QVERIFY(got < 3 * chord);
-            if (lambda < needed - 0.05) QVERIFY(got > 0.05);
+            if (lead > needed + 0.01) QVERIFY(got < 3 * chord);
+            if (lead < needed - 0.05) QVERIFY(got > 0.05);
         }
     }
 
@@ -285,11 +285,11 @@ private slots:
             for (std::size_t i = 0; i < contacts.frames.size(); ++i) {
                 const CSpace space = builder.build(contacts.frames[i], contacts.curves[i]);
                 QCOMPARE(space.bottom.size(), bench.grid.size());
-                for (std::size_t il = 0; il < bench.grid.lambda.size(); il += 2)
-                    for (std::size_t io = 0; io < bench.grid.omega.size(); io += 5) {
+                for (std::size_t il = 0; il < bench.grid.lead.size(); il += 2)
+                    for (std::size_t io = 0; io < bench.grid.yaw.size(); io += 5) {
                         const std::size_t node = bench.grid.node(il, io);
                         const ToolPose pose = posture_pose(CutterProfile(tool.cutter()), contacts.frames[i],
-                                                           {bench.grid.lambda[il], bench.grid.omega[io], 0});
+                                                           {bench.grid.lead[il], bench.grid.yaw[io], 0});
                         const double want = std::max(0.0, reference_lift(tool, *mesh, pose));
                         QVERIFY(std::abs(space.bottom[node] - want) <= tolerance::lift_accuracy);
                         lifted += want > 0.01;
@@ -314,13 +314,13 @@ private slots:
             const ContactFrame& frame = contacts.frames[i];
             const CSpace space = builder.build(frame, contacts.curves[i]);
             ToolLift::Hint hint;
-            for (std::size_t il = 0; il < bench.grid.lambda.size(); ++il)
-                for (std::size_t io = 0; io < bench.grid.omega.size(); ++io) {
+            for (std::size_t il = 0; il < bench.grid.lead.size(); ++il)
+                for (std::size_t io = 0; io < bench.grid.yaw.size(); ++io) {
                     const std::size_t node = bench.grid.node(il, io);
-                    const double lambda = bench.grid.lambda[il], omega = bench.grid.omega[io];
-                    QCOMPARE(builder.bottom(frame, lambda, omega, hint), space.bottom[node]);
-                    QCOMPARE(builder.top(frame, lambda, omega, contacts.curves[i]), space.top[node]);
-                    const auto reason = builder.reason(frame, lambda, omega, contacts.curves[i]);
+                    const double lead = bench.grid.lead[il], yaw = bench.grid.yaw[io];
+                    QCOMPARE(builder.bottom(frame, lead, yaw, hint), space.bottom[node]);
+                    QCOMPARE(builder.top(frame, lead, yaw, contacts.curves[i]), space.top[node]);
+                    const auto reason = builder.reason(frame, lead, yaw, contacts.curves[i]);
                     QCOMPARE(reason.bottom, space.bottom[node]);
                     QCOMPARE(reason.top, space.top[node]);
                     QCOMPARE(int(reason.block), int(space.block[node]));

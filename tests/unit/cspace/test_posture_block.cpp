@@ -113,13 +113,13 @@ private slots:
         const Bench bench(level_plane(300), tool);
         const CSpaceBuilder builder(bench.input);
         ToolLift::Hint hint;
-        for (const double lambda : {radians(71), radians(90), radians(120)}) {
-            const auto reason = builder.reason(ContactFrame(), lambda, 0.2, beside(0.5, tau));
+        for (const double lead : {radians(71), radians(90), radians(120)}) {
+            const auto reason = builder.reason(ContactFrame(), lead, 0.2, beside(0.5, tau));
             QCOMPARE(int(reason.block), int(PostureBlock::shank));
             QCOMPARE(reason.bottom, infinity);
             QCOMPARE(reason.top, -infinity);
-            QCOMPARE(builder.bottom(ContactFrame(), lambda, 0.2, hint), infinity);
-            QCOMPARE(builder.top(ContactFrame(), lambda, 0.2, beside(0.5, tau)), -infinity);
+            QCOMPARE(builder.bottom(ContactFrame(), lead, 0.2, hint), infinity);
+            QCOMPARE(builder.top(ContactFrame(), lead, 0.2, beside(0.5, tau)), -infinity);
         }
         PostureGrid grid = PostureGrid::make(radians(60), radians(80), 0, 0, radians(10));
         CSpaceInput input = bench.input;
@@ -183,11 +183,11 @@ private slots:
         const CSpaceBuilder builder({.lift = &lift, .local_radius = 6});
         ContactFrame frame;
         ToolLift::Hint hint;
-        for (const double lambda : {0.0, 10.0, 40.0})
-            QVERIFY(builder.bottom(frame, radians(lambda), 0.3, hint) > 0.49);
+        for (const double lead : {0.0, 10.0, 40.0})
+            QVERIFY(builder.bottom(frame, radians(lead), 0.3, hint) > 0.49);
         frame.point.z() = 0.5;
-        for (const double lambda : {0.0, 10.0, 40.0})
-            QVERIFY(builder.bottom(frame, radians(lambda), 0.3, hint) < 1e-12);
+        for (const double lead : {0.0, 10.0, 40.0})
+            QVERIFY(builder.bottom(frame, radians(lead), 0.3, hint) < 1e-12);
     }
 };
 

@@ -60,7 +60,7 @@ QString profile_fault(const CutterProfile& profile) {
         if (p.to.y() < p.from.y() - 1e-12) return "falls";
         if (p.kind == Kind::arc)
             for (const Vec2& end : {p.from, p.to})
-                if (!near((end - p.centre).norm(), p.radius, 1e-9 * std::max(1.0, p.radius)))
+                if (!near((end - p.center).norm(), p.radius, 1e-9 * std::max(1.0, p.radius)))
                     return "end off its arc";
         if (p.angle_at_start() < angle - 1e-6 || p.angle_at_end() < p.angle_at_start() - 1e-6)
             return "not convex";

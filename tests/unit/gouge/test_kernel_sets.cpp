@@ -89,7 +89,7 @@ private slots:
                     lower_surface(CutterProfile(cutter).grown(i % 3 ? 0 : uniform(rng, 0, 2)));
                 const double spread = surface.max_radius * std::pow(10.0, uniform(rng, -5, 0));
                 AxialPacket packet;
-                const int places = whole(rng, 1, AxialPacket::most_places);
+                const int places = whole(rng, 1, AxialPacket::max_places);
                 packet.cut = view.nodes;
                 packet.cut_nodes = 1;
                 Vec2 at(uniform(rng, box.lo.x() - 3, box.hi.x() + 3),
@@ -101,7 +101,7 @@ private slots:
                     packet.y[k] = at.y() + (k > 0 ? uniform(rng, 0, spread) : 0);
                 }
                 for (int set = 0; set < count; ++set) {
-                    double tips[AxialPacket::most_places];
+                    double tips[AxialPacket::max_places];
                     prepared->clear();
                     packet.prepared = prepared.get();
                     packet.count = std::min(places, sets[set]->packet_places);

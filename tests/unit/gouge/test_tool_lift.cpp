@@ -20,10 +20,10 @@ using namespace facetmill::test;
 
 namespace {
 
-Vec3 random_axis(Random& rng, double least_z) {
+Vec3 random_axis(Random& rng, double min_z) {
     for (;;) {
         const Vec3 v(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
-        if (v.norm() > 1 || v.norm() < 0.1 || v.normalized().z() < least_z) continue;
+        if (v.norm() > 1 || v.norm() < 0.1 || v.normalized().z() < min_z) continue;
         return v.normalized();
     }
 }

@@ -171,7 +171,7 @@ private slots:
             if (over.motions[i].kind != MotionKind::link) continue;
             for (int k = 0; k <= 200; ++k) {
                 const CutterLocation at =
-                    location_on_way(over.motions[i - 1].to, over.motions[i].to, k / 200.0);
+                    location_on_route(over.motions[i - 1].to, over.motions[i].to, k / 200.0);
                 deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
                 highest = std::max(highest, at.tip.z());
             }
@@ -222,7 +222,7 @@ private slots:
             if (over.motions[i].kind == MotionKind::link)
                 for (int k = 0; k <= 20000; ++k) {
                     const CutterLocation at =
-                        location_on_way(over.motions[i - 1].to, over.motions[i].to, k / 20000.0);
+                        location_on_route(over.motions[i - 1].to, over.motions[i].to, k / 20000.0);
                     deepest = std::max(deepest, lift.lift({at.tip, at.axis}, hint));
                 }
         QVERIFY2(deepest <= near_options(2).chord_tolerance, qPrintable(QString::number(deepest)));

@@ -310,9 +310,9 @@ private slots:
     }
     void stand_ins() {
         QFETCH(QString, name);
-        QFETCH(double, steepest_least);
-        QFETCH(double, steepest_most);
-        QFETCH(double, tightest_least);
+        QFETCH(double, steepest_min);
+        QFETCH(double, steepest_max);
+        QFETCH(double, tightest_min);
         const double tolerance = (under_sanitizer ? 4 : 1) * default_sample_tolerance;
         const auto mesh = make_sample(name.toStdString(), tolerance, {});
         int euler = 0;
@@ -322,8 +322,7 @@ private slots:
         double steepest = 0;
         for (std::size_t f = 0; f < mesh->facet_count(); ++f)
             steepest = std::max(steepest, degrees(std::acos(mesh->facet_normal(f).z())));
-        QVERIFY2(steepest > steepest_least && steepest < steepest_most,
-                 qPrintable(QString::number(steepest)));
+        QVERIFY2(steepest > steepest_min && steepest < steepest_max, qPrintable(QString::number(steepest)));
         QVERIFY(degrees(smallest_angle(*mesh)) > 12.0);
         QVERIFY2(mesh->facet_count() < 60'000, qPrintable(QString::number(mesh->facet_count())));
         // Border only at the ends in x or at the outermost y of its station (within the sway of the sides).
@@ -351,7 +350,7 @@ private slots:
                 hollow = std::min(hollow, c.k2);
                 bulge = std::max(bulge, c.k1);
             }
-        QVERIFY2(-1.0 / hollow < 0.5 * inch && -1.0 / hollow > tightest_least,
+        QVERIFY2(-1.0 / hollow < 0.5 * inch && -1.0 / hollow > tightest_min,
                  qPrintable(QString::number(-1 / hollow)));
         QVERIFY(bulge > 0.0);
     }

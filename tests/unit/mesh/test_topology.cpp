@@ -162,7 +162,7 @@ private slots:
         QVERIFY(t->facet_of[11] == 11);
     }
 
-    void facet_wound_against_its_neighbours_is_left_out() {
+    void facet_wound_against_its_neighbors_is_left_out() {
         Mesh mesh = cube_mesh();
         std::swap(mesh.facets[5][1], mesh.facets[5][2]);
         const auto t = build_topology(mesh, {});

@@ -219,9 +219,9 @@ private slots:
                         leaning(pi * at(rng), radians(trial % 2 ? 4 : 50) * std::abs(at(rng))));
                 const auto& motions = p.motions.motions;
                 const Kinematics k(machine, p.gauge_length, default_part_origin(machine, p.part_box));
-                std::vector<std::vector<Joints>> ways;
+                std::vector<std::vector<Joints>> routes;
                 for (const Motion& m : motions) {
-                    ways.emplace_back();
+                    routes.emplace_back();
                     for (const double a : {0.0, 2 * pi, -2 * pi})
                         for (const double b : {0.0, 2 * pi, -2 * pi}) {
                             const auto held =
@@ -231,8 +231,8 @@ private slots:
                                 const auto same = [&](const Joints& o) {
                                     return near(o.rotary[0], j.rotary[0]) && near(o.rotary[1], j.rotary[1]);
                                 };
-                                if (std::none_of(ways.back().begin(), ways.back().end(), same))
-                                    ways.back().push_back(j);
+                                if (std::none_of(routes.back().begin(), routes.back().end(), same))
+                                    routes.back().push_back(j);
                             }
                         }
                 }
@@ -252,10 +252,10 @@ private slots:
                             least = sum;
                             return;
                         }
-                        for (const Joints& to : ways[i])
+                        for (const Joints& to : routes[i])
                             all(i + 1, to, sum + step(i, last, to));
                     };
-                for (const Joints& first : ways[0])
+                for (const Joints& first : routes[0])
                     all(1, first, 0);
                 const MachineMotion found = machine_motion(p, machine);
                 const double cost = found.time_seconds + 1e6 * double(found.findings.size());

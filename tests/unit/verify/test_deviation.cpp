@@ -288,20 +288,20 @@ private slots:
     void a_tilted_flat_end_leaves_its_bottom() {
         // Tilted about x by lambda against the travel along y, the lowest point of the rim is on the plane;
         // seen along y the rim is an ellipse with half axes R and R sin(lambda).
-        const double r = 6, lambda = radians(8), w = 3;
+        const double r = 6, lead = radians(8), w = 3;
         const Mesh part = plane(Vec2(-15, -15), Vec2(15, 15));
-        const Vec3 axis(0, std::sin(lambda), std::cos(lambda));
+        const Vec3 axis(0, std::sin(lead), std::cos(lead));
         Path path;
         path.to(Vec3(0, 0, 50), axis);
         for (double x = -21; x <= 21; x += w) {
             path.to(Vec3(x, 30, 40), axis, MotionKind::rapid);
-            path.to(Vec3(x, 30, r * std::sin(lambda)), axis, MotionKind::rapid);
-            path.to(Vec3(x, -30, r * std::sin(lambda)), axis);
+            path.to(Vec3(x, 30, r * std::sin(lead)), axis, MotionKind::rapid);
+            path.to(Vec3(x, -30, r * std::sin(lead)), axis);
         }
         const Outcome o = probe(part, block_over(part, 2), {path.with(AptCutter::flat(2 * r, 40))}, 0.2);
         for (std::size_t i = 0; i < o.samples.points.size(); ++i) {
             const double x = o.samples.points[i].x(), d = std::abs(x - w * std::round(x / w));
-            const double expected = std::sin(lambda) * (r - std::sqrt(r * r - d * d));
+            const double expected = std::sin(lead) * (r - std::sqrt(r * r - d * d));
             QVERIFY(std::abs(o.probed.deviation[i] - expected) < 1e-9);
         }
         QVERIFY(o.verification.figures.excess_max > 0.02);
@@ -316,12 +316,12 @@ private slots:
                                        Vec2(15, 15), 1, 1);
         const Vec3 n = Vec3(-0.4, -0.2, 1).normalized();
         const Vec3 t = (Vec3(0.6, 0.8, 0) - Vec3(0.6, 0.8, 0).dot(n) * n).normalized(), c = n.cross(t);
-        const auto lambda_at = [&](double s) { return radians(10 + 4 * s / reach); };
+        const auto lead_at = [&](double s) { return radians(10 + 4 * s / reach); };
         // The lowest point of the rim, ahead of the tip, is on the plane at s t + across c.
         const auto location = [&](double s, double across) {
-            const double lambda = lambda_at(s);
-            const Vec3 axis = std::cos(lambda) * n + std::sin(lambda) * t;
-            const Vec3 ahead = std::cos(lambda) * t - std::sin(lambda) * n;
+            const double lead = lead_at(s);
+            const Vec3 axis = std::cos(lead) * n + std::sin(lead) * t;
+            const Vec3 ahead = std::cos(lead) * t - std::sin(lead) * n;
             return CutterLocation{Vec3(s * t + across * c - r * ahead), axis};
         };
         Path path;
@@ -345,7 +345,7 @@ private slots:
             const double d = std::abs(across - w * std::round(across / w));
             // The rim beside the middle of the pass comes later by what it is behind its lowest point.
             const double sag = r - std::sqrt(r * r - d * d);
-            const double expected = std::sin(lambda_at(s + std::cos(lambda_at(s)) * sag)) * sag;
+            const double expected = std::sin(lead_at(s + std::cos(lead_at(s)) * sag)) * sag;
             QVERIFY2(std::abs(o.probed.deviation[i] - expected) < 1.5e-4,
                      qPrintable(QString("%1 %2: %3, expected %4")
                                     .arg(s)
@@ -441,17 +441,17 @@ private slots:
         const auto run = [&] { return verify(part, block_over(part, 1), programs, settings, Progress()); };
         const Verification plain = run();
         QCOMPARE(plain.used.sample_spacing, 0.5);
-        QVERIFY(plain.used.most_samples >= plain.surface->points.size());
+        QVERIFY(plain.used.max_samples >= plain.surface->points.size());
         const auto said = [](auto& v) {
             return says(v, length_text(v.used.sample_spacing, LengthUnit::mm, 3) + " apart");
         };
         QVERIFY(!said(plain));
-        settings.most_samples = 1000;
+        settings.max_samples = 1000;
         const Verification limited = run();
         QVERIFY(limited.surface->points.size() <= 1000);
         QVERIFY(limited.used.sample_spacing > 1.0);
         QVERIFY(said(limited));
-        settings.most_samples = 0;
+        settings.max_samples = 0;
         settings.sample_spacing = 0.25;
         const Verification dense = run();
         QCOMPARE(dense.used.sample_spacing, 0.25);

@@ -59,10 +59,10 @@ struct Case {
 
 Stretch reference(const Case& k) {
     const Mat3 frame = to_tool_frame(k.move.axis);
-    const Vec3 way = k.move.to - k.move.from;
+    const Vec3 route = k.move.to - k.move.from;
     const double far = 500;
     const auto at = [&](double t, double s) {
-        return outside(k.profile, frame * (k.p + t * k.u - k.move.from - s * way));
+        return outside(k.profile, frame * (k.p + t * k.u - k.move.from - s * route));
     };
     const auto nearest = [&](double s) { return lowest([&](double t) { return at(t, s); }, -far, far); };
     const auto depth = [&](double s) { return nearest(s).first; };

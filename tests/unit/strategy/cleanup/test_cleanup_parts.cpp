@@ -25,19 +25,19 @@ private slots:
         int hits = 0;
         for (int i = 0; i < 3000; ++i) {
             const Vec3 from(uniform(rng, -5, 35), uniform(rng, -5, 35), uniform(rng, -5, 15));
-            Vec3 way(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
-            if (i % 3 == 0) way = Vec3(0, 0, i % 2 ? 1 : -1);
-            if (i % 7 == 0) way.y() = 0;
-            if (way.norm() < 1e-3) continue;
-            way.normalize();
+            Vec3 route(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+            if (i % 3 == 0) route = Vec3(0, 0, i % 2 ? 1 : -1);
+            if (i % 7 == 0) route.y() = 0;
+            if (route.norm() < 1e-3) continue;
+            route.normalize();
             double least = 25;
             for (std::size_t f = 0; f < mesh->facet_count(); ++f) {
                 const Vec3 cross = mesh->facet_cross(f);
-                const double slope = cross.dot(way);
+                const double slope = cross.dot(route);
                 if (std::abs(slope) < 1e-9) continue;
                 const double t = cross.dot(mesh->corner(f, 0) - from) / slope;
                 if (t < 0 || t >= least) continue;
-                const Vec3 p = from + t * way;
+                const Vec3 p = from + t * route;
                 bool inside = true;
                 for (int k = 0; k < 3; ++k)
                     inside = inside
@@ -47,7 +47,7 @@ private slots:
                                     >= 0;
                 if (inside) least = t;
             }
-            const auto hit = grid.first_hit(from, way, 25);
+            const auto hit = grid.first_hit(from, route, 25);
             QCOMPARE(hit.has_value(), least < 25);
             if (!hit) continue;
             ++hits;
@@ -219,7 +219,7 @@ private slots:
         // The most that is left of the band beyond what the ball must leave in the crease: R (1 / cos 45 - 1)
         // there, and from the place at which it touches on nothing.
         const double r = 2;
-        const auto most_left = [&](const std::vector<Pass>& passes) {
+        const auto max_left = [&](const std::vector<Pass>& passes) {
             PointGrid tips(r);
             for (const Pass& pass : passes)
                 for (std::size_t i = 1; i < pass.cl.size(); ++i)
@@ -240,15 +240,15 @@ private slots:
         };
         const StripCut whole = cut_valley(with, valleys.curves[0], bands[0], Progress());
         QVERIFY(whole.passes.size() > 5);
-        QVERIFY(most_left(whole.passes) <= 1.05 * tolerance);
+        QVERIFY(max_left(whole.passes) <= 1.05 * tolerance);
         for (const std::size_t first : {0, 1, 2}) {
             StripCut cut;
             for (std::size_t i = 0; i < whole.passes.size(); ++i)
                 if (i % 3 != first) cut.passes.push_back(whole.passes[i]);
-            QVERIFY2(most_left(cut.passes) > 1.5 * tolerance, qPrintable(QString::number(first)));
+            QVERIFY2(max_left(cut.passes) > 1.5 * tolerance, qPrintable(QString::number(first)));
             const BandCut band{&bands[0], &cut};
             touch_up(with, {&band, 1}, Progress());
-            const double left = most_left(cut.passes);
+            const double left = max_left(cut.passes);
             QVERIFY2(left <= 1.05 * tolerance, qPrintable(QString("without %1: %2").arg(first).arg(left)));
             for (const Pass& pass : cut.passes)
                 for (const CutterLocation& c : pass.cl)

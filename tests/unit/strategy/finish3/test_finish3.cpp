@@ -156,11 +156,11 @@ private slots:
             for (const Pass& pass : path.passes)
                 for (std::size_t i = 1; i < pass.cl.size(); ++i) {
                     const Vec3 from = pass.cl[i - 1].tip + Vec3(0, 0, r),
-                               way = pass.cl[i].tip - pass.cl[i - 1].tip;
-                    const double t = way.squaredNorm() > 0
-                                         ? std::clamp((p - from).dot(way) / way.squaredNorm(), 0.0, 1.0)
+                               route = pass.cl[i].tip - pass.cl[i - 1].tip;
+                    const double t = route.squaredNorm() > 0
+                                         ? std::clamp((p - from).dot(route) / route.squaredNorm(), 0.0, 1.0)
                                          : 0;
-                    least = std::min(least, (p - from - t * way).norm() - r);
+                    least = std::min(least, (p - from - t * route).norm() - r);
                 }
             return least;
         };

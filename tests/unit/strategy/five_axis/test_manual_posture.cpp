@@ -34,7 +34,7 @@ Finish5Settings settings(Choice choice) {
     s.tolerance = 0.1;
     s.direction = {0, "x"};
     s.posture = choice;
-    s.grid_degrees = radians(6);
+    s.grid_step = radians(6);
     return s;
 }
 
@@ -57,18 +57,18 @@ bool says(const StrategyResult& result, const std::string& what) {
 /// A free posture that is not near the planned one and on no node; by default beyond the yaw limits of these
 /// tests.
 std::optional<PostureValue> free_posture(const std::shared_ptr<const FiveAxisRecord>& record,
-                                         std::size_t index, double most_yaw = 80.7) {
+                                         std::size_t index, double max_yaw = 80.7) {
     const FiveAxisStudy study(record, Progress());
     const auto point = study.point(index, Progress());
     const Vec3 planned =
-        posture_axis(point.place.frame, point.planned.posture.lambda, point.planned.posture.omega);
-    for (double yaw = most_yaw; yaw > 10; yaw -= 3)
+        posture_axis(point.place.frame, point.planned.posture.lead, point.planned.posture.yaw);
+    for (double yaw = max_yaw; yaw > 10; yaw -= 3)
         for (double lead = 30.3; lead > 5; --lead)
             for (const double side : {-1.0, 1.0}) {
                 const PostureValue p{radians(lead), radians(side * yaw), 0};
-                const Vec3 axis = posture_axis(point.place.frame, p.lambda, p.omega);
+                const Vec3 axis = posture_axis(point.place.frame, p.lead, p.yaw);
                 if (axis.dot(planned) < std::cos(radians(5)) && axis.dot(planned) > std::cos(radians(12))
-                    && study.reason(point, p.lambda, p.omega).block == PostureBlock::free)
+                    && study.reason(point, p.lead, p.yaw).block == PostureBlock::free)
                     return p;
             }
     return std::nullopt;
@@ -105,7 +105,7 @@ private slots:
         const Vec3 place = record.points[middle].place.surface;
         const auto wish = free_posture(without.five_axis, middle);
         QVERIFY(wish.has_value());
-        const double lead = wish->lambda, yaw = wish->omega;
+        const double lead = wish->lead, yaw = wish->yaw;
         s.manual_postures = {{numbers(place), lead, yaw}};
         const StrategyResult with = Finish5(s).plan(c, Progress());
         const FiveAxisRecord& kept = *with.five_axis;
@@ -113,8 +113,8 @@ private slots:
         const FiveAxisRecord::Point& now = kept.points[middle];
         QVERIFY(now.place.kept.has_value());
         QVERIFY(now.choice.free);
-        QCOMPARE(now.choice.posture.lambda, lead);
-        QCOMPARE(now.choice.posture.omega, yaw);
+        QCOMPARE(now.choice.posture.lead, lead);
+        QCOMPARE(now.choice.posture.yaw, yaw);
         QCOMPARE(std::count_if(kept.points.begin(), kept.points.end(),
                                [](const auto& p) { return p.place.kept.has_value(); }),
                  1);
@@ -132,12 +132,12 @@ private slots:
         const FiveAxisStudy study(with.five_axis, Progress());
         for (const ChosenPosture& chosen : study.point(middle, Progress()).chosen) {
             QVERIFY(chosen.free);
-            QCOMPARE(chosen.posture.lambda, lead);
-            QCOMPARE(chosen.posture.omega, yaw);
+            QCOMPARE(chosen.posture.lead, lead);
+            QCOMPARE(chosen.posture.yaw, yaw);
         }
     }
 
-    void neighbours_follow_when_all_is_chosen_together() {
+    void neighbors_follow_when_all_is_chosen_together() {
         const PlanContext c = context(ball_tool(5));
         Finish5Settings s = settings(Choice::global);
         s.turn_limit = radians(4);
@@ -147,9 +147,9 @@ private slots:
         const auto wish = free_posture(before, middle, 44.7);
         QVERIFY(wish.has_value());
         const auto axis = [](const FiveAxisRecord::Point& p) {
-            return posture_axis(p.place.frame, p.choice.posture.lambda, p.choice.posture.omega);
+            return posture_axis(p.place.frame, p.choice.posture.lead, p.choice.posture.yaw);
         };
-        s.manual_postures = {{numbers(before->points[middle].place.surface), wish->lambda, wish->omega}};
+        s.manual_postures = {{numbers(before->points[middle].place.surface), wish->lead, wish->yaw}};
         const auto after = Finish5(s).plan(c, Progress()).five_axis;
         const Vec3 kept = axis(after->points[middle]);
         // Where they stood, they were too far from it.

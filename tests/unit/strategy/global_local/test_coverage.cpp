@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(below.cleared_area(), 0.0);
     }
 
-    void random_ways_are_those_of_dense_poses() {
+    void random_routes_are_those_of_dense_poses() {
         std::mt19937_64 rng(5);
         const auto number = [&](double lo, double hi) {
             return std::uniform_real_distribution<double>(lo, hi)(rng);
@@ -83,10 +83,10 @@ private slots:
                     double deepest = -infinity;
                     for (std::size_t k = 0; k + 1 < pass.cl.size(); ++k)
                         for (int t = 0; t <= 2000; ++t)
-                            deepest = std::max(deepest,
-                                               depth(cutter, height,
-                                                     location_on_way(pass.cl[k], pass.cl[k + 1], t / 2000.0),
-                                                     samples[i].point));
+                            deepest = std::max(
+                                deepest, depth(cutter, height,
+                                               location_on_route(pass.cl[k], pass.cl[k + 1], t / 2000.0),
+                                               samples[i].point));
                     // What is held by less than a thousandth of the radius may count as not cleared.
                     const bool cleared = coverage.cleared(i);
                     QVERIFY2(!cleared || deepest > -1e-4 * r, qPrintable(QString::number(deepest / r)));

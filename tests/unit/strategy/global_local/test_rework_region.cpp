@@ -78,12 +78,12 @@ double sharpest(const std::vector<Vec3>& loop, double length) {
     double most = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const auto walk = [&](int step) {
-            double way = 0;
+            double route = 0;
             std::size_t at = i;
             Vec3 last = loop[i];
-            while (way < length) {
+            while (route < length) {
                 at = (at + loop.size() + std::size_t(step + long(loop.size()))) % loop.size();
-                way += (loop[at] - last).norm();
+                route += (loop[at] - last).norm();
                 last = loop[at];
             }
             return last;
@@ -128,13 +128,13 @@ private slots:
 
     /// (12)-(14): the polyline's length up to P_b is the offset.
     void the_offset_runs_along_the_trajectory() {
-        const std::vector<Vec3> way{Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(3, 0, 0), Vec3(3, 4, 0),
-                                    Vec3(3, 4, 1)};
-        QVERIFY((offset_along(way, 2) - Vec3(2, 0, 0)).norm() < 1e-12);
-        QVERIFY((offset_along(way, 5) - Vec3(3, 2, 0)).norm() < 1e-12);
-        QVERIFY((offset_along(way, 7.25) - Vec3(3, 4, 0.25)).norm() < 1e-12);
-        QVERIFY((offset_along(way, 0) - way.front()).norm() < 1e-12);
-        QVERIFY((offset_along(way, 9) - way.back()).norm() < 1e-12);
+        const std::vector<Vec3> route{Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(3, 0, 0), Vec3(3, 4, 0),
+                                      Vec3(3, 4, 1)};
+        QVERIFY((offset_along(route, 2) - Vec3(2, 0, 0)).norm() < 1e-12);
+        QVERIFY((offset_along(route, 5) - Vec3(3, 2, 0)).norm() < 1e-12);
+        QVERIFY((offset_along(route, 7.25) - Vec3(3, 4, 0.25)).norm() < 1e-12);
+        QVERIFY((offset_along(route, 0) - route.front()).norm() < 1e-12);
+        QVERIFY((offset_along(route, 9) - route.back()).norm() < 1e-12);
     }
 
     /// In a trough of radius 30 a flat end of diameter 6 that travels along it needs asin(3 / 30); Wang (4).
@@ -399,12 +399,12 @@ private slots:
             return at;
         };
         const Vec3 from = nearest_of(before, Vec3(11, 6, 1.1));
-        for (const double way : {1.5, 0.6, -0.6}) {
-            const Vec3 to = from + Vec3(0, way, 0);
+        for (const double route : {1.5, 0.6, -0.6}) {
+            const Vec3 to = from + Vec3(0, route, 0);
             in.drags = {{{from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}}};
             const ReworkRegions dragged = found(in, uncut);
             const double missed = (nearest_of(dragged, to) - to).norm();
-            QVERIFY2(missed < 0.25, qPrintable(QString("%1 misses %2").arg(way).arg(missed)));
+            QVERIFY2(missed < 0.25, qPrintable(QString("%1 misses %2").arg(route).arg(missed)));
             const Vec3 far = nearest_of(before, Vec3(11, -6, 1.1));
             QVERIFY((nearest_of(dragged, far) - far).norm() < 1e-9);
         }

@@ -67,8 +67,8 @@ std::optional<double> three_checks(const Vec3& foot, const Vec3& a, double r, co
     for (std::size_t k = 0; k < 3; ++k) {
         // Edge, (2) put right: the centre is r away from the edge's line; the outer of two solutions.
         const Vec3 &from = p[k], &to = p[(k + 1) % 3], e = (to - from).normalized();
-        const Vec3 off = (foot - from) - (foot - from).dot(e) * e, way = a - a.dot(e) * e;
-        const double qa = way.squaredNorm(), qb = off.dot(way), qc = off.squaredNorm() - r * r;
+        const Vec3 off = (foot - from) - (foot - from).dot(e) * e, route = a - a.dot(e) * e;
+        const double qa = route.squaredNorm(), qb = off.dot(route), qc = off.squaredNorm() - r * r;
         if (qa > 1e-14 && qb * qb >= qa * qc) {
             const double s = (-qb + std::sqrt(qb * qb - qa * qc)) / qa;
             const double on = (foot + s * a - from).dot(e);
@@ -278,19 +278,19 @@ private slots:
         for (const auto& [name, tool] : tools_of_every_shape()) {
             const PlanContext context = context_of(*part, tool);
             const LatheField field = field_of({}, context);
-            std::vector<LathePlace> way;
+            std::vector<LathePlace> route;
             for (int k = 0; k <= 120; ++k)
-                way.push_back({2 * pi * k / 60, 20 + 0.02 * k});
+                route.push_back({2 * pi * k / 60, 20 + 0.02 * k});
             LatheTolerance fine;
             fine.below = fine.above = 0.004;
             fine.spacing = safe_lathe_spacing(field.cover().profile(), field.part_radius(), fine.below);
-            const auto all = trace(field, way, fine, Progress());
-            const auto points = thinned(all, way, field.part_radius(), 0.004, 0.004);
-            QVERIFY(points.size() < all.size() && points.size() >= way.size());
+            const auto all = trace(field, route, fine, Progress());
+            const auto points = thinned(all, route, field.part_radius(), 0.004, 0.004);
+            QVERIFY(points.size() < all.size() && points.size() >= route.size());
             std::size_t met = 0;
             for (const LathePoint& p : points)
-                met += met < way.size() && p.place.angle == way[met].angle && p.place.y == way[met].y;
-            QCOMPARE(met, way.size());
+                met += met < route.size() && p.place.angle == route[met].angle && p.place.y == route[met].y;
+            QCOMPARE(met, route.size());
             LatheField::Hint hint;
             double deep = 0, high = 0;
             for (std::size_t i = 1; i < points.size(); ++i)
@@ -327,9 +327,9 @@ private slots:
         // Lines along it stand on a convex surface: wider apart than on a plane, but for the same cusp.
         SideFeed lines(field, false, 0, 25, cusp, Progress());
         lines.measure(Progress());
-        const double centre = 20 + r, half = 0.5 * lines.allowed(1);
+        const double center = 20 + r, half = 0.5 * lines.allowed(1);
         // Height of the point where two balls at +-half meet.
-        const double top = centre * std::cos(half) - std::sqrt(r * r - std::pow(centre * std::sin(half), 2));
+        const double top = center * std::cos(half) - std::sqrt(r * r - std::pow(center * std::sin(half), 2));
         QVERIFY2(std::abs(top - 20 - cusp) < 0.06 * cusp, qPrintable(QString::number(top - 20)));
     }
 
@@ -337,26 +337,26 @@ private slots:
         const LatheRange range{2, 10, 0};
         // Finer in the middle, as towards a shoulder.
         const auto feed = [](double y) { return 0.1 + 0.4 * std::abs(y - 6); };
-        const LatheWay way = lathe_way(LatheCommon::Pattern::helix, range, 36, feed, Progress());
-        QCOMPARE(way.places.front().y, 2.0);
-        QCOMPARE(way.places.back().y, 10.0);
-        for (std::size_t i = 1; i < way.places.size(); ++i) {
-            QVERIFY(std::abs(way.places[i].angle - way.places[i - 1].angle - 2 * pi / 36) < 1e-9);
-            const double rise = way.places[i].y - way.places[i - 1].y;
+        const LatheRoute route = lathe_route(LatheCommon::Pattern::helix, range, 36, feed, Progress());
+        QCOMPARE(route.places.front().y, 2.0);
+        QCOMPARE(route.places.back().y, 10.0);
+        for (std::size_t i = 1; i < route.places.size(); ++i) {
+            QVERIFY(std::abs(route.places[i].angle - route.places[i - 1].angle - 2 * pi / 36) < 1e-9);
+            const double rise = route.places[i].y - route.places[i - 1].y;
             QVERIFY2(rise >= 0 && rise < 0.3, qPrintable(QString::number(rise)));
             if (i >= 36) {
-                const double before = way.places[i - 36].y;
-                QVERIFY(way.places[i].y - before <= feed(before) + 1e-9);
+                const double before = route.places[i - 36].y;
+                QVERIFY(route.places[i].y - before <= feed(before) + 1e-9);
             }
         }
         for (std::size_t k = 0; k < 36; ++k) {
-            QCOMPARE(way.places[k].y, 2.0);
-            QCOMPARE(way.places[way.places.size() - 1 - k].y, 10.0);
+            QCOMPARE(route.places[k].y, 2.0);
+            QCOMPARE(route.places[route.places.size() - 1 - k].y, 10.0);
         }
-        const LatheWay rings = lathe_way(LatheCommon::Pattern::rings, range, 36, feed, Progress());
+        const LatheRoute rings = lathe_route(LatheCommon::Pattern::rings, range, 36, feed, Progress());
         QCOMPARE(rings.places.back().y, 10.0);
         QCOMPARE(rings.places.size(), rings.turns.size() * 37);
-        const LatheWay lines = lathe_way(
+        const LatheRoute lines = lathe_route(
             LatheCommon::Pattern::lengthwise, range, 36, [](double) { return pi / 4; }, Progress());
         QCOMPARE(lines.turns.size(), std::size_t(8));
         QCOMPARE(turn_steps({3620, ""}, 20, 0.001), std::size_t(3620));

@@ -109,8 +109,8 @@ private slots:
                     QVERIFY(r >= 22.4 && r <= 22.5 * std::sqrt(2.0) + 1e-6);
                     QVERIFY(std::abs(pass.cc[i].normal.norm() - 1) < 1e-9);
                     // A ball touches where its centre lies along the normal.
-                    const Vec3 centre = pass.cl[i].tip + 4 * pass.cl[i].axis;
-                    QVERIFY(std::abs((centre - pass.cc[i].point).norm() - 4) < 1e-6);
+                    const Vec3 center = pass.cl[i].tip + 4 * pass.cl[i].axis;
+                    QVERIFY(std::abs((center - pass.cc[i].point).norm() - 4) < 1e-6);
                 }
         }
     }
@@ -134,14 +134,14 @@ private slots:
         for (const Pass& pass : path.passes) {
             QVERIFY(pass.layer == layer || pass.layer == layer + 1);
             layer = pass.layer;
-            for (const auto& way : {pass.entry, pass.cl})
-                for (const CutterLocation& c : way) {
+            for (const auto& route : {pass.entry, pass.cl})
+                for (const CutterLocation& c : route) {
                     const double angle = std::atan2(-c.axis.y(), c.axis.z());
                     // U_selected or U_file, the outer one, and never into the allowance.
                     const double file = field.u({angle, c.tip.x()}, hint);
                     QVERIFY(away(c) >= file - path.chord_tolerance);
                     QVERIFY(away(c) >= path.layers[std::size_t(layer)] - 1e-9);
-                    if (&way == &pass.cl)
+                    if (&route == &pass.cl)
                         QVERIFY(away(c)
                                 <= std::max(file, path.layers[std::size_t(layer)]) + path.chord_tolerance);
                 }

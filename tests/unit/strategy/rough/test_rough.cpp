@@ -199,7 +199,7 @@ private slots:
             each_move(r, [&](const Vec3& from, const Vec3& to) { field.cut(cutter, from, to); });
             for (int row = 0; row < field.rows(); ++row)
                 for (int column = 0; column < field.columns(); ++column) {
-                    const Vec2 p = field.centre(column, row).cwiseAbs();
+                    const Vec2 p = field.center(column, row).cwiseAbs();
                     const bool clear = p.x() < 24.3 && p.y() < 14.3 && (p.x() > 5.7 || p.y() > 5.7);
                     const bool corner = p.x() > 21.4 && p.y() > 11.4; // rounder than the tool
                     if (clear && !corner)

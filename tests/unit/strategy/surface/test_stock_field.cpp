@@ -120,7 +120,7 @@ private slots:
             for (int i = 0; i < 60; ++i) {
                 const int column = int(unit(random) * field.columns()),
                           row = int(unit(random) * field.rows());
-                const Vec2 c = field.centre(column, row);
+                const Vec2 c = field.center(column, row);
                 const double exact = left_over(p, moves, c, 10);
                 // A level cut is exact but for the table, one that slopes is not too low.
                 QVERIFY2(field.middle(column, row) >= exact - 1e-6,
@@ -149,7 +149,7 @@ private slots:
             QVERIFY(!field.has_work(cutter, a, b, 1e-9));
             QVERIFY(field.work(cutter, a, b, 1e-9).empty());
             for (int row = 0; row < field.rows(); ++row) {
-                const double y = field.centre(0, row).y(), rho = std::abs(y - 1);
+                const double y = field.center(0, row).y(), rho = std::abs(y - 1);
                 const double exact = rho <= p.max_radius() ? std::min(10.0, 6 + p.height_at(rho)) : 10.0;
                 const double off = field.middle(80, row) - exact;
                 QVERIFY2(off >= -1e-9 && off <= 0.05 + 0.02 * rho, qPrintable(QString::number(off)));
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(empty.clear_height(StockCutter(profile(0)), Vec2(0, 0), Vec2(1, 0)), -infinity);
         // However large the stock, the field stays small.
         const StockField large(block(Vec3(0, 0, 0), Vec3(1e5, 1e5, 1)), 0.01, Progress());
-        QVERIFY(double(large.columns()) * large.rows() <= 1.01 * StockField::most_cells);
+        QVERIFY(double(large.columns()) * large.rows() <= 1.01 * StockField::max_cells);
     }
 };
 

@@ -19,13 +19,13 @@ class PlaybackBar;
 class VerificationPanel;
 class Viewport;
 
-class VerificationDesk : public QObject {
+class VerificationController : public QObject {
     Q_OBJECT
 public:
     /// Panel and bar are made as children of `window`, which places them.
-    VerificationDesk(Document& document, Viewport& viewport, LayerBar& layers, BackgroundJob& job,
-                     QWidget* window);
-    ~VerificationDesk() override;
+    VerificationController(Document& document, Viewport& viewport, LayerBar& layers, BackgroundJob& job,
+                           QWidget* window);
+    ~VerificationController() override;
 
     VerificationModel& model() { return model_; }
     PlaybackController& playback() { return playback_; }

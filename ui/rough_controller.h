@@ -35,10 +35,10 @@ private:
     ElidedLabel* readout_ = nullptr;
 };
 
-class RoughDesk : public QObject {
+class RoughController : public QObject {
     Q_OBJECT
 public:
-    RoughDesk(Document& document, Viewport& viewport, QWidget* window);
+    RoughController(Document& document, Viewport& viewport, QWidget* window);
 
     RoughBar* bar() { return bar_; }
     /// What is selected in the tree; layers are shown of a roughing operation.

@@ -18,11 +18,11 @@ namespace facetmill::ui {
 
 class UnrolledView;
 
-class UnrolledDesk : public QObject {
+class UnrolledController : public QObject {
     Q_OBJECT
 public:
-    UnrolledDesk(Document& document, QWidget* window);
-    ~UnrolledDesk() override;
+    UnrolledController(Document& document, QWidget* window);
+    ~UnrolledController() override;
 
     QWidget* panel() { return panel_; }
     UnrolledView* view() { return view_; }

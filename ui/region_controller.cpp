@@ -1,4 +1,4 @@
-#include "ui/region_desk.h"
+#include "ui/region_controller.h"
 
 #include "ui/parameter_form.h"
 #include "ui/properties_panel.h"
@@ -24,24 +24,24 @@ std::array<double, 3> triple(const Vec3& v) {
 } // namespace
 
 /// What one look came to.
-struct RegionDesk::Found {
+struct RegionController::Found {
     std::shared_ptr<RegionPreview::Result> result;
     StripDisplayPtr display;
     std::string where; ///< of what is wrong
     QString wrong;     ///< empty: nothing is
 };
 
-RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
+RegionController::RegionController(Document& document, Viewport& viewport, QWidget* window)
     : QObject(window), document_(document), viewport_(viewport), dialog_(new RegionDialog(window)) {
     wait_timer_.setSingleShot(true);
     wait_timer_.setInterval(wait_ms);
-    connect(&wait_timer_, &QTimer::timeout, this, &RegionDesk::look);
+    connect(&wait_timer_, &QTimer::timeout, this, &RegionController::look);
     commit_timer_.setSingleShot(true);
     commit_timer_.setInterval(commit_ms);
-    connect(&commit_timer_, &QTimer::timeout, this, &RegionDesk::commit);
+    connect(&commit_timer_, &QTimer::timeout, this, &RegionController::commit);
 
-    connect(dialog_, &RegionDialog::edited, this, &RegionDesk::try_value);
-    connect(dialog_, &RegionDialog::finished_editing, this, &RegionDesk::commit);
+    connect(dialog_, &RegionDialog::edited, this, &RegionController::try_value);
+    connect(dialog_, &RegionDialog::finished_editing, this, &RegionController::commit);
     connect(dialog_, &RegionDialog::lead_wanted, this, [this](double lead) {
         try_value("lead_limit", lead);
         commit_timer_.start();
@@ -67,7 +67,7 @@ RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
             o.set_boundary_drags({});
         });
     });
-    connect(dialog_, &RegionDialog::closed, this, &RegionDesk::close);
+    connect(dialog_, &RegionDialog::closed, this, &RegionController::close);
 
     connect(&viewport_, &Viewport::handle_dragged, this, [this](const Vec3& from, const Vec3& to) {
         if (!operation()) return;
@@ -103,9 +103,9 @@ RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
         preview_.reset();
         refresh();
     });
-    connect(&document_, &Document::changed, this, &RegionDesk::refresh);
-    connect(&document_, &Document::part_changed, this, &RegionDesk::refresh);
-    connect(&document_, &Document::states_changed, this, &RegionDesk::refresh);
+    connect(&document_, &Document::changed, this, &RegionController::refresh);
+    connect(&document_, &Document::part_changed, this, &RegionController::refresh);
+    connect(&document_, &Document::states_changed, this, &RegionController::refresh);
     connect(&job_, &BackgroundJob::started, this, [this](const QString&) {
         if (id_ != 0) dialog_->set_busy(true);
     });
@@ -119,22 +119,22 @@ RegionDesk::RegionDesk(Document& document, Viewport& viewport, QWidget* window)
     });
 }
 
-RegionDesk::~RegionDesk() {
+RegionController::~RegionController() {
     dialog_->disconnect(this);
     delete dialog_;
 }
 
-bool RegionDesk::busy() const {
+bool RegionController::busy() const {
     return wait_timer_.isActive() || commit_timer_.isActive() || job_.running();
 }
 
-std::optional<std::size_t> RegionDesk::operation() const {
+std::optional<std::size_t> RegionController::operation() const {
     if (id_ == 0) return std::nullopt;
     const auto i = document_.index_of(id_);
     return i && dynamic_cast<const GlobalLocal*>(&document_.operation(*i)) ? i : std::nullopt;
 }
 
-void RegionDesk::open(std::size_t i) {
+void RegionController::open(std::size_t i) {
     if (i >= document_.operation_count() || !dynamic_cast<const GlobalLocal*>(&document_.operation(i)))
         return;
     commit();
@@ -160,7 +160,7 @@ void RegionDesk::open(std::size_t i) {
     refresh();
 }
 
-void RegionDesk::close() {
+void RegionController::close() {
     commit();
     id_ = 0;
     values_.clear();
@@ -179,12 +179,12 @@ void RegionDesk::close() {
     emit settled();
 }
 
-void RegionDesk::show_node(const std::optional<TreeNode>& node) {
+void RegionController::show_node(const std::optional<TreeNode>& node) {
     node_ = node;
     refresh();
 }
 
-Project RegionDesk::tried() const {
+Project RegionController::tried() const {
     Project project = document_.project();
     const auto i = operation();
     if (!i) return project;
@@ -200,17 +200,17 @@ Project RegionDesk::tried() const {
     return project;
 }
 
-std::string RegionDesk::key_of(const Project& project, std::size_t i) const {
+std::string RegionController::key_of(const Project& project, std::size_t i) const {
     return Document::fingerprint(project, i) + std::string(unit_name(project.unit));
 }
 
-void RegionDesk::try_value(const std::string& key, const ParameterValue& value) {
+void RegionController::try_value(const std::string& key, const ParameterValue& value) {
     if (!operation()) return;
     values_[key] = value;
     wait_timer_.start();
 }
 
-void RegionDesk::commit() {
+void RegionController::commit() {
     commit_timer_.stop();
     if (values_.empty()) return;
     const auto values = std::exchange(values_, {});
@@ -229,7 +229,7 @@ void RegionDesk::commit() {
     });
 }
 
-void RegionDesk::change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit) {
+void RegionController::change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit) {
     commit();
     const auto i = operation();
     if (!i) return;
@@ -238,8 +238,8 @@ void RegionDesk::change(const QString& what, const std::function<void(TakesRegio
     });
 }
 
-void RegionDesk::edit_region(const QString& what, std::size_t region,
-                             const std::function<void(RegionEdit&)>& edit) {
+void RegionController::edit_region(const QString& what, std::size_t region,
+                                   const std::function<void(RegionEdit&)>& edit) {
     if (!found_ || region >= found_->found.regions.regions.size()) return;
     const auto found = found_; // stays while it is replaced
     const ReworkRegion& r = found->found.regions.regions[region];
@@ -268,7 +268,7 @@ void RegionDesk::edit_region(const QString& what, std::size_t region,
     });
 }
 
-void RegionDesk::refresh() {
+void RegionController::refresh() {
     const auto i = operation();
     if (id_ != 0 && !i) {
         dialog_->hide(); // the operation is gone; comes back here
@@ -289,7 +289,7 @@ void RegionDesk::refresh() {
 }
 
 /// Finds the regions of what stands in the dialog.
-void RegionDesk::look() {
+void RegionController::look() {
     const auto i = operation();
     if (!i || !document_.part_is_current()) return;
     auto project = std::make_shared<Project>(tried());
@@ -327,7 +327,7 @@ void RegionDesk::look() {
         });
 }
 
-void RegionDesk::take(const Found& found) {
+void RegionController::take(const Found& found) {
     const auto i = operation();
     if (!i) return;
     found_ = found.result;
@@ -370,13 +370,13 @@ void RegionDesk::take(const Found& found) {
     viewport_.refresh();
 }
 
-void RegionDesk::give_way(bool on) {
+void RegionController::give_way(bool on) {
     if (std::exchange(gives_way_, on) == on || on) return;
     viewport_.scene().set_strips(display_);
     viewport_.refresh();
 }
 
-void RegionDesk::show_display(StripDisplayPtr display) {
+void RegionController::show_display(StripDisplayPtr display) {
     if (display == display_) return;
     const bool first = !display_ || display_->strips.empty();
     display_ = std::move(display);
@@ -389,7 +389,7 @@ void RegionDesk::show_display(StripDisplayPtr display) {
 }
 
 /// Of the selected operation, where it has any; otherwise of all.
-void RegionDesk::show_planned() {
+void RegionController::show_planned() {
     std::vector<std::shared_ptr<const OperationResult>> results;
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         const auto result = document_.result(i);

@@ -1,4 +1,4 @@
-#include "ui/rough_desk.h"
+#include "ui/rough_controller.h"
 
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
@@ -23,7 +23,7 @@ constexpr double outside = 0.01;
 
 QString range_text(double least, double most, LengthUnit unit) {
     const QString high = shown_length(most, unit, 3), low = shown_length(least, unit, 3);
-    return low == high ? high : RoughDesk::tr("%1 to %2").arg(low, high);
+    return low == high ? high : RoughController::tr("%1 to %2").arg(low, high);
 }
 
 /// Smallest and largest distance between neighbours; none: 0.
@@ -60,7 +60,7 @@ RoughBar::RoughBar(QWidget* parent) : QWidget(parent) {
     row->addWidget(readout_, 3);
 }
 
-RoughDesk::RoughDesk(Document& document, Viewport& viewport, QWidget* window)
+RoughController::RoughController(Document& document, Viewport& viewport, QWidget* window)
     : QObject(window), document_(document), viewport_(viewport), bar_(new RoughBar(window)) {
     bar_->hide();
     timer_.setSingleShot(true);
@@ -73,23 +73,23 @@ RoughDesk::RoughDesk(Document& document, Viewport& viewport, QWidget* window)
         show_levels();
         if (planned_) emit layer_changed();
     });
-    connect(&document_, &Document::opened, this, &RoughDesk::refresh);
-    connect(&document_, &Document::changed, this, &RoughDesk::refresh);
-    connect(&document_, &Document::part_changed, this, &RoughDesk::refresh);
-    connect(&document_, &Document::states_changed, this, &RoughDesk::refresh);
-    connect(&job_, &BackgroundJob::ended, this, &RoughDesk::settled);
+    connect(&document_, &Document::opened, this, &RoughController::refresh);
+    connect(&document_, &Document::changed, this, &RoughController::refresh);
+    connect(&document_, &Document::part_changed, this, &RoughController::refresh);
+    connect(&document_, &Document::states_changed, this, &RoughController::refresh);
+    connect(&job_, &BackgroundJob::ended, this, &RoughController::settled);
 }
 
-void RoughDesk::show_node(const std::optional<TreeNode>& node) {
+void RoughController::show_node(const std::optional<TreeNode>& node) {
     node_ = node;
     refresh();
 }
 
-int RoughDesk::layer_of(int operation_id) const {
+int RoughController::layer_of(int operation_id) const {
     return planned_ && operation_id == id_ ? chosen_ : -1;
 }
 
-void RoughDesk::clear() {
+void RoughController::clear() {
     timer_.stop();
     job_.cancel();
     id_ = 0;
@@ -104,7 +104,7 @@ void RoughDesk::clear() {
     if (alone) emit layer_changed();
 }
 
-void RoughDesk::refresh() {
+void RoughController::refresh() {
     const bool on_operation = node_ && node_->kind == TreeNode::Kind::operation
                               && node_->index < document_.operation_count() && document_.part_is_current()
                               && document_.has_stock();
@@ -146,7 +146,7 @@ void RoughDesk::refresh() {
     if (alone) emit layer_changed();
 }
 
-void RoughDesk::start_preview(std::size_t i) {
+void RoughController::start_preview(std::size_t i) {
     auto preview = std::make_shared<RoughPreview>();
     auto wrong = std::make_shared<QString>();
     std::vector<std::shared_ptr<const OperationResult>> before;
@@ -178,7 +178,7 @@ void RoughDesk::start_preview(std::size_t i) {
         });
 }
 
-void RoughDesk::take(std::vector<double> heights, const Box3& box, const QString& all) {
+void RoughController::take(std::vector<double> heights, const Box3& box, const QString& all) {
     const bool same_count = heights.size() == heights_.size();
     heights_ = std::move(heights);
     box_ = box;
@@ -199,7 +199,7 @@ void RoughDesk::take(std::vector<double> heights, const Box3& box, const QString
     show_levels();
 }
 
-void RoughDesk::show_levels() {
+void RoughController::show_levels() {
     // The path tells where its layers are.
     LevelMarks marks{box_, planned_ ? std::vector<double>() : heights_, std::nullopt};
     QString line = all_;

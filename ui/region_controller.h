@@ -24,19 +24,19 @@ namespace facetmill::ui {
 class RegionDialog;
 class Viewport;
 
-class RegionDesk : public QObject {
+class RegionController : public QObject {
     Q_OBJECT
 public:
-    RegionDesk(Document& document, Viewport& viewport, QWidget* window);
-    ~RegionDesk() override;
+    RegionController(Document& document, Viewport& viewport, QWidget* window);
+    ~RegionController() override;
 
     RegionDialog* dialog() { return dialog_; }
     /// Opens the dialog for an operation; nothing for one without rework regions.
     void open(std::size_t operation);
     /// What is selected in the tree: of several operations with regions those of the selected one are shown.
     void show_node(const std::optional<TreeNode>& node);
-    /// Other strips are in the view (ui/strip_desk.h): those of planned operations are not drawn until they
-    /// go.
+    /// Other strips are in the view (ui/strip_controller.h): those of planned operations are not drawn until
+    /// they go.
     void give_way(bool on);
     /// Takes over what stands in the dialog's fields.
     void commit();

@@ -1,4 +1,4 @@
-#include "ui/strip_desk.h"
+#include "ui/strip_controller.h"
 
 #include "ui/camera_flight.h"
 #include "ui/elided_label.h"
@@ -37,15 +37,15 @@ constexpr double strip_room = 1.3, part_room = 0.15;
 QString type_text(const Strip& strip) {
     switch (strip.kind) {
     case StripKind::rework:
-        return StripDesk::tr("Rework");
+        return StripController::tr("Rework");
     case StripKind::sharp:
-        return StripDesk::tr("Normal change");
+        return StripController::tr("Normal change");
     case StripKind::valley:
-        return strip.centers.empty() ? StripDesk::tr("Hollow") : StripDesk::tr("Two contacts");
+        return strip.centers.empty() ? StripController::tr("Hollow") : StripController::tr("Two contacts");
     case StripKind::no_posture:
-        return StripDesk::tr("No posture");
+        return StripController::tr("No posture");
     case StripKind::rest:
-        return StripDesk::tr("Rest material");
+        return StripController::tr("Rest material");
     }
     return {};
 }
@@ -144,7 +144,7 @@ QString StripPanel::empty_text() const {
     return empty_->text();
 }
 
-StripDesk::StripDesk(Document& document, Viewport& viewport, QWidget* window)
+StripController::StripController(Document& document, Viewport& viewport, QWidget* window)
     : QObject(window), document_(document), viewport_(viewport), panel_(new StripPanel(window)),
       flight_(new CameraFlight(viewport)) {
     QTreeWidget* list = panel_->list();
@@ -156,26 +156,27 @@ StripDesk::StripDesk(Document& document, Viewport& viewport, QWidget* window)
                     : std::nullopt,
                true);
     });
-    connect(panel_->operation_box(), &QComboBox::currentIndexChanged, this, &StripDesk::refresh);
-    connect(panel_->touch_box(), &QCheckBox::toggled, this, &StripDesk::take_tool);
-    connect(panel_->place(), &QSlider::valueChanged, this, &StripDesk::take_tool);
+    connect(panel_->operation_box(), &QComboBox::currentIndexChanged, this, &StripController::refresh);
+    connect(panel_->touch_box(), &QCheckBox::toggled, this, &StripController::take_tool);
+    connect(panel_->place(), &QSlider::valueChanged, this, &StripController::take_tool);
     connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, &StripDesk::refresh);
-    connect(&document_, &Document::states_changed, this, &StripDesk::refresh);
-    connect(&document_, &Document::opened, this, &StripDesk::refresh);
+    connect(&document_, &Document::changed, this, &StripController::refresh);
+    connect(&document_, &Document::states_changed, this, &StripController::refresh);
+    connect(&document_, &Document::opened, this, &StripController::refresh);
     refresh();
 }
 
-StripDesk::~StripDesk() = default;
+StripController::~StripController() = default;
 
-bool StripDesk::busy() const {
+bool StripController::busy() const {
     return job_.running() || flight_->flying();
 }
 
-void StripDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>> results, std::vector<int> ids) {
+void StripController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results,
+                                std::vector<int> ids) {
     results_ = std::move(results);
     ids_ = std::move(ids);
     sources_.clear();
@@ -196,18 +197,18 @@ void StripDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>> re
     refresh();
 }
 
-std::optional<std::size_t> StripDesk::source() const {
+std::optional<std::size_t> StripController::source() const {
     const auto at = std::size_t(std::max(0, panel_->operation_box()->currentIndex()));
     if (at >= sources_.size()) return std::nullopt;
     return sources_[at];
 }
 
-const OperationResult* StripDesk::result() const {
+const OperationResult* StripController::result() const {
     const auto at = source();
     return at ? results_[*at].get() : nullptr;
 }
 
-const CleanupSettings* StripDesk::settings() const {
+const CleanupSettings* StripController::settings() const {
     const auto at = source();
     if (!at) return nullptr;
     const auto index = document_.index_of(ids_[*at]);
@@ -216,7 +217,7 @@ const CleanupSettings* StripDesk::settings() const {
 }
 
 /// Why there is no strip to be listed.
-QString StripDesk::empty_reason() const {
+QString StripController::empty_reason() const {
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         const Operation& operation = document_.operation(i);
         if (!dynamic_cast<const Cleanup*>(&operation)) continue;
@@ -228,7 +229,7 @@ QString StripDesk::empty_reason() const {
 }
 
 /// Everything that the list, its states and the view show, as far as it changed.
-void StripDesk::refresh() {
+void StripController::refresh() {
     const OperationResult* now = result();
     panel_->set_empty_text(now ? QString() : empty_reason());
     if (now != listed_ || listed_unit_ != document_.unit()) {
@@ -248,7 +249,7 @@ void StripDesk::refresh() {
     show_touch();
 }
 
-void StripDesk::fill() {
+void StripController::fill() {
     QTreeWidget* list = panel_->list();
     const QSignalBlocker quiet(list);
     listed_ = result();
@@ -300,7 +301,7 @@ void StripDesk::fill() {
 }
 
 /// Check marks and colours as the operation's settings stand now, planned with them or not.
-void StripDesk::show_states() {
+void StripController::show_states() {
     const CleanupSettings* now = settings();
     if (!listed_ || !now) {
         panel_->note()->hide();
@@ -330,7 +331,7 @@ void StripDesk::show_states() {
 }
 
 /// The check mark was changed by hand.
-void StripDesk::switch_strip(const QTreeWidgetItem& item) {
+void StripController::switch_strip(const QTreeWidgetItem& item) {
     const CleanupSettings* now = settings();
     const auto i = std::size_t(item.data(name_column, strip_role).toULongLong());
     if (!now || i >= listed_name_.size()) return;
@@ -344,7 +345,7 @@ void StripDesk::switch_strip(const QTreeWidgetItem& item) {
         [index, list](Project& p) { p.operations[index]->set("switched_off", ParameterValue(list)); });
 }
 
-QTreeWidgetItem* StripDesk::item_of(std::size_t strip) const {
+QTreeWidgetItem* StripController::item_of(std::size_t strip) const {
     QTreeWidget* list = panel_->list();
     for (int row = 0; row < list->topLevelItemCount(); ++row)
         if (list->topLevelItem(row)->data(name_column, strip_role).toULongLong() == strip)
@@ -352,13 +353,13 @@ QTreeWidgetItem* StripDesk::item_of(std::size_t strip) const {
     return nullptr;
 }
 
-void StripDesk::look() {
+void StripController::look() {
     show_strips();
     take_tool();
 }
 
 /// In the view while the list is seen, in the states of the settings.
-void StripDesk::show_strips() {
+void StripController::show_strips() {
     const CleanupSettings* now = settings();
     const bool wanted = listed_ && now && panel_->isVisible();
     if (!wanted) {
@@ -394,14 +395,14 @@ void StripDesk::show_strips() {
         });
 }
 
-void StripDesk::show_again() {
+void StripController::show_again() {
     if (!shown_) return;
     viewport_.scene().set_strips(shown_);
     viewport_.scene().set_strip_chosen(chosen_);
     viewport_.refresh();
 }
 
-void StripDesk::choose(std::optional<std::size_t> strip, bool fly) {
+void StripController::choose(std::optional<std::size_t> strip, bool fly) {
     if (strip && (!listed_ || *strip >= listed_->path.strips.size())) strip.reset();
     chosen_ = strip;
     QTreeWidget* list = panel_->list();
@@ -428,7 +429,7 @@ void StripDesk::choose(std::optional<std::size_t> strip, bool fly) {
 }
 
 /// The view goes to the chosen strip.
-void StripDesk::show_place() {
+void StripController::show_place() {
     const Strip& strip = listed_->path.strips[*chosen_];
     Box3 box;
     Vec3 normal = Vec3::Zero();
@@ -444,11 +445,11 @@ void StripDesk::show_place() {
         box.center(), normal, std::max(strip_room * box.diagonal(), part_room * across)));
 }
 
-bool StripDesk::takes_path_clicks() const {
+bool StripController::takes_path_clicks() const {
     return listed_ && panel_->isVisible() && panel_->touch_box()->isChecked();
 }
 
-bool StripDesk::pick(const Vec3& place) {
+bool StripController::pick(const Vec3& place) {
     if (!listed_ || !panel_->isVisible() || !document_.part()) return false;
     std::vector<const Strip*> strips;
     for (const Strip& strip : listed_->path.strips)
@@ -464,22 +465,22 @@ bool StripDesk::pick(const Vec3& place) {
     return true;
 }
 
-void StripDesk::take_tool() {
+void StripController::take_tool() {
     tool_left_ = false;
     show_touch();
 }
 
-void StripDesk::leave_tool() {
+void StripController::leave_tool() {
     tool_left_ = true;
     touch_shown_ = false;
 }
 
-void StripDesk::colour() {
+void StripController::color() {
     show_states();
 }
 
 /// The previous tool at the chosen place, in the view and in words.
-void StripDesk::show_touch() {
+void StripController::show_touch() {
     QString words;
     const CleanupRecord::Touch* touch = nullptr;
     if (listed_ && chosen_) {

@@ -50,11 +50,11 @@ private:
     std::vector<QToolButton*> buttons_;
 };
 
-class InspectionDesk : public QObject {
+class InspectionController : public QObject {
     Q_OBJECT
 public:
-    InspectionDesk(Document& document, Viewport& viewport, LayerBar& layers, QWidget* window);
-    ~InspectionDesk() override;
+    InspectionController(Document& document, Viewport& viewport, LayerBar& layers, QWidget* window);
+    ~InspectionController() override;
 
     InspectionPanel* panel() { return panel_; }
 

@@ -59,11 +59,11 @@ private:
     QSlider* place_ = nullptr;
 };
 
-class StripDesk : public QObject {
+class StripController : public QObject {
     Q_OBJECT
 public:
-    StripDesk(Document& document, Viewport& viewport, QWidget* window);
-    ~StripDesk() override;
+    StripController(Document& document, Viewport& viewport, QWidget* window);
+    ~StripController() override;
 
     StripPanel* panel() { return panel_; }
 
@@ -84,7 +84,7 @@ public:
     /// Something else has the view's tool.
     void leave_tool();
     /// The palette changed.
-    void colour();
+    void color();
     bool busy() const;
     /// Puts the strips into the view again after others were there.
     void show_again();

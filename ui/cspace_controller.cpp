@@ -1,4 +1,4 @@
-#include "ui/cspace_desk.h"
+#include "ui/cspace_controller.h"
 
 #include "core/base/file.h"
 #include "core/job/cspace_json.h"
@@ -33,16 +33,16 @@ QString lift_text(double mm, LengthUnit unit) {
 
 } // namespace
 
-CSpaceDesk::CSpaceDesk(Document& document, QWidget* window)
+CSpaceController::CSpaceController(Document& document, QWidget* window)
     : QObject(window), document_(document), panel_(new CSpacePanel(window)) {
-    connect(panel_, &CSpacePanel::stepped, this, &CSpaceDesk::step);
+    connect(panel_, &CSpacePanel::stepped, this, &CSpaceController::step);
     connect(panel_, &CSpacePanel::cancel_requested, this, [this] { job_.cancel(); });
     connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
-    connect(panel_, &CSpacePanel::keep_requested, this, &CSpaceDesk::keep);
-    connect(panel_, &CSpacePanel::remove_requested, this, &CSpaceDesk::remove_kept);
-    connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceDesk::show_hover);
-    connect(panel_->view(), &CSpaceView::tried, this, &CSpaceDesk::try_posture);
-    connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceDesk::show_choice);
+    connect(panel_, &CSpacePanel::keep_requested, this, &CSpaceController::keep);
+    connect(panel_, &CSpacePanel::remove_requested, this, &CSpaceController::remove_kept);
+    connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceController::show_hover);
+    connect(panel_->view(), &CSpaceView::tried, this, &CSpaceController::try_posture);
+    connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceController::show_choice);
     connect(&job_, &BackgroundJob::started, this, [this] { panel_->set_busy(true); });
     connect(&job_, &BackgroundJob::progressed, this,
             [this](double fraction, const QString&) { panel_->set_busy(true, fraction); });
@@ -59,9 +59,9 @@ CSpaceDesk::CSpaceDesk(Document& document, QWidget* window)
     clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
-CSpaceDesk::~CSpaceDesk() = default;
+CSpaceController::~CSpaceController() = default;
 
-void CSpaceDesk::clear_room(const QString& text) {
+void CSpaceController::clear_room(const QString& text) {
     shown_.reset();
     tried_.reset();
     CSpaceScene& scene = panel_->view()->scene();
@@ -76,8 +76,8 @@ void CSpaceDesk::clear_room(const QString& text) {
     show_kept();
 }
 
-bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationResult>& result,
-                         const Vec3& place) {
+bool CSpaceController::go_near(int operation, const std::shared_ptr<const OperationResult>& result,
+                               const Vec3& place) {
     const auto& record = result ? result->path.five_axis : nullptr;
     if (!record || record->points.empty()) return false;
     if (record != record_) {
@@ -97,7 +97,7 @@ bool CSpaceDesk::go_near(int operation, const std::shared_ptr<const OperationRes
     return true;
 }
 
-std::size_t CSpaceDesk::nearest_point(const Vec3& place) const {
+std::size_t CSpaceController::nearest_point(const Vec3& place) const {
     double nearest = infinity;
     std::size_t index = 0;
     for (std::size_t i = 0; i < record_->points.size(); ++i) {
@@ -110,7 +110,7 @@ std::size_t CSpaceDesk::nearest_point(const Vec3& place) const {
     return index;
 }
 
-void CSpaceDesk::leave() {
+void CSpaceController::leave() {
     if (!record_ && !at_) return;
     job_.cancel();
     known_.clear();
@@ -122,15 +122,15 @@ void CSpaceDesk::leave() {
     clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
-bool CSpaceDesk::active() const {
+bool CSpaceController::active() const {
     return at_ && panel_->isVisible() && !panel_->visibleRegion().isEmpty();
 }
 
-std::size_t CSpaceDesk::point_count() const {
+std::size_t CSpaceController::point_count() const {
     return record_ ? record_->points.size() : 0;
 }
 
-void CSpaceDesk::step(int points, int passes) {
+void CSpaceController::step(int points, int passes) {
     if (!at_ || !record_) return;
     const auto& lines = record_->lines;
     const FiveAxisRecord::Line& line = record_->line_of(*at_);
@@ -160,7 +160,7 @@ void CSpaceDesk::step(int points, int passes) {
     stand_at(next);
 }
 
-void CSpaceDesk::stand_at(std::size_t index) {
+void CSpaceController::stand_at(std::size_t index) {
     at_ = index;
     const ChosenPosture& planned = record_->points[index].choice;
     show_tool(planned.free ? std::optional(planned.posture) : std::nullopt,
@@ -169,12 +169,12 @@ void CSpaceDesk::stand_at(std::size_t index) {
     study();
 }
 
-CutterLocation CSpaceDesk::pose(const PostureValue& posture) const {
+CutterLocation CSpaceController::pose(const PostureValue& posture) const {
     const ToolPose p = posture_pose(*cutter_, record_->points[*at_].place.frame, posture);
     return {p.tip, p.axis};
 }
 
-QString CSpaceDesk::heading() const {
+QString CSpaceController::heading() const {
     if (!at_ || !record_ || !result_) return tr("No point");
     const FiveAxisRecord::Line& line = record_->line_of(*at_);
     return tr("Pass %1, point %2 of %3 · %4")
@@ -182,12 +182,12 @@ QString CSpaceDesk::heading() const {
         .arg(count_text(*at_ - line.begin + 1), count_text(line.end - line.begin), text(result_->name));
 }
 
-void CSpaceDesk::show_tool(const std::optional<PostureValue>& posture, const QString& what) {
+void CSpaceController::show_tool(const std::optional<PostureValue>& posture, const QString& what) {
     const ContactPlace& place = record_->points[*at_].place;
     QString line = heading();
     if (posture)
         line += tr("   %1: lead %2, yaw %3, lift %4")
-                    .arg(what, angle_text(posture->lambda), angle_text(posture->omega),
+                    .arg(what, angle_text(posture->lead), angle_text(posture->yaw),
                          lift_text(posture->delta, document_.unit()));
     else
         line += QStringLiteral("   ") + what;
@@ -195,11 +195,11 @@ void CSpaceDesk::show_tool(const std::optional<PostureValue>& posture, const QSt
                      Marker{place.surface, place.frame.normal}, line);
 }
 
-void CSpaceDesk::look() {
+void CSpaceController::look() {
     if (at_) study();
 }
 
-void CSpaceDesk::study() {
+void CSpaceController::study() {
     panel_->heading()->set_text(heading());
     if (const auto known = known_.find(*at_); known != known_.end()) {
         job_.cancel(); // of a line that was stepped over
@@ -243,7 +243,7 @@ void CSpaceDesk::study() {
         });
 }
 
-void CSpaceDesk::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
+void CSpaceController::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
     shown_ = std::move(point);
     tried_.reset();
     auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*study_, *shown_));
@@ -256,8 +256,8 @@ void CSpaceDesk::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
     panel_->show_legend();
     // What was kept stands in the record also where it was not free.
     const auto& wish = shown_->place.kept;
-    const bool by_hand = wish && shown_->planned.free && shown_->planned.posture.lambda == (*wish)[0]
-                         && shown_->planned.posture.omega == (*wish)[1];
+    const bool by_hand = wish && shown_->planned.free && shown_->planned.posture.lead == (*wish)[0]
+                         && shown_->planned.posture.yaw == (*wish)[1];
     panel_->readout()->setText(shown_->planned.free
                                    ? (by_hand ? tr("Planned as kept: ") : tr("Planned: "))
                                          + reason_text(shown_->planned.posture, true)
@@ -267,10 +267,10 @@ void CSpaceDesk::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
     show_kept();
 }
 
-QString CSpaceDesk::reason_text(const PostureValue& posture, bool with_lift) const {
-    const auto reason = study_->reason(*shown_, posture.lambda, posture.omega);
+QString CSpaceController::reason_text(const PostureValue& posture, bool with_lift) const {
+    const auto reason = study_->reason(*shown_, posture.lead, posture.yaw);
     const LengthUnit unit = document_.unit();
-    QString line = tr("lead %1, yaw %2").arg(angle_text(posture.lambda), angle_text(posture.omega));
+    QString line = tr("lead %1, yaw %2").arg(angle_text(posture.lead), angle_text(posture.yaw));
     if (with_lift) line += tr(", lift %1").arg(lift_text(posture.delta, unit));
     line += QStringLiteral(": ") + text(posture_block_label(reason.block)).toLower();
     if (reason.block != PostureBlock::free && reason.contact.body != ToolBody::none
@@ -283,7 +283,7 @@ QString CSpaceDesk::reason_text(const PostureValue& posture, bool with_lift) con
     return line;
 }
 
-void CSpaceDesk::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
+void CSpaceController::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
     if (!shown_ || !study_) return;
     if (hit)
         panel_->readout()->setText(reason_text(hit->posture, hit->on != CSpaceRoom::Hit::On::map));
@@ -291,10 +291,10 @@ void CSpaceDesk::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
         panel_->readout()->setText(tr("Tried: ") + reason_text(*tried_, true));
 }
 
-void CSpaceDesk::try_posture(const PostureValue& posture) {
+void CSpaceController::try_posture(const PostureValue& posture) {
     if (!shown_ || !study_) return;
     PostureValue p = posture;
-    const auto reason = study_->reason(*shown_, p.lambda, p.omega);
+    const auto reason = study_->reason(*shown_, p.lead, p.yaw);
     if (!std::isfinite(reason.bottom)) return; // the cutter cannot touch like this
     // Within the free volume; elsewhere as low as nothing is cut.
     p.delta = reason.block == PostureBlock::free
@@ -308,7 +308,7 @@ void CSpaceDesk::try_posture(const PostureValue& posture) {
     show_kept();
 }
 
-void CSpaceDesk::show_choice(std::size_t choice) {
+void CSpaceController::show_choice(std::size_t choice) {
     if (!shown_) return;
     const ChosenPosture& chosen = choice + 1 < cspace_choices ? shown_->chosen[choice] : shown_->planned;
     tried_.reset();
@@ -322,14 +322,14 @@ void CSpaceDesk::show_choice(std::size_t choice) {
               chosen.free ? name : tr("left to clean-up"));
 }
 
-std::vector<ManualPosture> CSpaceDesk::all_kept() const {
+std::vector<ManualPosture> CSpaceController::all_kept() const {
     const auto index = document_.index_of(operation_);
     if (!index) return {};
     const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&document_.operation(*index));
     return by_hand ? by_hand->manual_postures() : std::vector<ManualPosture>();
 }
 
-std::optional<std::size_t> CSpaceDesk::kept_number() const {
+std::optional<std::size_t> CSpaceController::kept_number() const {
     if (!at_ || !record_) return std::nullopt;
     const std::vector<ManualPosture> all = all_kept();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -339,12 +339,12 @@ std::optional<std::size_t> CSpaceDesk::kept_number() const {
     return std::nullopt;
 }
 
-std::optional<ManualPosture> CSpaceDesk::kept() const {
+std::optional<ManualPosture> CSpaceController::kept() const {
     const auto number = kept_number();
     return number ? std::optional(all_kept()[*number]) : std::nullopt;
 }
 
-void CSpaceDesk::change_kept(const QString& what, std::vector<ManualPosture> postures) {
+void CSpaceController::change_kept(const QString& what, std::vector<ManualPosture> postures) {
     const auto index = document_.index_of(operation_);
     if (!index) return;
     document_.change(what, [&](Project& project) {
@@ -353,11 +353,11 @@ void CSpaceDesk::change_kept(const QString& what, std::vector<ManualPosture> pos
     });
 }
 
-void CSpaceDesk::keep() {
+void CSpaceController::keep() {
     if (!tried_ || !shown_ || !study_) return;
-    if (study_->reason(*shown_, tried_->lambda, tried_->omega).block != PostureBlock::free) return;
+    if (study_->reason(*shown_, tried_->lead, tried_->yaw).block != PostureBlock::free) return;
     const Vec3& place = shown_->place.surface;
-    const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lambda, tried_->omega};
+    const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lead, tried_->yaw};
     std::vector<ManualPosture> all = all_kept();
     if (const auto number = kept_number())
         all[*number] = posture;
@@ -368,7 +368,7 @@ void CSpaceDesk::keep() {
                   .arg(angle_text(posture.lead), angle_text(posture.yaw)));
 }
 
-void CSpaceDesk::remove_kept() {
+void CSpaceController::remove_kept() {
     const auto number = kept_number();
     if (!number) return;
     std::vector<ManualPosture> all = all_kept();
@@ -377,10 +377,9 @@ void CSpaceDesk::remove_kept() {
     emit told(tr("The posture kept for the point is forgotten. Plan again to choose one."));
 }
 
-void CSpaceDesk::show_kept() {
+void CSpaceController::show_kept() {
     const bool tried = tried_ && shown_ && study_;
-    const bool free =
-        tried && study_->reason(*shown_, tried_->lambda, tried_->omega).block == PostureBlock::free;
+    const bool free = tried && study_->reason(*shown_, tried_->lead, tried_->yaw).block == PostureBlock::free;
     panel_->keep()->setEnabled(free);
     panel_->keep()->setToolTip(!tried  ? tr("Try a posture first: click in the room, or drag a marker")
                                : !free ? tr("The tried posture is not free: it would not be used")
@@ -406,17 +405,17 @@ void CSpaceDesk::show_kept() {
     panel_->kept()->setMenu(menu);
 }
 
-void CSpaceDesk::set_palette(Palette palette) {
+void CSpaceController::set_palette(Palette palette) {
     panel_->view()->scene().set_palette(palette);
     panel_->show_legend();
     panel_->view()->refresh();
 }
 
-bool CSpaceDesk::busy() const {
+bool CSpaceController::busy() const {
     return job_.running() || (panel_->isVisible() && !panel_->view()->finished());
 }
 
-bool CSpaceDesk::save_picture(const QString& path) {
+bool CSpaceController::save_picture(const QString& path) {
     if (!shown_) return false;
     CSpaceScene& scene = panel_->view()->scene();
     scene.set_title(utf8(heading()), utf8(tr("%1 of %2 postures free")
@@ -429,12 +428,12 @@ bool CSpaceDesk::save_picture(const QString& path) {
     return tell_written(path, write_picture(path, picture));
 }
 
-bool CSpaceDesk::save_table(const QString& path) {
+bool CSpaceController::save_table(const QString& path) {
     if (!shown_ || !study_) return false;
     return tell_written(path, write_table(path, cspace_csv(*study_, *shown_, document_.unit())));
 }
 
-bool CSpaceDesk::tell_written(const QString& path, const QString& wrong) {
+bool CSpaceController::tell_written(const QString& path, const QString& wrong) {
     if (wrong.isEmpty())
         emit told(tr("Wrote %1.").arg(path));
     else

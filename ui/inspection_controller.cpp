@@ -1,4 +1,4 @@
-#include "ui/inspection_desk.h"
+#include "ui/inspection_controller.h"
 
 #include "core/base/file.h"
 #include "core/strategy/five_axis/five_axis_record.h"
@@ -106,17 +106,18 @@ void InspectionPanel::resizeEvent(QResizeEvent* event) {
         box->setMaximumWidth(std::min(220, most));
 }
 
-InspectionDesk::InspectionDesk(Document& document, Viewport& viewport, LayerBar& layers, QWidget* window)
+InspectionController::InspectionController(Document& document, Viewport& viewport, LayerBar& layers,
+                                           QWidget* window)
     : QObject(window), document_(document), viewport_(viewport), layers_(layers),
       panel_(new InspectionPanel(window)) {
-    connect(&layers_, &LayerBar::quantity_chosen, this, &InspectionDesk::update);
+    connect(&layers_, &LayerBar::quantity_chosen, this, &InspectionController::update);
     connect(panel_->chart_box(), &QComboBox::currentIndexChanged, this, [this] {
         show_chart();
         update();
     });
     connect(panel_->operation_box(), &QComboBox::currentIndexChanged, this, [this] { show_chart(); });
-    connect(panel_->plot(), &PlotView::cursor_moved, this, &InspectionDesk::go_to);
-    connect(panel_->plot(), &PlotView::stepped, this, &InspectionDesk::step);
+    connect(panel_->plot(), &PlotView::cursor_moved, this, &InspectionController::go_to);
+    connect(panel_->plot(), &PlotView::stepped, this, &InspectionController::step);
     connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
@@ -132,17 +133,17 @@ InspectionDesk::InspectionDesk(Document& document, Viewport& viewport, LayerBar&
     show_chart();
 }
 
-InspectionDesk::~InspectionDesk() = default;
+InspectionController::~InspectionController() = default;
 
-PathQuantity InspectionDesk::quantity() const {
+PathQuantity InspectionController::quantity() const {
     return layers_.quantity();
 }
 
-Chart InspectionDesk::chart() const {
+Chart InspectionController::chart() const {
     return Chart(std::max(0, panel_->chart_box()->currentIndex()));
 }
 
-void InspectionDesk::offer_quantities() {
+void InspectionController::offer_quantities() {
     for (std::size_t q = 1; q < path_quantities; ++q) {
         std::string why = "No path is planned.";
         for (const auto& result : results_) {
@@ -153,7 +154,7 @@ void InspectionDesk::offer_quantities() {
     }
 }
 
-void InspectionDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
+void InspectionController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
     job_.cancel();
     results_ = std::move(results);
     figures_.clear();
@@ -176,19 +177,19 @@ void InspectionDesk::set_paths(std::vector<std::shared_ptr<const OperationResult
     update();
 }
 
-void InspectionDesk::set_shown(std::vector<PathSource> shown) {
+void InspectionController::set_shown(std::vector<PathSource> shown) {
     shown_ = std::move(shown);
     tint_ = nullptr;
     layers_.show_scale(nullptr);
     update();
 }
 
-void InspectionDesk::look() {
+void InspectionController::look() {
     update();
 }
 
 /// Starts what is missing for what is wanted.
-void InspectionDesk::update() {
+void InspectionController::update() {
     const PathQuantity wanted = quantity();
     if (tint_ && tint_->quantity != wanted) {
         tint_ = nullptr;
@@ -236,18 +237,18 @@ void InspectionDesk::update() {
         });
 }
 
-void InspectionDesk::show_tint() {
+void InspectionController::show_tint() {
     viewport_.scene().set_path_tint(tint_);
     layers_.show_scale(tint_);
     viewport_.content_changed();
     viewport_.refresh();
 }
 
-std::size_t InspectionDesk::source() const {
+std::size_t InspectionController::source() const {
     return std::size_t(std::max(0, panel_->operation_box()->currentIndex()));
 }
 
-void InspectionDesk::show_chart() {
+void InspectionController::show_chart() {
     PlotView* plot = panel_->plot();
     chart_unit_ = document_.unit();
     drives_.clear();
@@ -330,7 +331,7 @@ void InspectionDesk::show_chart() {
     show_place();
 }
 
-double InspectionDesk::x_of(const Place& place) const {
+double InspectionController::x_of(const Place& place) const {
     const PlotContent& content = panel_->plot()->content();
     if (chart() == Chart::stepover) {
         const OperationResult& result = *results_[place.source];
@@ -343,7 +344,7 @@ double InspectionDesk::x_of(const Place& place) const {
     return from + place.share * (to - from);
 }
 
-void InspectionDesk::show_place() {
+void InspectionController::show_place() {
     PlotView* plot = panel_->plot();
     if (plot->empty()) return;
     const bool here = place_ && place_->source == source();
@@ -384,7 +385,7 @@ void InspectionDesk::show_place() {
     panel_->readout()->set_text(line);
 }
 
-void InspectionDesk::set_place(std::size_t source, std::size_t motion, double share) {
+void InspectionController::set_place(std::size_t source, std::size_t motion, double share) {
     if (source >= results_.size() || motion >= results_[source]->program.motions.motions.size())
         return clear_place();
     place_ = Place{source, motion, share};
@@ -394,12 +395,12 @@ void InspectionDesk::set_place(std::size_t source, std::size_t motion, double sh
         show_place();
 }
 
-void InspectionDesk::clear_place() {
+void InspectionController::clear_place() {
     place_.reset();
     show_place();
 }
 
-void InspectionDesk::step(int by) {
+void InspectionController::step(int by) {
     if (chart() != Chart::stepover) return emit step_wanted(by);
     if (!place_ || place_->source != source() || drives_.empty()) return;
     const double v = x_of(*place_) * mm_per(document_.unit());
@@ -410,7 +411,7 @@ void InspectionDesk::step(int by) {
     emit place_wanted(source(), drives_[std::size_t(next)].motion);
 }
 
-void InspectionDesk::go_to(double x) {
+void InspectionController::go_to(double x) {
     if (source() >= results_.size() || panel_->plot()->empty()) return;
     if (chart() == Chart::stepover) {
         const double v = x * mm_per(document_.unit());
@@ -428,13 +429,13 @@ void InspectionDesk::go_to(double x) {
     emit place_wanted(source(), motion);
 }
 
-QString InspectionDesk::export_name() const {
+QString InspectionController::export_name() const {
     if (source() >= results_.size()) return {};
     return text(results_[source()]->name)
            + (chart() == Chart::stepover ? QStringLiteral("-stepover") : QStringLiteral("-axes"));
 }
 
-std::string InspectionDesk::table() const {
+std::string InspectionController::table() const {
     const std::string unit(unit_name(document_.unit()));
     const double per = mm_per(document_.unit());
     const auto number = [](double v) { return std::isfinite(v) ? format_number(v, 9) : std::string(); };
@@ -471,17 +472,17 @@ std::string InspectionDesk::table() const {
     return lines;
 }
 
-bool InspectionDesk::save_picture(const QString& path) {
+bool InspectionController::save_picture(const QString& path) {
     if (panel_->plot()->empty()) return false;
     return tell_written(path, write_picture(path, panel_->plot()->picture(picture_size)));
 }
 
-bool InspectionDesk::save_table(const QString& path) {
+bool InspectionController::save_table(const QString& path) {
     if (panel_->plot()->empty()) return false;
     return tell_written(path, write_table(path, table()));
 }
 
-bool InspectionDesk::tell_written(const QString& path, const QString& wrong) {
+bool InspectionController::tell_written(const QString& path, const QString& wrong) {
     if (wrong.isEmpty())
         emit told(tr("Wrote %1.").arg(path));
     else

@@ -1,4 +1,4 @@
-#include "ui/unrolled_desk.h"
+#include "ui/unrolled_controller.h"
 
 #include "ui/export.h"
 #include "ui/icons.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr QSize picture_size(1400, 1000);
 }
 
-UnrolledDesk::UnrolledDesk(Document& document, QWidget* window)
+UnrolledController::UnrolledController(Document& document, QWidget* window)
     : QObject(window), document_(document), panel_(new QWidget(window)), unit_(document.unit()) {
     panel_->setObjectName(QStringLiteral("unrolled"));
     auto* column = new QVBoxLayout(panel_);
@@ -49,13 +49,13 @@ UnrolledDesk::UnrolledDesk(Document& document, QWidget* window)
     column->addLayout(row);
     view_ = new UnrolledView(panel_);
     column->addWidget(view_, 1);
-    connect(operation_, &QComboBox::currentIndexChanged, this, &UnrolledDesk::update);
+    connect(operation_, &QComboBox::currentIndexChanged, this, &UnrolledController::update);
     connect(all_, &QToolButton::clicked, view_, &UnrolledView::reset_view);
-    connect(picture_, &QToolButton::clicked, this, &UnrolledDesk::picture_requested);
+    connect(picture_, &QToolButton::clicked, this, &UnrolledController::picture_requested);
     connect(view_, &UnrolledView::motion_wanted, this, [this](std::size_t motion) {
         if (const auto at = source()) emit place_wanted(*at, motion);
     });
-    connect(view_, &UnrolledView::stepped, this, &UnrolledDesk::step_wanted);
+    connect(view_, &UnrolledView::stepped, this, &UnrolledController::step_wanted);
     connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
@@ -66,9 +66,9 @@ UnrolledDesk::UnrolledDesk(Document& document, QWidget* window)
     set_paths({});
 }
 
-UnrolledDesk::~UnrolledDesk() = default;
+UnrolledController::~UnrolledController() = default;
 
-void UnrolledDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
+void UnrolledController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
     job_.cancel();
     results_ = std::move(results);
     sources_.clear();
@@ -90,18 +90,18 @@ void UnrolledDesk::set_paths(std::vector<std::shared_ptr<const OperationResult>>
     update();
 }
 
-std::optional<std::size_t> UnrolledDesk::source() const {
+std::optional<std::size_t> UnrolledController::source() const {
     const auto at = std::size_t(std::max(0, operation_->currentIndex()));
     if (at >= sources_.size()) return std::nullopt;
     return sources_[at];
 }
 
-void UnrolledDesk::look() {
+void UnrolledController::look() {
     update();
 }
 
 /// Makes what is missing for what is wanted, once it is seen.
-void UnrolledDesk::update() {
+void UnrolledController::update() {
     enable_buttons();
     const auto at = source();
     if (!at || !panel_->isVisible()) return;
@@ -128,34 +128,34 @@ void UnrolledDesk::update() {
         });
 }
 
-void UnrolledDesk::enable_buttons() {
+void UnrolledController::enable_buttons() {
     for (QToolButton* button : {all_, picture_})
         button->setEnabled(view_->path() != nullptr);
 }
 
-void UnrolledDesk::set_place(std::size_t source, std::size_t motion) {
+void UnrolledController::set_place(std::size_t source, std::size_t motion) {
     place_ = {source, motion};
     const auto at = std::find(sources_.begin(), sources_.end(), source);
     if (at != sources_.end()) operation_->setCurrentIndex(int(at - sources_.begin()));
     show_place();
 }
 
-void UnrolledDesk::clear_place() {
+void UnrolledController::clear_place() {
     place_.reset();
     view_->set_motion(std::nullopt);
 }
 
-void UnrolledDesk::show_place() {
+void UnrolledController::show_place() {
     const auto at = source();
     view_->set_motion(place_ && at && place_->first == *at ? std::optional(place_->second) : std::nullopt);
 }
 
-QString UnrolledDesk::export_name() const {
+QString UnrolledController::export_name() const {
     const auto at = source();
     return (at ? text(results_[*at]->name) : QString()) + QStringLiteral("-unrolled");
 }
 
-bool UnrolledDesk::save_picture(const QString& path) {
+bool UnrolledController::save_picture(const QString& path) {
     const QString wrong = write_picture(path, view_->picture(picture_size));
     if (wrong.isEmpty())
         emit told(tr("Wrote %1.").arg(path));

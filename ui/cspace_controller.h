@@ -66,11 +66,11 @@ private:
     std::vector<QToolButton*> steps_;
 };
 
-class CSpaceDesk : public QObject {
+class CSpaceController : public QObject {
     Q_OBJECT
 public:
-    CSpaceDesk(Document& document, QWidget* window);
-    ~CSpaceDesk() override;
+    CSpaceController(Document& document, QWidget* window);
+    ~CSpaceController() override;
 
     CSpacePanel* panel() { return panel_; }
 

@@ -1,4 +1,4 @@
-#include "ui/verification_desk.h"
+#include "ui/verification_controller.h"
 
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -23,8 +23,8 @@ namespace {
 /// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
 /// processor in its place does.
 constexpr double card_triangles = 1.5e6, processor_triangles = 3e4, resting_triangles = 1.5e6;
-constexpr std::size_t most_samples = 400'000; ///< of the deviation: what a processor can still draw
-constexpr double cutter_share = 1.0 / 20;     ///< of the smallest cutter's radius: finer shows nothing more
+constexpr std::size_t max_samples = 400'000; ///< of the deviation: what a processor can still draw
+constexpr double cutter_share = 1.0 / 20;    ///< of the smallest cutter's radius: finer shows nothing more
 
 /// The lattice whose surface has about so many triangles, about 2.4 to a square of it.
 double resolution_for(const Box3& box, double triangles, double finest) {
@@ -49,17 +49,17 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
 
 } // namespace
 
-VerificationDesk::VerificationDesk(Document& document, Viewport& viewport, LayerBar& layers,
-                                   BackgroundJob& job, QWidget* window)
+VerificationController::VerificationController(Document& document, Viewport& viewport, LayerBar& layers,
+                                               BackgroundJob& job, QWidget* window)
     : QObject(window), document_(document), viewport_(viewport), layers_(layers), job_(job),
       model_(document) {
     panel_ = new VerificationPanel(document_, model_, window);
     bar_ = new PlaybackBar(playback_, window);
     bar_->hide();
     flight_ = new CameraFlight(viewport_);
-    connect(&model_, &VerificationModel::changed, this, &VerificationDesk::show_results);
-    connect(panel_, &VerificationPanel::verify_requested, this, &VerificationDesk::verify_requested);
-    connect(panel_, &VerificationPanel::finding_chosen, this, &VerificationDesk::go_to_finding);
+    connect(&model_, &VerificationModel::changed, this, &VerificationController::show_results);
+    connect(panel_, &VerificationPanel::verify_requested, this, &VerificationController::verify_requested);
+    connect(panel_, &VerificationPanel::finding_chosen, this, &VerificationController::go_to_finding);
     connect(panel_, &VerificationPanel::range_edited, this, [this](double low, double high) {
         own_range_ = {low, high};
         DeviationScale scale = viewport_.scene().deviation_scale();
@@ -76,18 +76,18 @@ VerificationDesk::VerificationDesk(Document& document, Viewport& viewport, Layer
         shown_operation_ = std::size_t(-1);
         bar_->setVisible(playback_.loaded());
     });
-    connect(&playback_, &PlaybackController::moved, this, &VerificationDesk::show_playback);
-    connect(&playback_, &PlaybackController::playing_changed, this, &VerificationDesk::show_playback);
+    connect(&playback_, &PlaybackController::moved, this, &VerificationController::show_playback);
+    connect(&playback_, &PlaybackController::playing_changed, this, &VerificationController::show_playback);
     connect(&playback_, &PlaybackController::failed, this,
             [this](const QString& why) { emit said(MessageBar::Kind::error, sentence(why), true); });
-    connect(&document_, &Document::changed, this, &VerificationDesk::follow_plan);
-    connect(&document_, &Document::part_changed, this, &VerificationDesk::follow_plan);
-    connect(&document_, &Document::states_changed, this, &VerificationDesk::follow_plan);
+    connect(&document_, &Document::changed, this, &VerificationController::follow_plan);
+    connect(&document_, &Document::part_changed, this, &VerificationController::follow_plan);
+    connect(&document_, &Document::states_changed, this, &VerificationController::follow_plan);
 }
 
-VerificationDesk::~VerificationDesk() = default;
+VerificationController::~VerificationController() = default;
 
-bool VerificationDesk::can_verify() const {
+bool VerificationController::can_verify() const {
     if (!document_.part_is_current() || !document_.has_stock() || document_.operation_count() == 0)
         return false;
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
@@ -95,7 +95,7 @@ bool VerificationDesk::can_verify() const {
     return true;
 }
 
-std::shared_ptr<const PlanResult> VerificationDesk::plan_as_it_stands() const {
+std::shared_ptr<const PlanResult> VerificationController::plan_as_it_stands() const {
     auto plan = std::make_shared<PlanResult>();
     plan->part = document_.part();
     plan->stock = stock_solid(document_.project().stock, *document_.part());
@@ -105,7 +105,7 @@ std::shared_ptr<const PlanResult> VerificationDesk::plan_as_it_stands() const {
     return plan;
 }
 
-void VerificationDesk::verify() {
+void VerificationController::verify() {
     if (!can_verify() || job_.running()) return;
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->plan = plan_as_it_stands();
@@ -123,7 +123,7 @@ void VerificationDesk::verify() {
             const PlanResult& plan = *outcome->plan;
             const auto programs = verify_programs(*project, outcome->plan);
             VerifySettings settings = verify_settings(*project, &plan);
-            settings.most_samples = most_samples;
+            settings.max_samples = max_samples;
             auto result = std::make_shared<Verification>(facetmill::verify(
                 *plan.part->mesh, plan.stock, programs, settings, progress.part(0, 0.97, "Verifying")));
             outcome->display =
@@ -154,7 +154,7 @@ void VerificationDesk::verify() {
         });
 }
 
-QString VerificationDesk::doubt() const {
+QString VerificationController::doubt() const {
     switch (model_.verdict()) {
     case Verdict::verified:
         return {};
@@ -168,11 +168,11 @@ QString VerificationDesk::doubt() const {
     return tr("The path has not been verified.");
 }
 
-bool VerificationDesk::busy() const {
+bool VerificationController::busy() const {
     return (playback_.follow() && playback_.behind()) || flight_->flying();
 }
 
-void VerificationDesk::follow_plan() {
+void VerificationController::follow_plan() {
     std::vector<std::string> key;
     std::vector<std::shared_ptr<const OperationResult>> results;
     if (can_verify())
@@ -210,7 +210,7 @@ void VerificationDesk::follow_plan() {
         live < resting_triangles ? source_of(input, resting_triangles, finest) : StockPlayer::Source());
 }
 
-void VerificationDesk::show_results() {
+void VerificationController::show_results() {
     Scene& scene = viewport_.scene();
     const bool shown = model_.any() && model_.fits_part();
     const DeviationDisplayPtr display = shown ? model_.outcome().display : nullptr;
@@ -229,17 +229,17 @@ void VerificationDesk::show_results() {
     viewport_.refresh();
 }
 
-void VerificationDesk::use_scale(const DeviationScale& scale) {
+void VerificationController::use_scale(const DeviationScale& scale) {
     viewport_.scene().set_deviation_scale(scale);
     panel_->set_scale(scale);
     viewport_.refresh();
 }
 
-void VerificationDesk::layers_changed() {
+void VerificationController::layers_changed() {
     playback_.set_follow(engaged_ && layers_.shown(ViewLayer::stock));
 }
 
-void VerificationDesk::show_playback() {
+void VerificationController::show_playback() {
     if (!playback_.loaded()) {
         show_stock();
         return;
@@ -288,7 +288,8 @@ void VerificationDesk::show_playback() {
 
 /// The eye goes round with the tool, so that on the screen the tool stands and the part turns, as on the
 /// machine.
-void VerificationDesk::turn_view(const std::optional<TurningAxis>& turning, const CutterLocation& tool) {
+void VerificationController::turn_view(const std::optional<TurningAxis>& turning,
+                                       const CutterLocation& tool) {
     const bool turns = turning && bar_->turns_part();
     const std::optional<Vec3> before =
         std::exchange(turned_to_, turns ? std::optional(tool.axis) : std::nullopt);
@@ -306,7 +307,7 @@ void VerificationDesk::turn_view(const std::optional<TurningAxis>& turning, cons
     viewport_.scene().look_at(place);
 }
 
-void VerificationDesk::show_stock() {
+void VerificationController::show_stock() {
     const auto stock = playback_.stock(), fine = playback_.fine_stock();
     Scene& scene = viewport_.scene();
     // What is all new comes by steps; a few patches more or less are drawn at once.
@@ -320,7 +321,7 @@ void VerificationDesk::show_stock() {
         viewport_.refresh();
 }
 
-void VerificationDesk::show_stock_after(std::size_t operation) {
+void VerificationController::show_stock_after(std::size_t operation) {
     if (!playback_.loaded() || operation >= document_.operation_count()) return;
     const PlaybackTrack& track = playback_.track();
     std::size_t last = track.operation_count();
@@ -334,7 +335,8 @@ void VerificationDesk::show_stock_after(std::size_t operation) {
     playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
 }
 
-void VerificationDesk::tool_put(const std::shared_ptr<const OperationResult>& program, std::size_t motion) {
+void VerificationController::tool_put(const std::shared_ptr<const OperationResult>& program,
+                                      std::size_t motion) {
     if (!engaged_ || !playback_.loaded()) return;
     const PlaybackTrack& track = playback_.track();
     std::size_t at = 0;
@@ -346,7 +348,7 @@ void VerificationDesk::tool_put(const std::shared_ptr<const OperationResult>& pr
     playback_.go_to(MotionPlace{at, motion});
 }
 
-void VerificationDesk::go_to_finding(const Finding& finding) {
+void VerificationController::go_to_finding(const Finding& finding) {
     Scene& scene = viewport_.scene();
     if (model_.current() && finding.by.known() && playback_.loaded()
         && finding.by.program < playback_.track().operation_count()) {
@@ -362,7 +364,7 @@ void VerificationDesk::go_to_finding(const Finding& finding) {
     viewport_.refresh();
 }
 
-bool VerificationDesk::take_key(const QKeyEvent& event) {
+bool VerificationController::take_key(const QKeyEvent& event) {
     if (!playback_.loaded()) return false;
     const bool shift = event.modifiers() & Qt::ShiftModifier;
     switch (event.key()) {
@@ -386,7 +388,7 @@ bool VerificationDesk::take_key(const QKeyEvent& event) {
     }
 }
 
-bool VerificationDesk::eventFilter(QObject* watched, QEvent* event) {
+bool VerificationController::eventFilter(QObject* watched, QEvent* event) {
     // Lists would take these keys for a search among their rows.
     if (event->type() == QEvent::KeyPress) {
         const auto& key = *static_cast<QKeyEvent*>(event);
