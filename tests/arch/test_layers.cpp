@@ -1,17 +1,15 @@
 // The house keeps its order: includes point one way only, core knows no Qt and no VTK, viz no widgets, and no
 // file grows beyond what one can read.
+#include "tests/arch/source_tree.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <optional>
 #include <regex>
 #include <sstream>
 
-namespace fs = std::filesystem;
+using facetmill::test::sources;
 
 namespace {
 
@@ -82,22 +80,6 @@ std::vector<Include> includes_in(const std::string& text, const std::string& fil
         if (std::regex_search(line, m, pattern)) found.push_back({file, n, m[2], m[1] == "\""});
     }
     return found;
-}
-
-std::map<std::string, std::string> sources(const std::vector<std::string>& folders) {
-    std::map<std::string, std::string> all;
-    const fs::path root = FACETMILL_SOURCE;
-    for (const auto& folder : folders)
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            const auto ext = entry.path().extension();
-            if (!entry.is_regular_file() || (ext != ".h" && ext != ".cpp" && ext != ".inl" && ext != ".c"))
-                continue;
-            std::ifstream in(entry.path(), std::ios::binary);
-            std::stringstream text;
-            text << in.rdbuf();
-            all[fs::relative(entry.path(), root).generic_string()] = text.str();
-        }
-    return all;
 }
 
 } // namespace
