@@ -1,0 +1,87 @@
+#include "core/strategy/five_axis/kept_postures.h"
+
+namespace facetmill {
+
+namespace {
+
+std::string place_text(const FiveAxisField& field, const Vec3& point) {
+    const auto text = [&](double mm) { return length_text(mm, field.context().unit); };
+    return "the point " + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z());
+}
+
+std::string block_text(PostureBlock block) {
+    switch (block) {
+    case PostureBlock::local:
+    case PostureBlock::global:
+        return "the cutter would cut into the part";
+    case PostureBlock::shank:
+        return "the shank would hit the part";
+    case PostureBlock::holder:
+        return "the holder would hit the part";
+    case PostureBlock::lift:
+        return "it leaves more than the tolerance";
+    case PostureBlock::machine:
+        return "the machine's axes do not reach, or the tool would lie down";
+    case PostureBlock::free:
+        break;
+    }
+    return {};
+}
+
+Vec3 point_of(const ManualPosture& posture) {
+    return {posture.point[0], posture.point[1], posture.point[2]};
+}
+
+} // namespace
+
+KeptPostures::KeptPostures(const FiveAxisField& field)
+    : field_(field), met_(field.settings().manual_postures.size(), false) {}
+
+void KeptPostures::hand_over(std::vector<PlacedLine>& pass) {
+    for (std::size_t k = 0; k < met_.size(); ++k) {
+        const ManualPosture& kept = field_.settings().manual_postures[k];
+        const Vec3 point = point_of(kept);
+        const double v = field_.drive().v(point);
+        if (met_[k]) continue;
+        ContactPlace* nearest = nullptr;
+        double least = field_.radius(); // what is farther away is another place
+        for (PlacedLine& line : pass)
+            for (ContactPlace& place : line.places) {
+                if (v < place.v_lo - field_.chord() || v > place.v_hi + field_.chord()) continue;
+                const double away = (place.surface - point).norm();
+                if (away >= least) continue;
+                least = away;
+                nearest = &place;
+            }
+        if (!nearest) continue;
+        met_[k] = true;
+        if (nearest->kept)
+            warnings_.push_back("the posture kept for " + place_text(field_, point)
+                                + " is not used: another one is kept for the same contact point");
+        else
+            nearest->kept = {kept.lead, kept.yaw};
+    }
+}
+
+void KeptPostures::check(const PlacedLine& line, const PostureStudy& study) {
+    for (std::size_t i = 0; i < line.places.size(); ++i) {
+        const ContactPlace& place = line.places[i];
+        if (!place.kept || study.points[i].kept) continue;
+        const auto [lead, yaw] = *place.kept;
+        const PostureBlock block = field_.builder().reason(place.frame, lead, yaw, study.curves[i]).block;
+        warnings_.push_back("the posture kept for " + place_text(field_, place.surface)
+                            + " is not free and not used: " + block_text(block));
+    }
+}
+
+std::vector<std::string> KeptPostures::warnings() const {
+    std::vector<std::string> all = warnings_;
+    for (std::size_t k = 0; k < met_.size(); ++k)
+        if (!met_[k])
+            all.push_back("the posture kept for "
+                          + place_text(field_, point_of(field_.settings().manual_postures[k]))
+                          + " is not used: no pass comes there");
+    return all;
+}
+
+} // namespace facetmill
