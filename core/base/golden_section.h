@@ -1,6 +1,9 @@
 // The lowest place of a function of one variable that falls up to it and rises from it.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 namespace facetmill {
 
 struct LowPlace {
@@ -32,6 +35,26 @@ LowPlace golden_minimum(F&& f, double lo, double hi, double accuracy, double eno
     }
     if (a.value <= enough) return a;
     return b.value < a.value ? b : a;
+}
+
+/// The least value in [lo, hi] of such a function that may be infinite beside a stretch where it is not, as
+/// of a line that meets a body only here and there. Where two values are the same, both infinite, the stretch
+/// is taken to be on the side that `low_side` says.
+template <class F>
+double least_where_finite(F&& f, double lo, double hi, bool low_side) {
+    constexpr double section = 0.382; // as above, to three digits: both places are asked anew in each step
+    constexpr int steps = 24;         // to 1e-5 of the interval
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < steps; ++i) {
+        const double x1 = lo + section * (hi - lo), x2 = hi - section * (hi - lo);
+        const double f1 = f(x1), f2 = f(x2);
+        least = std::min({least, f1, f2});
+        if (f1 < f2 || (f1 == f2 && low_side))
+            hi = x2;
+        else
+            lo = x1;
+    }
+    return least;
 }
 
 } // namespace facetmill

@@ -9,6 +9,7 @@
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/point_grid.h"
 
 #include <optional>
@@ -57,10 +58,10 @@ struct Probe {
 class CleanupPlanner {
 public:
     CleanupPlanner(const CleanupSettings& settings, const PlanContext& context, const Progress& progress)
-        : settings_(settings), context_(context), cusp_(cusp_budget(settings, context)),
+        : settings_(settings), context_(context), text_{context.unit}, cusp_(cusp_budget(settings, context)),
           chord_(chord_budget({0, "auto"}, cusp_)),
           allowance_(settings.allowance + context.tessellation_tolerance[1]), profile_(context.tool.cutter()),
-          cover_(profile_, 0.125 * cusp_), lift_(context.contact, profile_, allowance_),
+          cover_(profile_, cusp_detail(cusp_)), lift_(context.contact, profile_, allowance_),
           grid_(*context.part, progress), side_(*context.part, progress) {
         radius_ = profile_.max_radius();
         ripple_ = settings.smallest_strip.is_number() ? settings.smallest_strip.number : radius_;
@@ -83,12 +84,13 @@ public:
                 find_left(left.rest, left.rest_spacing, StripKind::rest, progress.part(0.45, 0.5));
         }
         if (found_.empty())
-            throw Error(
-                ErrorCode::empty_result, settings_.name,
-                "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than " + text(cusp_)
-                    + (settings_.left_points || settings_.rest_material ? ", nor do the operations before"
-                                                                        : ""),
-                "leave the operation out, or allow a smaller tolerance");
+            throw Error(ErrorCode::empty_result, settings_.name,
+                        "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than "
+                            + text_(cusp_)
+                            + (settings_.left_points || settings_.rest_material
+                                   ? ", nor do the operations before"
+                                   : ""),
+                        "leave the operation out, or allow a smaller tolerance");
         name_strips();
         cut(progress.part(0.5, 0.9, "Planning passes"));
         hold(progress.part(0.9, 0.93));
@@ -122,14 +124,6 @@ private:
         LeftStrip left; ///< of strips from places that were left; `band` has its facets
     };
 
-    std::string text(double mm) const { return length_text(mm, context_.unit); }
-    std::string text(const Vec3& p) const {
-        std::string all;
-        for (int k = 0; k < 3; ++k)
-            all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(context_.unit), 5);
-        return all + ") " + std::string(unit_name(context_.unit));
-    }
-
     ValleyInput input_of(const Probe& probe) const {
         ValleyInput in;
         in.mesh = context_.part.get();
@@ -143,7 +137,7 @@ private:
     }
 
     void find(const CutterProfile& profile, StripKind kind, const Progress& progress) {
-        const Probe probe(context_, profile, 0.125 * cusp_);
+        const Probe probe(context_, profile, cusp_detail(cusp_));
         const ValleyInput in = input_of(probe);
         Valleys valleys = find_valleys(in, progress.part(0, 0.6));
         if (!found_.empty()) leave_out_known(valleys);
@@ -250,10 +244,10 @@ private:
                    + (f.left.places == 1 ? " contact point was left" : " contact points were left")
                    + " by operations before";
         case StripKind::rest:
-            return "the operations before leave " + text(f.band.depth);
+            return "the operations before leave " + text_(f.band.depth);
         default:
             return tool + (f.curve ? " touches both flanks, leaves " : " cannot enter, leaves ")
-                   + text(f.band.depth);
+                   + text_(f.band.depth);
         }
     }
 
@@ -521,13 +515,14 @@ private:
         auto& warnings = result_.warnings;
         if (total.hollow > 0)
             warnings.push_back("the cutter is too large for the innermost of the strips: up to "
-                               + text(total.hollow) + " stays, most at " + text(total.hollow_at)
+                               + text_(total.hollow) + " stays, most at " + text_(total.hollow_at)
                                + ": use a smaller tool there");
         if (total.missed_area > 0)
-            warnings.push_back(format_number(std::max(100 * total.missed_area / total.area, 1e-3), 2)
-                               + " % of the strips stays uncut"
-                               + (total.missed < infinity ? " by up to " + text(total.missed) : std::string())
-                               + ", as at " + text(total.missed_at));
+            warnings.push_back(
+                format_number(std::max(100 * total.missed_area / total.area, 1e-3), 2)
+                + " % of the strips stays uncut"
+                + (total.missed < infinity ? " by up to " + text_(total.missed) : std::string()) + ", as at "
+                + text_(total.missed_at));
     }
 
     void finish() {
@@ -541,17 +536,18 @@ private:
         result_.chord_tolerance = chord_;
         auto& warnings = result_.warnings;
         if (blocked_ > ripple_)
-            warnings.push_back("the cutter has no place along " + text(blocked_)
+            warnings.push_back("the cutter has no place along " + text_(blocked_)
                                + " of its passes: they are left out there");
         if (held_ > 0)
             warnings.push_back(
-                "the " + std::string(tool_body_name(held_by_)) + " would touch the part along " + text(held_)
+                "the " + std::string(tool_body_name(held_by_)) + " would touch the part along " + text_(held_)
                 + " of passes, which are left out: use a longer tool"
                 + (settings_.tilt_limit > 0 ? "" : ", or allow it to be inclined (tilt_limit)"));
     }
 
     const CleanupSettings& settings_;
     const PlanContext& context_;
+    PlanText text_;
     double cusp_, chord_, allowance_;
     CutterProfile profile_;
     CutterCover cover_;

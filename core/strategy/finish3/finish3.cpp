@@ -5,6 +5,7 @@
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/surface/slice.h"
 #include "core/strategy/surface/stock_before.h"
@@ -45,11 +46,10 @@ private:
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
     /// Of placing drive planes, as a share of the whole.
     static double placed(double share) { return 0.02 + 0.9 * share; }
-    std::string text(double mm) const { return length_text(mm, context_.unit); }
-    std::string text(const Vec3& p) const;
 
     const Finish3Settings& settings_;
     const PlanContext& context_;
+    PlanText text_;
     const Progress& progress_;
     double cusp_allowed_, allowance_, chord_;
     CutterProfile profile_;
@@ -66,11 +66,11 @@ private:
 };
 
 Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
-    : settings_(settings), context_(context), progress_(progress),
+    : settings_(settings), context_(context), text_{context.unit}, progress_(progress),
       cusp_allowed_(cusp_budget(settings, context)),
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
-      cover_(profile_, 0.125 * cusp_allowed_), lift_(context.contact, profile_, allowance_) {}
+      cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_) {}
 
 StrategyResult Planner::run() {
     progress_.part(0, 0.02, "Choosing the direction").set(0);
@@ -126,7 +126,7 @@ void Planner::check_size() const {
         settings_.stepover.is_number() ? settings_.stepover.number : stepover_->largest_step();
     if (size.x() * size.y() <= max_places * step * fine_.spacing) return;
     throw Error(ErrorCode::limit_exceeded, settings_.name,
-                "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
+                "a part of " + text_(size.x()) + " by " + text_(size.y()) + " asks for more than "
                     + format_number(max_places) + " places of this tool",
                 "check the part's units, or take a larger tool, tolerance or step-over");
 }
@@ -137,7 +137,7 @@ void Planner::plan_constant(double step) {
     const double planes = std::max(1.0, std::ceil((hi - lo) / step - tolerance::level_angle));
     if (planes > double(max_drive_planes))
         throw Error(ErrorCode::limit_exceeded, "stepover",
-                    "a step-over of " + text(step) + " makes more than " + std::to_string(max_drive_planes)
+                    "a step-over of " + text_(step) + " makes more than " + std::to_string(max_drive_planes)
                         + " drive planes",
                     "choose a larger step-over");
     const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
@@ -274,13 +274,6 @@ Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Pr
     return pass;
 }
 
-std::string Planner::text(const Vec3& p) const {
-    std::string all;
-    for (int k = 0; k < 3; ++k)
-        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(context_.unit), 5);
-    return all + ") " + std::string(unit_name(context_.unit));
-}
-
 void Planner::check_uncut(const Progress& progress) {
     UncutInput input;
     input.mesh = context_.part.get();
@@ -358,27 +351,27 @@ void Planner::add_warnings() {
         result_.cusp_max = std::max({context_.stock_box.hi.z() - context_.part_box.lo.z(),
                                      context_.part_box.size().z(), cusp_allowed_});
     if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
-        warnings.push_back("the step-over of " + text(settings_.stepover.number) + " leaves "
-                           + (uncut ? std::string("places uncut") : "cusps of " + text(result_.cusp_max))
-                           + "; the tolerance allows " + text(cusp_allowed_));
+        warnings.push_back("the step-over of " + text_(settings_.stepover.number) + " leaves "
+                           + (uncut ? std::string("places uncut") : "cusps of " + text_(result_.cusp_max))
+                           + "; the tolerance allows " + text_(cusp_allowed_));
     if (unsatisfied_ > 0)
         warnings.push_back(
             std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
             + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
-            + text(result_.cusp_max) + " stay there, " + text(cusp_allowed_) + " are allowed");
+            + text_(result_.cusp_max) + " stay there, " + text_(cusp_allowed_) + " are allowed");
     const auto share = [&](const UncutPlaces& places) {
         return format_number(std::max(100 * places.area / uncut_.area, 1e-3), 2) + " % of the surface";
     };
     if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
         warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
-                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
+                           + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
                            + ": use a smaller tool there");
     if (const UncutPlaces& u = uncut_.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
         warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
-                           + text(u.height) + ", most at " + text(u.at)
+                           + text_(u.height) + ", most at " + text_(u.at)
                            + ": choose a smaller step-over or another direction");
     if (const UncutPlaces& u = uncut_.covered; u.height > 0)
-        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text(u.at)
+        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text_(u.at)
                            + ", and is not cut: turn the part for another operation");
     double lowest = infinity;
     for (const Pass& p : result_.passes)
@@ -386,7 +379,7 @@ void Planner::add_warnings() {
             lowest = std::min(lowest, c.tip.z());
     const double below = context_.stock_box.lo.z() - lowest;
     if (!context_.stock_box.empty() && below > settings_.tolerance)
-        warnings.push_back("the tip goes " + text(below)
+        warnings.push_back("the tip goes " + text_(below)
                            + " below the bottom of the stock, to cut the part's lower border fully");
 
     // Above the cutting part: shank and holder as upright cylinders, each with its lower face at its height
@@ -420,8 +413,8 @@ void Planner::add_body_warning(const std::string& name, double diameter, double 
         },
         [](double x, double y) { return std::max(x, y); });
     if (hit > chord_)
-        result_.warnings.push_back("the " + name + " (diameter " + text(diameter) + ", " + text(base)
-                                   + " above the tip) would cut into the part by up to " + text(hit)
+        result_.warnings.push_back("the " + name + " (diameter " + text_(diameter) + ", " + text_(base)
+                                   + " above the tip) would cut into the part by up to " + text_(hit)
                                    + " of height: use a longer tool");
 }
 

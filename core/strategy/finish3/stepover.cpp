@@ -1,7 +1,9 @@
 #include "core/strategy/finish3/stepover.h"
 
+#include "core/base/golden_section.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/plan/budget.h"
 
 namespace facetmill {
 
@@ -62,7 +64,7 @@ DriveLine StepOver::line(double v, double back, double ahead, const Progress& pr
     line.back = back;
     line.ahead = ahead;
     LineTolerance rough;
-    rough.below = rough.above = 0.125 * in_.cusp;
+    rough.below = rough.above = cusp_detail(in_.cusp);
     rough.spacing = grid_;
     for (const Interval& r : ranges(v, back, ahead))
         line.runs.push_back(
@@ -81,7 +83,7 @@ StepOver::Sample StepOver::sample(double u, double v) const {
     s.point = c.point;
     if (in_.cover->has_flat_bottom()) {
         const double z = surface_->tip_z(xy.x(), xy.y());
-        if (c.tip_z - in_.allowance - z <= 0.125 * in_.cusp) {
+        if (c.tip_z - in_.allowance - z <= cusp_detail(in_.cusp)) {
             s.normal = Vec3(0, 0, 1);
             s.point = Vec3(xy.x(), xy.y(), z + in_.allowance);
             return s;
@@ -122,17 +124,7 @@ double StepOver::entry(const DriveLine* line, double u, const Vec3& p, const Vec
                 }
                 return least;
             }
-            double lo = 0, hi = 1;
-            for (int i = 0; i < 24; ++i) {
-                const double x1 = lo + 0.382 * (hi - lo), x2 = hi - 0.382 * (hi - lo);
-                const double g1 = f(x1), g2 = f(x2);
-                least = std::min({least, g1, g2});
-                if (g1 < g2 || (g1 == g2 && f0 < f2))
-                    hi = x2;
-                else
-                    lo = x1;
-            }
-            return least;
+            return std::min(least, least_where_finite(f, 0, 1, f0 < f2));
         };
         const auto after =
             std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
@@ -184,7 +176,7 @@ double StepOver::wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to
                       double z_to) const {
     // Halve towards the middle height: on a steep wall this ends at a contact halfway down, at a jump on its
     // two sides.
-    const double middle = 0.5 * (z_from + z_to), shortest = 0.125 * in_.cusp;
+    const double middle = 0.5 * (z_from + z_to), shortest = cusp_detail(in_.cusp);
     while ((to - from).norm() > shortest) {
         const Vec2 mid = 0.5 * (from + to);
         const Vec2 xy = in_.frame.xy(mid.x(), mid.y());

@@ -6,6 +6,7 @@
 #include "core/strategy/five_axis/pass_placement.h"
 #include "core/strategy/five_axis/tilted_stepover.h"
 #include "core/strategy/plan/pass_order.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ class Planner5 {
 public:
     Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress,
              bool is_piece = false, double leave = 0)
-        : settings_(settings), progress_(progress), is_piece_(is_piece),
+        : settings_(settings), text_{context.unit}, progress_(progress), is_piece_(is_piece),
           field_(context, settings, progress.part(0, 0.05)), stepover_(field_, leave), cutter_(field_) {}
 
     StrategyResult run() {
@@ -72,7 +73,7 @@ private:
             settings_.stepover.is_number() ? settings_.stepover.number : 0.5 * field_.radius();
         if (size.x() * size.y() <= max_contacts * step * 0.4 * field_.radius()) return;
         throw Error(ErrorCode::limit_exceeded, settings_.name,
-                    "a part of " + text(size.x()) + " by " + text(size.y()) + " asks for more than "
+                    "a part of " + text_(size.x()) + " by " + text_(size.y()) + " asks for more than "
                         + format_number(max_contacts) + " contact points of this tool",
                     "check the part's units, or take a larger tool or step-over");
     }
@@ -180,7 +181,7 @@ private:
         const double planes =
             std::max(1.0, std::ceil((lines.hi() - lines.lo()) / step - tolerance::level_angle));
         if (planes > double(max_drive_planes))
-            refuse_planes("stepover", "a step-over of " + text(step) + " makes");
+            refuse_planes("stepover", "a step-over of " + text_(step) + " makes");
         const double first = 0.5 * (lines.lo() + lines.hi()) - 0.5 * (planes - 1) * step;
         for (std::size_t i = 0; i < std::size_t(planes); ++i) {
             const double v = first + double(i) * step;
@@ -259,13 +260,12 @@ private:
         for (std::string& warning : cutter_.kept().warnings())
             told.push_back(std::move(warning));
         if (settings_.stepover.is_number() && result_.cusp_max > field_.cusp())
-            told.push_back("the step-over of " + text(settings_.stepover.number) + " leaves cusps of "
-                           + text(result_.cusp_max) + "; the tolerance allows " + text(field_.cusp()));
+            told.push_back("the step-over of " + text_(settings_.stepover.number) + " leaves cusps of "
+                           + text_(result_.cusp_max) + "; the tolerance allows " + text_(field_.cusp()));
     }
 
-    std::string text(double mm) const { return length_text(mm, field_.context().unit); }
-
     const Finish5Settings& settings_;
+    PlanText text_;
     const Progress& progress_;
     bool is_piece_;
     FiveAxisField field_;

@@ -1,11 +1,13 @@
 #include "core/strategy/five_axis/kept_postures.h"
 
+#include "core/strategy/plan/plan_text.h"
+
 namespace facetmill {
 
 namespace {
 
 std::string place_text(const FiveAxisField& field, const Vec3& point) {
-    const auto text = [&](double mm) { return length_text(mm, field.context().unit); };
+    const PlanText text{field.context().unit};
     return "the point " + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z());
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/setup/kinematics.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <cmath>
 
@@ -129,7 +130,7 @@ void throw_no_stock_above(const std::string& operation, double allowance, Length
 void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
     auto& warnings = base_.warnings;
     const LatheFrame& frame = field_->frame();
-    const auto text = [&](double mm) { return length_text(mm, context.unit); };
+    const PlanText text{context.unit};
     const double off = frame.away(context.part_box.center());
     if (off > off_share * field_->part_radius())
         warnings.push_back("the part's middle lies " + text(off)

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/lathe/lathe_path.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <cmath>
 
@@ -30,7 +31,7 @@ struct Run {
 class Rougher {
 public:
     Rougher(const LatheRoughSettings& settings, const PlanContext& context, const LathePath& path)
-        : settings_(settings), context_(context), path_(path), result_(path.base()) {}
+        : settings_(settings), context_(context), text_{context.unit}, path_(path), result_(path.base()) {}
 
     StrategyResult run(const Progress& progress) {
         find_stock(progress.part(0, 0.5));
@@ -52,8 +53,8 @@ public:
                         "the depth of cut asks for more than " + format_number(max_passes) + " passes",
                         "choose a larger depth of cut");
         if (settings_.depth_of_cut > top - low)
-            result_.warnings.push_back("the depth of cut of " + text(settings_.depth_of_cut)
-                                       + " is more than the " + text(top - low)
+            result_.warnings.push_back("the depth of cut of " + text_(settings_.depth_of_cut)
+                                       + " is more than the " + text_(top - low)
                                        + " that stand above the part: one pass takes all");
         const int passes = std::max(1, int(std::ceil(wanted - tolerance::level_angle)));
         std::vector<double> before = stock_, now(n);
@@ -69,16 +70,14 @@ public:
         }
         result_.drive_planes = int(result_.layers.size());
         if (deepest_ > context_.tool.flute_length)
-            result_.warnings.push_back("passes are up to " + text(deepest_)
+            result_.warnings.push_back("passes are up to " + text_(deepest_)
                                        + " below the stock's outside, the flutes are "
-                                       + text(context_.tool.flute_length) + " long: use a longer tool");
+                                       + text_(context_.tool.flute_length) + " long: use a longer tool");
         progress.set(1);
         return std::move(result_);
     }
 
 private:
-    std::string text(double mm) const { return length_text(mm, context_.unit); }
-
     /// Where the cutter meets the raw material on its way in.
     void find_stock(const Progress& progress) {
         const LatheStock stock(path_.field().frame(), context_, LatheStock::Of::cutter,
@@ -184,6 +183,7 @@ private:
 
     const LatheRoughSettings& settings_;
     const PlanContext& context_;
+    PlanText text_;
     const LathePath& path_;
     StrategyResult result_;
     std::vector<double> stock_;

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <cmath>
 
@@ -75,7 +76,7 @@ LatheRange lathe_range(const LatheCommon& s, const LatheField& field, const Plan
                     "check the axis");
     if (s.start.is_number()) range.from = s.start.number;
     if (s.stop.is_number()) range.to = s.stop.number;
-    const auto text = [&](double v) { return length_text(v, context.unit); };
+    const PlanText text{context.unit};
     if (!(range.from < range.to))
         throw Error(ErrorCode::out_of_range, s.stop.is_number() ? "stop" : "start",
                     "the path would run from " + text(range.from) + " to " + text(range.to)

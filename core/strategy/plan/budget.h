@@ -11,5 +11,10 @@ double cusp_budget(const OperationCommon& settings, const PlanContext& context);
 /// The chord tolerance that is used: as asked for or, for "auto", tolerance::auto_chord_share of the budget
 /// and no more than tolerance::largest_auto_chord; at most half of the budget.
 double chord_budget(const NumberOrWord& asked, double budget);
+/// What makes no difference to a cusp of this height: paths that are only judged, not cut, are followed to
+/// it, and a bottom that comes this near to a plane lies on it (CutterCover).
+inline double cusp_detail(double cusp) {
+    return 0.125 * cusp;
+}
 
 } // namespace facetmill

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/geometry.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/plan_text.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/rough/rough_floor.h"
 #include "core/strategy/rough/rough_layers.h"
@@ -72,11 +73,10 @@ private:
     void check_passes(const Progress& progress);
     ContactIndexPtr offset_index(const Progress& progress) const;
     double stepover() const;
-    std::string text(double mm) const { return length_text(mm, context_.unit); }
-    std::string text(const Vec3& p) const;
 
     const RoughSettings& settings_;
     const PlanContext& context_;
+    PlanText text_;
     const Progress& progress_;
     CutterProfile profile_;
     StockCutter cutter_;
@@ -106,15 +106,15 @@ double Planner::stepover() const {
     const double step = settings_.stepover.number;
     if (!(step > 0) || step > diameter_)
         throw Error(ErrorCode::out_of_range, "stepover",
-                    "a step-over of " + text(step) + " with a cutter of diameter " + text(diameter_)
+                    "a step-over of " + text_(step) + " with a cutter of diameter " + text_(diameter_)
                         + " leaves walls between the lines",
                     "choose at most the diameter");
     return step;
 }
 
 Planner::Planner(const RoughSettings& settings, const PlanContext& context, const Progress& progress)
-    : settings_(settings), context_(context), progress_(progress), profile_(context.tool.cutter()),
-      cutter_(profile_),
+    : settings_(settings), context_(context), text_{context.unit}, progress_(progress),
+      profile_(context.tool.cutter()), cutter_(profile_),
       // Of a tapered cutter that at its end: above it is wider, and cuts less deep there.
       diameter_(context.tool.diameter > 0 ? std::min(2 * profile_.max_radius(), context.tool.diameter)
                                           : 2 * profile_.max_radius()),
@@ -137,8 +137,8 @@ void Planner::look_at_stock(const Progress& progress) {
                         "enter a length above 0, or from_tolerance");
         if (depth > context_.tool.flute_length)
             throw Error(ErrorCode::out_of_range, "depth",
-                        "layers of " + text(depth) + " are deeper than the flutes of the tool, "
-                            + text(context_.tool.flute_length),
+                        "layers of " + text_(depth) + " are deeper than the flutes of the tool, "
+                            + text_(context_.tool.flute_length),
                         "choose a smaller depth or a longer tool");
     }
     field_.emplace(stock_before(context_, cell_share * diameter_, progress));
@@ -148,7 +148,7 @@ void Planner::look_at_stock(const Progress& progress) {
         throw Error(ErrorCode::empty_result, settings_.name,
                     top == -infinity
                         ? "there is no stock"
-                        : "the stock ends at z = " + text(top) + ", the part begins at z = " + text(low_),
+                        : "the stock ends at z = " + text_(top) + ", the part begins at z = " + text_(low_),
                     "check the stock's size and place");
 }
 
@@ -215,14 +215,14 @@ StrategyResult Planner::run() {
     result_.cusp_max = (more ? found.height + field_->cell() : expected) + inner;
     if (more)
         result_.warnings.push_back("in places more stays than the layers leave on slopes ("
-                                   + text(expected + inner) + "): up to " + text(found.height + inner)
-                                   + " above the allowance, most at " + text(found.at));
+                                   + text_(expected + inner) + "): up to " + text_(found.height + inner)
+                                   + " above the allowance, most at " + text_(found.at));
     if (found.out_of_reach > 0)
         result_.warnings.push_back(
             "the tool is too large for hollows of the part: over "
             + format_number(std::max(100.0 * double(found.out_of_reach) / double(found.places), 1e-3), 2)
-            + " % of it, seen from above, up to " + text(found.beyond + inner)
-            + " stays above the allowance, most at " + text(found.beyond_at)
+            + " % of it, seen from above, up to " + text_(found.beyond + inner)
+            + " stays above the allowance, most at " + text_(found.beyond_at)
             + ": rough again there with a smaller tool");
     add_warnings();
     return std::move(result_);
@@ -256,7 +256,7 @@ void Planner::choose_heights(const Progress& progress) {
         }
         if (best == infinity)
             throw Error(ErrorCode::out_of_range, "tolerance",
-                        "no lines of this tool leave as little as " + text(settings_.tolerance),
+                        "no lines of this tool leave as little as " + text_(settings_.tolerance),
                         "allow a larger tolerance, set a depth, or take a tool with a flat end");
     }
     input.stepover = step_ / divisions_;
@@ -599,33 +599,27 @@ void Planner::take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down,
     result_.passes.push_back(std::move(pass));
 }
 
-std::string Planner::text(const Vec3& p) const {
-    const auto number = [&](double mm) { return format_number(mm / mm_per(context_.unit), 5); };
-    return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ") "
-           + std::string(unit_name(context_.unit));
-}
-
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
     if (result_.cusp_max > settings_.tolerance * (1 + 1e-9))
-        warnings.push_back("up to " + text(result_.cusp_max) + " stays above the allowance; the tolerance is "
-                           + text(settings_.tolerance)
+        warnings.push_back("up to " + text_(result_.cusp_max)
+                           + " stays above the allowance; the tolerance is " + text_(settings_.tolerance)
                            + (settings_.depth.is_number() ? ": choose a smaller depth or step-over" : ""));
     if (blocked_length_ > 0)
-        warnings.push_back("shank or holder would hit the stock: " + text(blocked_length_)
-                           + " of cuts are left out, the first at " + text(blocked_at_)
+        warnings.push_back("shank or holder would hit the stock: " + text_(blocked_length_)
+                           + " of cuts are left out, the first at " + text_(blocked_at_)
                            + ": use a longer tool");
     if (closed_routes_ > 0)
         warnings.push_back(
             std::to_string(closed_routes_) + (closed_routes_ == 1 ? " place is" : " places are")
-            + " left out that the tool has no room to enter by a ramp or a helix (" + text(closed_length_)
-            + " of cuts), the first at " + text(closed_at_) + ": use a smaller tool, or allow it to plunge");
+            + " left out that the tool has no room to enter by a ramp or a helix (" + text_(closed_length_)
+            + " of cuts), the first at " + text_(closed_at_) + ": use a smaller tool, or allow it to plunge");
     if (settings_.allowance > 0 && context_.part_box.hi.z() + settings_.allowance > field_->box().hi.z())
-        warnings.push_back("the stock ends " + text(field_->box().hi.z() - context_.part_box.hi.z())
-                           + " above the part: the allowance of " + text(settings_.allowance)
+        warnings.push_back("the stock ends " + text_(field_->box().hi.z() - context_.part_box.hi.z())
+                           + " above the part: the allowance of " + text_(settings_.allowance)
                            + " cannot stay everywhere");
     if (context_.part_box.hi.z() > field_->box().hi.z() + tolerance::contact_distance)
-        warnings.push_back("the part reaches " + text(context_.part_box.hi.z() - field_->box().hi.z())
+        warnings.push_back("the part reaches " + text_(context_.part_box.hi.z() - field_->box().hi.z())
                            + " above the stock");
     warn_of_short_tool();
 }
@@ -655,8 +649,8 @@ void Planner::warn_of_short_tool() {
     result_.warnings.push_back(
         "the tool is short: shank or holder would come nearer to the part than the allowance, so over "
         + format_number(std::max(100.0 * double(places) / double(grid_->columns() * grid_->rows()), 1e-3), 2)
-        + " % of the ground the cutter stays above where it could be, by up to " + text(lacks) + ", most at "
-        + text(at) + ": use a longer tool");
+        + " % of the ground the cutter stays above where it could be, by up to " + text_(lacks) + ", most at "
+        + text_(at) + ": use a longer tool");
 }
 
 /// The part with every vertex moved along its normal (Lu 3.4.3).
@@ -705,11 +699,11 @@ void Planner::check_passes(const Progress& progress) {
     if (worst.depth <= tolerance::contact_distance) return;
     if (settings_.offset == RoughSettings::Offset::contact)
         throw Error(ErrorCode::internal, settings_.name,
-                    "a pass goes " + text(worst.depth) + " into the allowance at " + text(worst.at),
+                    "a pass goes " + text_(worst.depth) + " into the allowance at " + text_(worst.at),
                     "report this");
-    result_.warnings.push_back("the surface offset by vertices lets the cutter up to " + text(worst.depth)
-                               + " (upright) into the allowance of " + text(settings_.allowance)
-                               + ", most at " + text(worst.at) + ": use offset contact");
+    result_.warnings.push_back("the surface offset by vertices lets the cutter up to " + text_(worst.depth)
+                               + " (upright) into the allowance of " + text_(settings_.allowance)
+                               + ", most at " + text_(worst.at) + ": use offset contact");
 }
 
 } // namespace

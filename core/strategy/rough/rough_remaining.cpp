@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/plan/budget.h"
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/up_side.h"
 
@@ -45,7 +46,7 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                          CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height)),
                          in.allowance);
     const AxialLift lift(in.contact, *in.profile, in.allowance);
-    const CutterCover cover(*in.profile, 0.125 * in.allowed);
+    const CutterCover cover(*in.profile, cusp_detail(in.allowed));
     const UpSide up(*in.mesh, progress);
     const double cells = double(field.columns()) * double(field.rows());
     const int stride = std::max(1, int(std::ceil(std::sqrt(cells / max_looked_at))));

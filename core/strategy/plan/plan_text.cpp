@@ -1,0 +1,16 @@
+#include "core/strategy/plan/plan_text.h"
+
+namespace facetmill {
+
+std::string PlanText::operator()(double mm) const {
+    return length_text(mm, unit);
+}
+
+std::string PlanText::operator()(const Vec3& p) const {
+    std::string all;
+    for (int k = 0; k < 3; ++k)
+        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(unit), 5);
+    return all + ") " + std::string(unit_name(unit));
+}
+
+} // namespace facetmill

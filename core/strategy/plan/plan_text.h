@@ -1,0 +1,18 @@
+// Lengths and places as the messages of a plan give them: in the unit of the project.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/base/vec.h"
+
+namespace facetmill {
+
+struct PlanText {
+    LengthUnit unit = LengthUnit::mm;
+
+    /// "1.143 mm".
+    std::string operator()(double mm) const;
+    /// "(1, 2.5, -3) mm".
+    std::string operator()(const Vec3& p) const;
+};
+
+} // namespace facetmill
