@@ -2,6 +2,8 @@
 #include "app/cli_commands.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
+#include "core/job/program_files.h"
+#include "core/job/report.h"
 
 namespace facetmill::cli {
 

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "core/base/file.h"
+#include "core/job/program_files.h"
 #include "core/job/setup_sheet.h"
 #include "core/mesh/sample.h"
 #include "ui/export.h"

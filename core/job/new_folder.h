@@ -6,7 +6,8 @@
 
 namespace facetmill {
 
-/// Makes a folder and those above it; on its end removes the ones it made that are empty: the job failed.
+/// Makes a folder and the missing ones above it. The destructor removes those it made that are still empty:
+/// outputs appear on commit (OutputSet), so an empty folder is one of a job that failed.
 class NewFolder {
 public:
     /// Throws Error(unwritable).

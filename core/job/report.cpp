@@ -1,23 +1,13 @@
-// What a plan leaves on disk: APT programs and report.json.
-#include "core/base/file.h"
+#include "core/job/report.h"
+
 #include "core/base/strict_json.h"
-#include "core/job/new_folder.h"
-#include "core/job/planner.h"
-#include "core/output/apt.h"
-#include "core/output/turning_table.h"
 #include "core/strategy/global_local/rework_plan.h"
-#include "core/strategy/lathe/lathe.h"
 
 #include <cmath>
-#include <system_error>
 
 namespace facetmill {
 
-namespace fs = std::filesystem;
-
 namespace {
-
-constexpr std::size_t longest_name = 60;
 
 Json numbers(const Vec3& v, double per) {
     Json list = Json::array();
@@ -28,6 +18,34 @@ Json numbers(const Vec3& v, double per) {
 
 Json box_json(const Box3& box, double per) {
     return Json{{"low", numbers(box.lo, per)}, {"high", numbers(box.hi, per)}};
+}
+
+/// The turning axis, the diameters and what the cutter cannot reach; only programs of a turning part have it.
+void add_turning(Json& entry, const OperationResult& o, double per) {
+    const auto number = [&](double v) {
+        return json_number(v, "report: operation '" + printable(o.name) + "'");
+    };
+    const TurnedPath& t = *o.path.turned;
+    if (!o.path.layers.empty()) entry["layers"] = o.path.layers.size();
+    entry["turning"] = Json{{"axis_point", numbers(t.axis.point, per)},
+                            {"axis_direction", numbers(t.axis.direction, 1)},
+                            {"part_diameter", number(2 * t.part_radius / per)},
+                            {"stock_diameter", number(2 * t.stock_radius / per)},
+                            {"from", number(t.from / per)},
+                            {"to", number(t.to / per)}};
+    if (t.surface_area > 0) {
+        Json regions = Json::array();
+        for (const UnreachedRegion& r : t.unreached)
+            regions.push_back(Json{{"why", unreached_name(r.why)},
+                                   {"area", number(r.area / (per * per))},
+                                   {"angle_from", number(degrees(r.angle_from))},
+                                   {"angle_to", number(degrees(r.angle_to))},
+                                   {"from", number(r.from / per)},
+                                   {"to", number(r.to / per)},
+                                   {"distance", number(r.distance / per)}});
+        entry["turning"]["surface_area"] = number(t.surface_area / (per * per));
+        entry["turning"]["unreached"] = std::move(regions);
+    }
 }
 
 /// What only programs of several axes have.
@@ -53,8 +71,8 @@ void add_machine_run(Json& entry, const OperationResult& o) {
     entry["machine_findings"] = run.findings;
 }
 
-/// Of global-local CM2: its regions, and what each of its two programs takes. The operation's own lengths and
-/// time are those of both.
+/// Regions of global-local CM2, and what each of its two programs takes. The operation's own lengths and time
+/// are those of both.
 void add_rework(Json& entry, const OperationResult& o, double per) {
     const auto number = [&](double v) {
         return json_number(v, "report: operation '" + printable(o.name) + "'");
@@ -100,28 +118,6 @@ void add_rework(Json& entry, const OperationResult& o, double per) {
 
 } // namespace
 
-NewFolder::NewFolder(const fs::path& path) {
-    std::error_code ec;
-    fs::path top = path;
-    while (!top.empty() && !fs::exists(top, ec)) {
-        made_.push_back(top);
-        top = top.has_relative_path() ? top.parent_path() : fs::path();
-    }
-    fs::create_directories(path, ec);
-    if (std::error_code none; !fs::is_directory(path, none)) {
-        remove();
-        throw Error(ErrorCode::unwritable, printable(path.string(), 400),
-                    "cannot make the folder" + (ec ? ": " + ec.message() : std::string()),
-                    "name a folder that exists or can be made");
-    }
-}
-
-void NewFolder::remove() {
-    std::error_code ec;
-    for (const fs::path& p : made_)
-        fs::remove(p, ec); // only when empty
-}
-
 std::string report_json(const Project& project, const PlanResult& result) {
     const double per = mm_per(project.unit);
     Json operations = Json::array();
@@ -156,29 +152,7 @@ std::string report_json(const Project& project, const PlanResult& result) {
             entry["remaining_height"] = number(o->path.cusp_max / per);
             entry["air_length"] = number(o->program.motions.air_length / per);
         }
-        if (o->path.turned) {
-            const TurnedPath& t = *o->path.turned;
-            if (!o->path.layers.empty()) entry["layers"] = o->path.layers.size();
-            entry["turning"] = Json{{"axis_point", numbers(t.axis.point, per)},
-                                    {"axis_direction", numbers(t.axis.direction, 1)},
-                                    {"part_diameter", number(2 * t.part_radius / per)},
-                                    {"stock_diameter", number(2 * t.stock_radius / per)},
-                                    {"from", number(t.from / per)},
-                                    {"to", number(t.to / per)}};
-            if (t.surface_area > 0) {
-                Json regions = Json::array();
-                for (const UnreachedRegion& r : t.unreached)
-                    regions.push_back(Json{{"why", unreached_name(r.why)},
-                                           {"area", number(r.area / (per * per))},
-                                           {"angle_from", number(degrees(r.angle_from))},
-                                           {"angle_to", number(degrees(r.angle_to))},
-                                           {"from", number(r.from / per)},
-                                           {"to", number(r.to / per)},
-                                           {"distance", number(r.distance / per)}});
-                entry["turning"]["surface_area"] = number(t.surface_area / (per * per));
-                entry["turning"]["unreached"] = std::move(regions);
-            }
-        }
+        if (o->path.turned) add_turning(entry, *o, per);
         if (o->machine_run) add_machine_run(entry, *o);
         if (o->path.rework) add_rework(entry, *o, per);
         operations.push_back(std::move(entry));
@@ -197,84 +171,6 @@ std::string report_json(const Project& project, const PlanResult& result) {
     report["machine"] = project.machine;
     report["operations"] = std::move(operations);
     return pretty_json(report);
-}
-
-std::string program_file_name(std::size_t place, const std::string& operation_name) {
-    std::string name;
-    for (char ch : operation_name) {
-        const auto c = static_cast<unsigned char>(ch);
-        if ((c & 0xC0) == 0x80) continue; // one '-' per UTF-8 character
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')
-                           || c == '_' || c == '.';
-        if (plain)
-            name += ch;
-        else if (!name.empty() && name.back() != '-')
-            name += '-';
-        if (name.size() == longest_name) break;
-    }
-    while (!name.empty() && (name.back() == '-' || name.back() == '.'))
-        name.pop_back();
-    if (name.empty()) name = "operation";
-    const std::string number = std::to_string(place);
-    return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
-}
-
-static std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
-    const std::string& owner = result.operations[result.owner(program)]->name;
-    std::size_t place = 0;
-    while (place < project.operations.size() && project.operations[place]->common().name != owner)
-        ++place;
-    return place;
-}
-
-const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program) {
-    return *project.operations.at(place_in_project(project, result, program));
-}
-
-std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program) {
-    return program_file_name(place_in_project(project, result, program) + 1,
-                             result.operations[program]->name);
-}
-
-std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass) {
-    std::string name = program_file_name(place, operation_name);
-    name.resize(name.size() - 4);
-    if (pass >= 0) name += (pass < 9 ? "-pass-0" : "-pass-") + std::to_string(pass + 1);
-    return name + ".txt";
-}
-
-std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
-                                 const Progress& progress) {
-    if (result.operations.empty())
-        throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
-    const NewFolder made(folder);
-    OutputSet files;
-    std::vector<fs::path> paths;
-    const double n = double(result.operations.size());
-    for (std::size_t i = 0; i < result.operations.size(); ++i) {
-        const OperationResult& o = *result.operations[i];
-        const std::size_t place = place_in_project(project, result, i);
-        paths.push_back(folder / program_file_name(project, result, i));
-        const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
-        write_apt(o.program, files.add(paths.back()), part);
-        if (o.path.turned) {
-            const auto* turns = place < project.operations.size()
-                                    ? dynamic_cast<const TurnsPart*>(project.operations[place].get())
-                                    : nullptr;
-            const bool modulo = turns && turns->lathe().winding == LatheCommon::Winding::modulo;
-            for (const TurningTableRange& range : turning_table_ranges(o.program, o.path)) {
-                paths.push_back(folder / turning_table_name(place + 1, o.name, range.pass));
-                write_turning_table(o.program, *o.path.turned, range,
-                                    modulo ? AngleWinding::modulo : AngleWinding::unwound,
-                                    files.add(paths.back()), part);
-            }
-        }
-    }
-    paths.push_back(folder / "report.json");
-    files.add(paths.back()).write(report_json(project, result));
-    progress.check();
-    files.commit();
-    return paths;
 }
 
 } // namespace facetmill

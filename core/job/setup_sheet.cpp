@@ -1,6 +1,7 @@
 #include "core/job/setup_sheet.h"
 
 #include "core/base/error.h"
+#include "core/job/program_files.h"
 #include "core/mesh/mesh_report.h"
 
 #include <algorithm>

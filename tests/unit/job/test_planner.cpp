@@ -3,6 +3,8 @@
 #include "core/base/file.h"
 #include "core/base/strict_json.h"
 #include "core/job/planner.h"
+#include "core/job/program_files.h"
+#include "core/job/report.h"
 #include "core/job/stock_solid.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
