@@ -1,5 +1,6 @@
 // The workbench: `facetmill [FILE]`.
 #include "core/base/error.h"
+#include "core/mesh/mesh_format.h"
 #include "facetmill_version.h"
 #include "ui/main_window.h"
 #include "ui/settings.h"
@@ -58,7 +59,8 @@ Options read_options(int argc, char** argv) {
         arguments << QString::fromLocal8Bit(argv[i]);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Facetmill plans tool paths on triangle meshes. FILE is "
-                                                    "a project (.facetmill) or a mesh (STL, OBJ, PLY)."));
+                                                    "a project (.facetmill) or a mesh (%1).")
+                                         .arg(QString::fromStdString(mesh_format_names())));
     const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
                                   QStringLiteral("Show this and exit."));
     const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},

@@ -82,14 +82,13 @@ void MainWindow::close_project() {
 void MainWindow::open_with_dialog() {
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Open"), settings::last_folder(),
-        tr("Meshes and projects (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.facetmill);;All files (*)"));
+        tr("Meshes and projects (%1 *.facetmill);;All files (*)").arg(mesh_patterns()));
     if (!path.isEmpty()) open_file(path);
 }
 
 void MainWindow::choose_stock() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Stock mesh"), settings::last_folder(),
-                                     tr("Meshes (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Stock mesh"), settings::last_folder(),
+                                                      tr("Meshes (%1);;All files (*)").arg(mesh_patterns()));
     if (path.isEmpty())
         properties_->reset(); // the kind is what it was
     else

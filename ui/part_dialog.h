@@ -1,5 +1,4 @@
-// STL, OBJ and PLY files carry no unit: shows how large the part would be in millimetres and in inches, and
-// asks.
+// Mesh files carry no unit: shows how large the part would be in millimetres and in inches, and asks.
 #pragma once
 
 #include "core/mesh/mesh_report.h"

@@ -1,6 +1,8 @@
 #include "ui/start_hint.h"
 
+#include "core/mesh/mesh_format.h"
 #include "ui/icons.h"
+#include "ui/text.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -21,7 +23,7 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     large.setBold(true);
     title_->setFont(large);
     title_->setAlignment(Qt::AlignCenter);
-    text_ = new QLabel(tr("STL, OBJ, PLY, or a Facetmill project"), this);
+    text_ = new QLabel(tr("%1, or a Facetmill project").arg(text(mesh_format_names())), this);
     text_->setAlignment(Qt::AlignCenter);
     text_->setForegroundRole(QPalette::PlaceholderText);
     auto* open = new QPushButton(icon(Icon::open), tr("Open…"), this);

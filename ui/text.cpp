@@ -1,5 +1,7 @@
 #include "ui/text.h"
 
+#include "core/mesh/mesh_format.h"
+
 #include <QRegularExpression>
 
 #include <cmath>
@@ -12,6 +14,14 @@ QString path_text(const std::filesystem::path& path) {
 
 std::filesystem::path path_of(const QString& text) {
     return std::filesystem::path(text.toStdString());
+}
+
+QString mesh_patterns() {
+    QStringList patterns;
+    for (const MeshFormat& format : mesh_formats())
+        for (const std::string_view extension : format.extensions)
+            patterns << QLatin1Char('*') + text(extension) << QLatin1Char('*') + text(extension).toUpper();
+    return patterns.join(QLatin1Char(' '));
 }
 
 QString shown_length(double mm, LengthUnit unit, int digits) {

@@ -21,6 +21,9 @@ inline std::string utf8(const QString& s) {
 QString path_text(const std::filesystem::path& path);
 std::filesystem::path path_of(const QString& text);
 
+/// "*.stl *.STL *.obj *.OBJ": the names of mesh files, for a file dialog.
+QString mesh_patterns();
+
 /// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
 QString shown_length(double mm, LengthUnit unit, int digits = 5);
 /// "10 × 8 × 2 in".

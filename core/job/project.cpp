@@ -1,5 +1,6 @@
 #include "core/job/project.h"
 
+#include "core/mesh/mesh_format.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/surface/region_edit.h"
 
@@ -14,12 +15,12 @@ const ParameterTable<PartSpec>& part_parameters() {
     static const auto table = [] {
         using K = ParameterKind;
         ParameterTable<PartSpec> t;
-        t.add(&PartSpec::file,
-              {.key = "file",
-               .label = "File",
-               .help = "The part's mesh (STL, OBJ, PLY); a relative path starts at the project file.",
-               .kind = K::text,
-               .stage = Stage::mesh});
+        t.add(&PartSpec::file, {.key = "file",
+                                .label = "File",
+                                .help = "The part's mesh (" + mesh_format_names()
+                                        + "); a relative path starts at the project file.",
+                                .kind = K::text,
+                                .stage = Stage::mesh});
         t.add_choice(&PartSpec::unit,
                      {.key = "units",
                       .label = "Units",
@@ -198,13 +199,14 @@ std::string at(const char* list, std::size_t i) {
 void check_mesh_file(const std::string& file, const std::string& what) {
     if (file.empty())
         throw Error(ErrorCode::missing_key, what + ".file", "the " + what + " has no file",
-                    "name an STL, OBJ or PLY file");
+                    "name an " + mesh_format_names(" or ") + " file");
     std::string extension = fs::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".facetmill")
         throw Error(ErrorCode::unsupported_format, what + ".file",
-                    "a project cannot be the " + what + " of a project", "name an STL, OBJ or PLY file");
+                    "a project cannot be the " + what + " of a project",
+                    "name an " + mesh_format_names(" or ") + " file");
 }
 
 void check_part(const Project& p) {

@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/exact_area.h"
+#include "core/mesh/mesh_format.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/stl_records.h"
 #include "core/mesh/weld.h"
@@ -29,7 +30,9 @@ constexpr std::string_view foreign_extensions[] = {
     ".vtk", ".vtp",    ".zip",  ".gz",   ".nas", ".vda", ".catpart",
 };
 
-constexpr const char* unsupported_remedy = "export the part as STL, OBJ or PLY";
+std::string unsupported_remedy() {
+    return "export the part as " + mesh_format_names(" or ");
+}
 
 std::string lower_extension(const std::string& name) {
     const std::size_t slash = name.find_last_of('/'), dot = name.find_last_of('.');
@@ -40,78 +43,57 @@ std::string lower_extension(const std::string& name) {
     return extension;
 }
 
-bool looks_like_binary_stl(std::string_view bytes) {
-    if (bytes.size() < 134) return false;
-    const auto byte = [&](std::size_t i) { return std::uint64_t(static_cast<unsigned char>(bytes[80 + i])); };
-    const std::uint64_t count = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
-    return 84 + 50 * count == bytes.size();
-}
-
 TriangleSoup read_soup(const MeshSource& source, const std::string& extension, const Progress& progress) {
-    if (extension == ".stl" || extension == ".stla" || extension == ".stlb")
-        return read_stl(source, progress);
-    if (extension == ".obj") return read_obj(source, progress);
-    if (extension == ".ply") return read_ply(source, progress);
+    if (const MeshFormat* format = mesh_format_of(extension)) return format->read(source, progress);
     for (const std::string_view foreign : foreign_extensions)
         if (extension == foreign)
             throw Error(ErrorCode::unsupported_format, source.name,
-                        extension.substr(1) + " files cannot be read", unsupported_remedy);
-    const std::string_view what = detail::familiar_content(source.bytes);
-    if (looks_like_binary_stl(source.bytes) || detail::starts_with_solid(source.bytes))
-        return read_stl(source, progress);
-    if (what == "a PLY file") return read_ply(source, progress);
-    if (what == "an OBJ file") return read_obj(source, progress);
+                        extension.substr(1) + " files cannot be read", unsupported_remedy());
+    for (const MeshFormat& format : mesh_formats())
+        if (format.sniff(source.bytes)) return format.read(source, progress);
+    const std::string_view what = detail::foreign_content(source.bytes);
     throw Error(ErrorCode::unsupported_format, source.name,
-                what.empty() ? "the format is not known" : "is " + std::string(what), unsupported_remedy);
+                what.empty() ? "the format is not known" : "is " + std::string(what), unsupported_remedy());
 }
 
-/// Welds, leaves the degenerate facets out and fills the report.
-LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, const Progress& progress) {
-    const double mm = mm_per(unit);
-    const std::size_t facet_count = soup.facet_count();
-    if (facet_count >= no_index / 3)
-        throw Error(ErrorCode::too_large, name, "the mesh has " + std::to_string(facet_count) + " facets",
-                    "at most 1.4 thousand million are possible");
+/// Joins equal corners and lets the soup's own points go.
+detail::WeldedCorners weld(TriangleSoup& soup, std::size_t facet_count, const Progress& progress) {
     detail::WeldedCorners welded;
-    const Progress weld_progress = progress.part(0.0, 0.55);
     if (soup.records)
         welded = detail::weld_corners(
             3 * facet_count, [&](std::size_t c) { return detail::StlRecord(soup, c / 3).corner(c % 3); },
-            weld_progress);
+            progress);
     else if (soup.indexed)
         welded = detail::weld_corners(
             3 * facet_count,
-            [&](std::size_t c) -> const Vec3& { return soup.points[soup.facets[c / 3][c % 3]]; },
-            weld_progress);
+            [&](std::size_t c) -> const Vec3& { return soup.points[soup.facets[c / 3][c % 3]]; }, progress);
     else
-        welded = detail::weld_corners(3 * facet_count, detail::PieceCorners(soup.pieces), weld_progress);
+        welded = detail::weld_corners(3 * facet_count, detail::PieceCorners(soup.pieces), progress);
     soup.pieces = {};
     soup.points = {};
     soup.facets = {};
+    return welded;
+}
 
-    LoadedMesh loaded;
-    MeshReport& report = loaded.report;
-    report.format = soup.format;
-    report.name = soup.name;
-    report.assumed_unit = unit;
-    report.facets = facet_count;
-    report.welded_vertices = welded.points.size();
-    report.file_box = parallel_reduce(
-        welded.points.size(), 65536, Box3{}, progress.part(0.55, 0.57),
+Box3 box_of(const std::vector<Vec3>& points, const Progress& progress) {
+    return parallel_reduce(
+        points.size(), 65536, Box3{}, progress,
         [&](std::size_t begin, std::size_t end) {
             Box3 box;
             for (std::size_t v = begin; v < end; ++v)
-                box.add(welded.points[v]);
+                box.add(points[v]);
             return box;
         },
         [](Box3 total, const Box3& part) {
             total.add(part);
             return total;
         });
+}
 
-    auto mesh = std::make_shared<Mesh>();
-    report.degenerate = parallel_reduce(
-        facet_count, 32768, std::size_t(0), progress.part(0.57, 0.62),
+/// Gives degenerate facets the first vertex no_index and counts them.
+std::size_t mark_degenerate(detail::WeldedCorners& welded, const Progress& progress) {
+    return parallel_reduce(
+        welded.facets.size(), 32768, std::size_t(0), progress,
         [&](std::size_t begin, std::size_t end) {
             std::size_t degenerate = 0;
             for (std::size_t f = begin; f < end; ++f) {
@@ -126,33 +108,64 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
             return degenerate;
         },
         [](std::size_t a, std::size_t b) { return a + b; });
+}
+
+/// Removes the marked facets and the vertices that no other facet has; the order of the rest stays.
+void remove_marked(Mesh& mesh, const Progress& progress) {
+    progress.check();
+    std::erase_if(mesh.facets, [](const Facet& f) { return f[0] == no_index; });
+    std::vector<Index> number(mesh.vertices.size(), no_index);
+    for (const Facet& f : mesh.facets)
+        for (const Index v : f)
+            number[v] = 0;
+    progress.check();
+    Index next = 0;
+    for (std::size_t v = 0; v < number.size(); ++v)
+        if (number[v] == 0) {
+            mesh.vertices[next] = mesh.vertices[v];
+            number[v] = next++;
+        }
+    mesh.vertices.resize(next);
+    progress.check();
+    for (Facet& f : mesh.facets)
+        for (Index& v : f)
+            v = number[v];
+}
+
+/// True where 32-bit floats at the far end of the part are too far apart, mm.
+bool floats_are_coarse(const Box3& box, double mm) {
+    const double reach = std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()) / mm;
+    const double step =
+        double(std::nextafter(float(reach), std::numeric_limits<float>::infinity()) - float(reach)) * mm;
+    return step > tolerance::coarse_float_step;
+}
+
+/// Welds, leaves the degenerate facets out and fills the report.
+LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, const Progress& progress) {
+    const double mm = mm_per(unit);
+    const std::size_t facet_count = soup.facet_count();
+    if (facet_count >= no_index / 3)
+        throw Error(ErrorCode::too_large, name, "the mesh has " + std::to_string(facet_count) + " facets",
+                    "at most 1.4 thousand million are possible");
+    detail::WeldedCorners welded = weld(soup, facet_count, progress.part(0.0, 0.55));
+
+    LoadedMesh loaded;
+    MeshReport& report = loaded.report;
+    report.format = soup.format;
+    report.name = soup.name;
+    report.assumed_unit = unit;
+    report.facets = facet_count;
+    report.welded_vertices = welded.points.size();
+    report.file_box = box_of(welded.points, progress.part(0.55, 0.57));
+    report.degenerate = mark_degenerate(welded, progress.part(0.57, 0.62));
     if (report.degenerate == facet_count)
         throw Error(ErrorCode::no_facets, name,
                     "none of the " + std::to_string(facet_count) + " facets has an area",
                     "export the part again");
+    auto mesh = std::make_shared<Mesh>();
     mesh->facets = std::move(welded.facets);
     mesh->vertices = std::move(welded.points);
-    if (report.degenerate > 0) {
-        // Vertices of degenerate facets alone go; the order of the others stays.
-        progress.check();
-        std::erase_if(mesh->facets, [](const Facet& f) { return f[0] == no_index; });
-        std::vector<Index> number(mesh->vertices.size(), no_index);
-        for (const Facet& f : mesh->facets)
-            for (const Index v : f)
-                number[v] = 0;
-        progress.check();
-        Index next = 0;
-        for (std::size_t v = 0; v < number.size(); ++v)
-            if (number[v] == 0) {
-                mesh->vertices[next] = mesh->vertices[v];
-                number[v] = next++;
-            }
-        mesh->vertices.resize(next);
-        progress.check();
-        for (Facet& f : mesh->facets)
-            for (Index& v : f)
-                v = number[v];
-    }
+    if (report.degenerate > 0) remove_marked(*mesh, progress);
     const Box3 box = report.box_mm();
     if (box.size().maxCoeff() < tolerance::smallest_extent)
         throw Error(ErrorCode::coordinate_range, name,
@@ -169,11 +182,7 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
                     "the word endsolid is missing and the mesh has " + std::to_string(report.open_edges)
                         + " open edges",
                     "the file was cut: copy or export it again");
-    const double reach = std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()) / mm;
-    const double step =
-        double(std::nextafter(float(reach), std::numeric_limits<float>::infinity()) - float(reach)) * mm;
-    if (soup.single_precision && step > tolerance::coarse_float_step)
-        soup.warnings.insert("coarse_resolution");
+    if (soup.single_precision && floats_are_coarse(box, mm)) soup.warnings.insert("coarse_resolution");
     report.warnings.insert(report.warnings.end(), soup.warnings.begin(), soup.warnings.end());
     std::sort(report.warnings.begin(), report.warnings.end());
     loaded.mesh = std::move(mesh);

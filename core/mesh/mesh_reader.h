@@ -80,12 +80,8 @@ struct MeshSource {
     double coordinate_limit;
 };
 
-/// Throw Error as load_mesh says. Cancellation within 20 ms.
-TriangleSoup read_stl(const MeshSource& source, const Progress& progress);
-TriangleSoup read_ascii_stl(const MeshSource& source,
-                            const Progress& progress); ///< the text starts with "solid"
-TriangleSoup read_obj(const MeshSource& source, const Progress& progress);
-TriangleSoup read_ply(const MeshSource& source, const Progress& progress);
+/// Reads an STL text: it starts with "solid". Throws Error as load_mesh says.
+TriangleSoup read_ascii_stl(const MeshSource& source, const Progress& progress);
 
 /// The text, after a byte order mark and white space, starts with the word "solid" (any case).
 bool starts_with_solid(std::string_view bytes);
@@ -93,8 +89,11 @@ bool starts_with_solid(std::string_view bytes);
 bool is_wide_text(std::string_view bytes);
 /// Few control characters: a text in any 8-bit encoding.
 bool is_text(std::string_view bytes);
-/// "a PNG picture", "a ZIP archive", ... for well-known first bytes, else empty: for messages.
-std::string_view familiar_content(std::string_view bytes);
+/// "a PNG picture", "a ZIP archive", ... for the well-known first bytes of what is no mesh that can be read,
+/// else empty: for messages.
+std::string_view foreign_content(std::string_view bytes);
+/// The same, or "an OBJ file" and the like for the content of a mesh format other than the one named `but`.
+std::string_view content_of(std::string_view bytes, std::string_view but);
 
 /// How a stored facet normal relates to the winding of its facet.
 enum class NormalState { agrees, opposes, zero, unusable, oblique };
@@ -149,7 +148,11 @@ protected:
                            const std::string& remedy = "the file is damaged: export it again") const {
         throw Error(code, at_line(source_, offset), what, remedy);
     }
-    /// Of a token that lies in the source.
+    [[noreturn]] void fail_truncated(const std::string& where, const std::string& what) const {
+        throw Error(ErrorCode::truncated, source_.name + ", " + where, what,
+                    "the file was cut: copy or export it again");
+    }
+    /// Offset of a token that lies in the source.
     std::size_t start_of(std::string_view token) const {
         return std::size_t(token.data() - source_.bytes.data());
     }

@@ -65,7 +65,7 @@ bool is_text(std::string_view bytes) {
     return !sample.empty() && odd * 50 < sample.size();
 }
 
-std::string_view familiar_content(std::string_view bytes) {
+std::string_view foreign_content(std::string_view bytes) {
     struct Familiar {
         std::string_view start, what;
     };
@@ -98,19 +98,10 @@ std::string_view familiar_content(std::string_view bytes) {
         {"<!DOCTYPE", "a web page"},
         {"<html", "a web page"},
         {"<HTML", "a web page"},
-        {"ply\n", "a PLY file"},
-        {"ply\r", "a PLY file"},
     };
     const std::string_view text = bytes.substr(std::min(byte_order_mark(bytes), bytes.size()));
     for (const Familiar& f : familiar)
         if (text.starts_with(f.start)) return f.what;
-    TextCursor cursor{text};
-    if (!is_text(text)) return {};
-    for (int line = 0; line < 20 && !cursor.at_end(); ++line) {
-        const std::string_view word = cursor.token();
-        if (word == "v" || word == "mtllib" || word == "vn") return "an OBJ file";
-        cursor.to_line_end();
-    }
     return {};
 }
 

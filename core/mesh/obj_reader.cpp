@@ -1,4 +1,5 @@
 // Wavefront OBJ: v and f in all index forms; everything else that the format knows is passed over.
+#include "core/mesh/mesh_format.h"
 #include "core/mesh/mesh_reader.h"
 
 #include "core/base/error.h"
@@ -228,23 +229,39 @@ private:
     LatestReference latest_;
 };
 
-} // namespace
-
 TriangleSoup read_obj(const MeshSource& source, const Progress& progress) {
     if (is_wide_text(source.bytes))
         throw Error(ErrorCode::encoding, source.name, "the text is UTF-16 or UTF-32",
                     "save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)");
-    const auto what = familiar_content(source.bytes);
-    if (!what.empty() && what != "an OBJ file" && what != "an OFF file" && what != "a BMP picture")
-        throw Error(ErrorCode::syntax, source.name, "is not an OBJ file but " + std::string(what),
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ErrorCode::syntax, source.name, "is not an OBJ file" + why,
                     "open the mesh itself, under a name that ends as its format does");
-    if (starts_with_solid(source.bytes))
-        throw Error(ErrorCode::syntax, source.name, "is not an OBJ file but looks like STL",
-                    "give it a name that ends with .stl");
-    if (!is_text(source.bytes))
-        throw Error(ErrorCode::syntax, source.name, "is not an OBJ file: it is no text",
-                    "open the mesh itself, under a name that ends as its format does");
+    };
+    const auto what = content_of(source.bytes, "OBJ");
+    // These two are short enough for a text to begin so by chance.
+    if (!what.empty() && what != "an OFF file" && what != "a BMP picture")
+        refuse(" but " + std::string(what));
+    if (!is_text(source.bytes)) refuse(": it is no text");
     return ObjParser(source).run(progress);
+}
+
+/// A text that names vertices in its first lines.
+bool sniff_obj(std::string_view bytes) {
+    const std::string_view text = bytes.substr(std::min(byte_order_mark(bytes), bytes.size()));
+    if (!foreign_content(bytes).empty() || !is_text(text)) return false;
+    TextCursor cursor{text};
+    for (int line = 0; line < 20 && !cursor.at_end(); ++line) {
+        const std::string_view word = cursor.token();
+        if (word == "v" || word == "mtllib" || word == "vn") return true;
+        cursor.to_line_end();
+    }
+    return false;
+}
+
+} // namespace
+
+MeshFormat obj_format() {
+    return {"OBJ", "an OBJ file", {".obj"}, sniff_obj, read_obj};
 }
 
 } // namespace facetmill::detail

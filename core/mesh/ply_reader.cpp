@@ -1,13 +1,13 @@
 // PLY, ASCII and binary of both byte orders: any elements, properties and number types in any order. The
 // element `vertex` must have x, y, z; the element `face` a list `vertex_indices` or `vertex_index`.
 // Everything else is passed over.
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/mesh_format.h"
+#include "core/mesh/ply_header.h"
 
 #include "core/base/error.h"
 #include "core/base/units.h"
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -15,57 +15,6 @@
 namespace facetmill::detail {
 
 namespace {
-
-enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
-
-std::size_t type_size(PlyType type) {
-    switch (type) {
-    case PlyType::i8:
-    case PlyType::u8:
-        return 1;
-    case PlyType::i16:
-    case PlyType::u16:
-        return 2;
-    case PlyType::i32:
-    case PlyType::u32:
-    case PlyType::f32:
-        return 4;
-    case PlyType::f64:
-        return 8;
-    }
-    return 8;
-}
-
-bool is_integer(PlyType type) {
-    return type != PlyType::f32 && type != PlyType::f64;
-}
-
-struct PlyProperty {
-    std::string_view name;
-    PlyType type = PlyType::f32; ///< of a list: of its members
-    bool list = false;
-    PlyType count_type = PlyType::u8;
-};
-
-struct PlyElement {
-    std::string_view name;
-    std::uint64_t count = 0;
-    std::size_t offset = 0; ///< of its line, for messages
-    std::vector<PlyProperty> properties;
-
-    bool has_list() const {
-        return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list; });
-    }
-    /// Bytes of one in a binary file, with empty lists; at least, in a text.
-    std::size_t min_size(bool ascii) const {
-        std::size_t size = 0;
-        for (const PlyProperty& p : properties)
-            size += ascii ? 2 : type_size(p.list ? p.count_type : p.type);
-        return size;
-    }
-};
-
-enum class PlyEncoding { ascii, little_endian, big_endian };
 
 /// What the vertices and faces go into while the data is read; the same for both encodings.
 struct PlyMesh {
@@ -76,39 +25,32 @@ struct PlyMesh {
 
 class PlyReader : TextReader {
 public:
-    explicit PlyReader(const MeshSource& source) : TextReader(source), cursor_{source.bytes} {}
+    explicit PlyReader(const MeshSource& source)
+        : TextReader(source), header_(read_ply_header(source)),
+          encoding_(header_.encoding), cursor_{source.bytes, header_.end} {
+        soup_.format = encoding_ == PlyEncoding::ascii ? "PLY ASCII" : "PLY binary";
+        soup_.indexed = true;
+    }
 
     TriangleSoup run(const Progress& progress) {
-        cursor_.position = byte_order_mark(source_.bytes);
-        if (cursor_.token_in_line() != "ply")
-            throw Error(ErrorCode::syntax, source_.name, "is not a PLY file: it does not start with 'ply'",
-                        "open the mesh itself, under a name that ends as its format does");
-        try {
-            header();
-        } catch (const Error& e) {
-            // Half a word at the end of the file is no mistake of the writer.
-            if (e.code() == ErrorCode::syntax && cursor_.at_end())
-                fail_truncated("the header", "the file ends inside the header");
-            throw;
-        }
-        const PlyElement* vertex = find("vertex");
-        const PlyElement* face = find("face");
+        const PlyElement* vertex = header_.find("vertex");
+        const PlyElement* face = header_.find("face");
         if (!vertex || !face) {
-            if (find("tristrips"))
+            if (header_.find("tristrips"))
                 throw Error(ErrorCode::not_triangles, source_.name, "the facets are stored as strips",
                             "export the part with faces");
             throw Error(ErrorCode::no_facets, source_.name,
                         vertex ? "the file holds points but no face" : "the file holds no vertices",
                         "export the part as triangles");
         }
-        for (const PlyElement& element : elements_)
+        for (const PlyElement& element : header_.elements)
             check_count(element);
         if (face->count == 0)
             throw Error(ErrorCode::no_facets, source_.name, "the file holds no face",
                         "export the part as triangles");
-        for (std::size_t i = 0; i < elements_.size(); ++i) {
-            const double n = double(elements_.size());
-            read_element(elements_[i], progress.part(0.9 * double(i) / n, 0.9 * double(i + 1) / n));
+        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+            const double n = double(header_.elements.size());
+            read_element(header_.elements[i], progress.part(0.9 * double(i) / n, 0.9 * double(i + 1) / n));
         }
         if (encoding_ == PlyEncoding::ascii) {
             if (!is_line_end(source_.bytes.back())) soup_.warnings.insert("unterminated_line");
@@ -124,118 +66,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail_truncated(const std::string& where, const std::string& what) const {
-        throw Error(ErrorCode::truncated, source_.name + ", " + where, what,
-                    "the file was cut: copy or export it again");
-    }
-    const PlyElement* find(std::string_view name) const {
-        for (const PlyElement& e : elements_)
-            if (e.name == name) return &e;
-        return nullptr;
-    }
-
-    // Header
-    // --------------------------------------------------------------------------------------------------------
-
-    std::string_view header_token(const char* what) {
-        const std::string_view token = cursor_.token_in_line();
-        if (token.empty()) {
-            if (cursor_.at_end()) fail_truncated("the header", "the file ends inside the header");
-            fail(ErrorCode::syntax, cursor_.position, std::string(what) + " expected");
-        }
-        return token;
-    }
-
-    PlyType type(std::string_view token) const {
-        static constexpr std::pair<std::string_view, PlyType> names[] = {
-            {"char", PlyType::i8},     {"int8", PlyType::i8},     {"uchar", PlyType::u8},
-            {"uint8", PlyType::u8},    {"short", PlyType::i16},   {"int16", PlyType::i16},
-            {"ushort", PlyType::u16},  {"uint16", PlyType::u16},  {"int", PlyType::i32},
-            {"int32", PlyType::i32},   {"uint", PlyType::u32},    {"uint32", PlyType::u32},
-            {"float", PlyType::f32},   {"float32", PlyType::f32}, {"double", PlyType::f64},
-            {"float64", PlyType::f64},
-        };
-        for (const auto& [name, t] : names)
-            if (token == name) return t;
-        fail(ErrorCode::syntax, start_of(token), "unknown number type '" + printable(token, 40) + "'");
-    }
-
-    void header() {
-        bool has_format = false;
-        for (;;) {
-            const std::size_t line_end = cursor_.position;
-            cursor_.to_line_end();
-            if (cursor_.position != line_end && !only_blank(line_end, cursor_.position))
-                fail(ErrorCode::syntax, line_end, "too many words in the header line");
-            if (cursor_.at_end()) fail_truncated("the header", "the file ends inside the header");
-            cursor_.skip_line_end();
-            const std::string_view word = cursor_.token_in_line();
-            if (word == "comment" || word == "obj_info") {
-                cursor_.to_line_end();
-            } else if (word == "format") {
-                const std::string_view name = header_token("a format");
-                has_format = true;
-                if (name == "ascii")
-                    encoding_ = PlyEncoding::ascii;
-                else if (name == "binary_little_endian")
-                    encoding_ = PlyEncoding::little_endian;
-                else if (name == "binary_big_endian")
-                    encoding_ = PlyEncoding::big_endian;
-                else
-                    fail(ErrorCode::syntax, start_of(name), "unknown format '" + printable(name, 40) + "'");
-                if (const auto version = header_token("a version"); version != "1.0" && version != "1")
-                    fail(ErrorCode::syntax, start_of(version),
-                         "unknown version '" + printable(version, 40) + "'");
-            } else if (word == "element") {
-                PlyElement element;
-                element.offset = start_of(word);
-                element.name = header_token("a name");
-                if (find(element.name))
-                    fail(ErrorCode::syntax, element.offset,
-                         "the element '" + printable(element.name, 40) + "' occurs twice");
-                const std::string_view count = header_token("a count");
-                const auto r = std::from_chars(count.data(), count.data() + count.size(), element.count);
-                if (r.ec != std::errc() || r.ptr != count.data() + count.size())
-                    fail(ErrorCode::syntax, start_of(count),
-                         "a count expected, found '" + printable(count, 40) + "'");
-                elements_.push_back(element);
-            } else if (word == "property") {
-                if (elements_.empty())
-                    fail(ErrorCode::syntax, start_of(word), "a property before any element");
-                PlyProperty property;
-                std::string_view t = header_token("a type");
-                if (t == "list") {
-                    property.list = true;
-                    t = header_token("a type");
-                    property.count_type = type(t);
-                    if (!is_integer(property.count_type))
-                        fail(ErrorCode::syntax, start_of(t), "the count of a list must be an integer");
-                    t = header_token("a type");
-                }
-                property.type = type(t);
-                property.name = header_token("a name");
-                elements_.back().properties.push_back(property);
-            } else if (word == "end_header") {
-                break;
-            } else if (!word.empty()) {
-                fail(ErrorCode::syntax, start_of(word), "unknown header word '" + printable(word, 40) + "'");
-            }
-        }
-        while (!cursor_.at_end() && is_blank(source_.bytes[cursor_.position]))
-            ++cursor_.position;
-        if (cursor_.at_end()) fail_truncated("the header", "nothing follows the header");
-        // In a binary file a CR LF may also be a CR and a first data byte of 10; writers of CR alone are
-        // extinct.
-        cursor_.skip_line_end();
-        if (!has_format) fail(ErrorCode::syntax, cursor_.position - 1, "the header names no format");
-        soup_.format = encoding_ == PlyEncoding::ascii ? "PLY ASCII" : "PLY binary";
-        soup_.indexed = true;
-    }
-
-    bool only_blank(std::size_t begin, std::size_t end) const {
-        return std::all_of(&source_.bytes[begin], &source_.bytes[begin] + (end - begin), is_blank);
-    }
-
     /// A count that the file cannot hold is refused before anything is allocated for it.
     void check_count(const PlyElement& element) const {
         const std::uint64_t left =
@@ -251,9 +81,6 @@ private:
                         "the file has more than 4 thousand million elements",
                         "export the part with a coarser tolerance");
     }
-
-    // Data
-    // ----------------------------------------------------------------------------------------------------------
 
     /// "vertex 12": what is being read, for messages.
     std::string place(const PlyElement& element, std::uint64_t i) const {
@@ -446,7 +273,7 @@ private:
         }
     }
     std::uint64_t find_vertex_count() {
-        if (!vertex_count_) vertex_count_ = find("vertex")->count;
+        if (!vertex_count_) vertex_count_ = header_.find("vertex")->count;
         return *vertex_count_;
     }
 
@@ -480,21 +307,30 @@ private:
         }
     }
 
+    const PlyHeader header_;
+    const PlyEncoding encoding_;
     TextCursor cursor_;
-    PlyEncoding encoding_ = PlyEncoding::ascii;
-    std::vector<PlyElement> elements_;
     std::optional<std::uint64_t> vertex_count_;
     PlyMesh mesh_;
     TriangleSoup soup_;
 };
-
-} // namespace
 
 TriangleSoup read_ply(const MeshSource& source, const Progress& progress) {
     if (is_wide_text(source.bytes))
         throw Error(ErrorCode::encoding, source.name, "the text is UTF-16 or UTF-32",
                     "save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)");
     return PlyReader(source).run(progress);
+}
+
+bool sniff_ply(std::string_view bytes) {
+    const std::string_view text = bytes.substr(byte_order_mark(bytes));
+    return text.starts_with("ply\n") || text.starts_with("ply\r");
+}
+
+} // namespace
+
+MeshFormat ply_format() {
+    return {"PLY", "a PLY file", {".ply"}, sniff_ply, read_ply};
 }
 
 } // namespace facetmill::detail

@@ -8,6 +8,7 @@
 //     count too small and a rest of no whole record: the count is right, if what it covers looks like facets
 //     count too large: truncated
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_format.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/stl_records.h"
 
@@ -39,6 +40,16 @@ NormalState compare_normal(const Vec3& stored, const Vec3& a, const Vec3& b, con
 namespace {
 
 constexpr std::size_t header_size = 84;
+
+/// The number of facets that a binary file announces, little endian; at least the header must be there.
+std::uint64_t announced_count(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) { return std::uint64_t(static_cast<unsigned char>(bytes[80 + i])); };
+    return byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+}
+/// The same with its bytes reversed.
+std::uint64_t reversed_count(std::uint64_t count) {
+    return (count & 0xFF) << 24 | (count & 0xFF00) << 8 | (count >> 8 & 0xFF00) | count >> 24;
+}
 
 /// What one pass over all records finds.
 struct RecordScan {
@@ -120,16 +131,14 @@ bool is_plain_text(std::string_view bytes) {
 TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress) {
     const std::string_view bytes = source.bytes;
     if (bytes.size() < header_size) {
-        if (const auto what = familiar_content(bytes); !what.empty()) refuse_foreign(source, what);
+        if (const auto what = content_of(bytes, "STL"); !what.empty()) refuse_foreign(source, what);
         if (is_plain_text(bytes)) refuse_foreign(source, "a text that does not start with 'solid'");
         throw Error(ErrorCode::truncated, source.name,
                     "the file has " + std::to_string(bytes.size()) + " bytes, a binary STL file at least 84",
                     "copy or export it again");
     }
     const std::string_view body = bytes.substr(header_size);
-    const auto byte = [&](std::size_t i) { return std::uint64_t(static_cast<unsigned char>(bytes[80 + i])); };
-    const std::uint64_t count = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
-    const std::uint64_t reversed = byte(3) | byte(2) << 8 | byte(1) << 16 | byte(0) << 24;
+    const std::uint64_t count = announced_count(bytes), reversed = reversed_count(count);
     const std::uint64_t whole = body.size() / StlRecord::size;
     const bool ragged = body.size() % StlRecord::size != 0;
 
@@ -152,7 +161,7 @@ TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress)
         soup.big_endian = true;
         soup.warnings.insert("big_endian");
     } else {
-        const auto what = familiar_content(bytes);
+        const auto what = content_of(bytes, "STL");
         if (!what.empty()) refuse_foreign(source, what);
         if (is_plain_text(bytes)) refuse_foreign(source, "a text that does not start with 'solid'");
         if (count < whole || (count == whole && ragged))
@@ -195,18 +204,12 @@ TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress)
     return soup;
 }
 
-} // namespace
-
 TriangleSoup read_stl(const MeshSource& source, const Progress& progress) {
     const std::string_view bytes = source.bytes;
     const auto fits = [&] {
         if (bytes.size() < header_size || (bytes.size() - header_size) % StlRecord::size != 0) return false;
-        const auto byte = [&](std::size_t i) {
-            return std::uint64_t(static_cast<unsigned char>(bytes[80 + i]));
-        };
         const std::uint64_t whole = (bytes.size() - header_size) / StlRecord::size;
-        return whole == (byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24)
-               || whole == (byte(3) | byte(2) << 8 | byte(1) << 16 | byte(0) << 24);
+        return whole == announced_count(bytes) || whole == reversed_count(announced_count(bytes));
     };
     if (fits()) return read_binary_stl(source, progress);
     if (is_wide_text(bytes))
@@ -222,6 +225,18 @@ TriangleSoup read_stl(const MeshSource& source, const Progress& progress) {
                         "the file is damaged: export it again");
     }
     return read_binary_stl(source, progress);
+}
+
+bool sniff_stl(std::string_view bytes) {
+    const bool has_facet = bytes.size() >= header_size + StlRecord::size;
+    return (has_facet && header_size + StlRecord::size * announced_count(bytes) == bytes.size())
+           || starts_with_solid(bytes);
+}
+
+} // namespace
+
+MeshFormat stl_format() {
+    return {"STL", "an STL file", {".stl", ".stla", ".stlb"}, sniff_stl, read_stl};
 }
 
 } // namespace facetmill::detail

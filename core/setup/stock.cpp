@@ -1,5 +1,7 @@
 #include "core/setup/stock.h"
 
+#include "core/mesh/mesh_format.h"
+
 namespace facetmill {
 
 const ParameterTable<StockSpec>& stock_parameters() {
@@ -41,8 +43,9 @@ const ParameterTable<StockSpec>& stock_parameters() {
         t.add(&StockSpec::file,
               {.key = "file",
                .label = "File",
-               .help = "The stock's mesh (STL, OBJ, PLY), closed, such as the stock.stl that `simulate` "
-                       "leaves; a relative path starts at the project file.",
+               .help = "The stock's mesh (" + mesh_format_names()
+                       + "), closed, such as the stock.stl that `simulate` leaves; a relative path starts at "
+                         "the project file.",
                .kind = K::text,
                .stage = Stage::mesh});
         t.add_choice(&StockSpec::unit,

@@ -1,4 +1,5 @@
 // The corpus of odd and broken STL files, file by file.
+#include "core/mesh/mesh_format.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
 
@@ -79,6 +80,9 @@ private slots:
         try {
             const LoadedMesh loaded = load_mesh(path, LengthUnit::mm, Progress());
             QVERIFY2(load, "must be refused");
+            const InputFile file(path);
+            for (const MeshFormat& format : mesh_formats())
+                if (format.name != "STL") QVERIFY2(!format.sniff(file.bytes()), format.label.data());
             QCOMPARE(QString::fromStdString(difference(loaded, entry)), QString());
             for (const std::string& word : loaded.report.warnings)
                 QVERIFY2(!explain_warning(word).empty(), word.c_str());

@@ -2,6 +2,7 @@
 // warning.
 #include "core/base/tolerances.h"
 #include "core/mesh/exact_area.h"
+#include "core/mesh/mesh_format.h"
 #include "core/mesh/mesh_reader.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <set>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -113,6 +115,54 @@ private slots:
         QVERIFY(std::abs(inch.report.file_volume - 24000) < 1e-8);
         QVERIFY((inch.report.file_box.hi - Vec3(20, 30, 40)).norm() == 0.0);
         QVERIFY((inch.report.box_mm().hi - 25.4 * Vec3(20, 30, 40)).norm() < 1e-9);
+    }
+
+    /// Every content is claimed by its own format and by no other.
+    void the_table_of_formats_is_consistent() {
+        struct Sample {
+            std::string_view format;
+            std::string bytes;
+        };
+        const std::vector<Sample> samples = {{"STL", binary_stl(box())},
+                                             {"STL", binary_stl(box(), "solid but binary")},
+                                             {"STL", ascii_stl(box())},
+                                             {"STL", "\xEF\xBB\xBF " + ascii_stl(box())},
+                                             {"OBJ", obj_text(box())},
+                                             {"PLY", ascii_ply(box())},
+                                             {"PLY", replaced_all(ascii_ply(box()), "\n", "\r\n")},
+                                             {"PLY", binary_ply(box(), false)},
+                                             {"PLY", binary_ply(box(), true)}};
+        std::set<std::string_view> names, extensions;
+        for (const MeshFormat& format : mesh_formats()) {
+            QVERIFY(names.insert(format.name).second);
+            QVERIFY(format.label.starts_with('a') && format.label.find(format.name) != std::string::npos);
+            QVERIFY(!format.extensions.empty());
+            for (const std::string_view extension : format.extensions) {
+                QVERIFY(extensions.insert(extension).second);
+                QVERIFY(extension.size() > 1 && extension[0] == '.');
+                for (const char c : extension)
+                    QVERIFY(c == '.' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'));
+                QCOMPARE(mesh_format_of(extension), &format);
+            }
+            std::size_t own = 0;
+            for (const Sample& sample : samples) {
+                QCOMPARE(format.sniff(sample.bytes), format.name == sample.format);
+                own += format.name == sample.format;
+            }
+            QVERIFY2(own > 0, "a format without a sample");
+            // Nor is a file claimed that was cut after one of its first lines.
+            for (const Sample& sample : samples)
+                for (std::size_t n = 1; n < std::min<std::size_t>(sample.bytes.size(), 400); ++n)
+                    if (format.name != sample.format && sample.bytes[n - 1] == '\n')
+                        QVERIFY(!format.sniff(sample.bytes.substr(0, n)));
+        }
+        for (const Sample& sample : samples)
+            QVERIFY(same_triangles(*read(sample.bytes, "no extension").mesh, box(), 1e-12));
+        QCOMPARE(mesh_format_of(".step"), nullptr);
+        QCOMPARE(mesh_format_of(""), nullptr);
+        for (const MeshFormat& format : mesh_formats())
+            QVERIFY(mesh_format_names().find(format.name) != std::string::npos);
+        QVERIFY(mesh_format_names(" or ").find(" or ") != std::string::npos);
     }
 
     void other_formats_are_refused_by_name_and_by_content() {
