@@ -23,10 +23,10 @@ const double lead_max = radians(9), lead_step = radians(0.75), yaw_max = radians
 constexpr double lifted_share = 0.9;
 
 /// Of both sides together; 0: no posture serves.
-double widest_strip(const FiveAxisField& field, const ContactPlace& place, long look) {
-    StripWidth width(field, place, look);
+double widest_strip(const FiveAxisField& field, const ContactPlace& place) {
+    StripWidth width(field, place);
     ToolLift::Hint hint;
-    const double most = StripWidth::most(field);
+    const double most = StripWidth::max_width(field);
     double widest = 0;
     for (double lead = 0; lead <= lead_max + 0.5 * lead_step; lead += lead_step)
         for (double yaw = -yaw_max; yaw <= yaw_max + 0.5 * yaw_step; yaw += yaw_step) {
@@ -66,7 +66,6 @@ int main(int argc, char** argv) {
     settings.direction = {0, "y"};
     const FiveAxisField field(context, settings, Progress());
     const auto& lines = field.lines();
-    const long look = std::max(1L, std::lround(field.radius() / 16 / lines.spacing()));
 
     double passes = 0, least = infinity, most = 0;
     for (double v = lines.lo() + 0.5 * every; v < lines.hi(); v += every) {
@@ -75,8 +74,7 @@ int main(int argc, char** argv) {
         for (const SurfaceLine& line : lines.lines(lines.v(plane))) {
             const std::vector<double> samples = field.samples(line);
             for (std::size_t i = 0; i < samples.size(); i += 2)
-                if (const double w =
-                        widest_strip(field, field.place(line, samples[i], lines.v(plane), 1), look);
+                if (const double w = widest_strip(field, field.place(line, samples[i], lines.v(plane), 1));
                     w > 0)
                     tightest = std::min(tightest, w);
         }

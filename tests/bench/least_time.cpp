@@ -117,10 +117,10 @@ private:
     }
 
     /// On the surface; where that ends within the strip, it is as wide as it can be.
-    double flat_width(const EstimatedPass::Contact& c, const FiveAxisField& field,
+    double flat_width(const EstimatedContact& c, const FiveAxisField& field,
                       const TiltedStepOver& widths) const {
         const double from_above =
-            std::min((c.width_lo + c.width_hi) / StripWidth::used_width, widths.largest_step());
+            std::min((c.width_lo + c.width_hi) / StripWidth::used_width, widths.passes().largest_step());
         const double slope = std::abs(field.drive().v(c.place.frame.left));
         return std::min(from_above / std::max(slope, steepest), 2 * radius_);
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/strategy/five_axis/five_axis_parameters.h"
+#include "core/strategy/five_axis/partial_passes.h"
 #include "core/strategy/five_axis/pass_cutter.h"
 #include "core/strategy/five_axis/pass_placement.h"
 #include "core/strategy/five_axis/tilted_stepover.h"
@@ -32,7 +33,8 @@ public:
     Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress,
              bool is_piece = false, double leave = 0)
         : settings_(settings), text_{context.unit}, progress_(progress), is_piece_(is_piece),
-          field_(context, settings, progress.part(0, 0.05)), stepover_(field_, leave), cutter_(field_) {}
+          field_(context, settings, progress.part(0, 0.05)), stepover_(field_, leave),
+          partial_(stepover_, settings.pattern == Finish5Settings::Pattern::zigzag), cutter_(field_) {}
 
     StrategyResult run() {
         const auto& lines = field_.lines();
@@ -127,51 +129,27 @@ private:
     /// narrowest of its strips asks for.
     void plan_with_partial(EstimatedPass last, double usual) {
         const auto& lines = field_.lines();
-        const bool turns = settings_.pattern == Finish5Settings::Pattern::zigzag;
         std::vector<double> border_lo;
         while (true) {
             const Progress here = at(last.v);
             if (result_.drive_planes >= int(max_drive_planes))
                 refuse_planes("tolerance", "the tolerance asks for");
             const bool at_end = lines.beyond(lines.hi(), lines.lo()) - last.plane <= 1;
-            TiltedStepOver::Gap gap;
+            PassGap gap;
             if (!at_end && !timed([&] { return stepover_.reaches_border(last); }))
-                gap = timed([&] { return stepover_.next_with_partial(last, turns, usual, here); });
+                gap = timed([&] { return partial_.next(last, usual, here); });
             if (!gap.satisfied) ++unsatisfied_;
             if (gap.next) {
                 usual = gap.next->v - last.v;
                 result_.stepover_min = std::min(result_.stepover_min, usual);
                 result_.stepover_max = std::max(result_.stepover_max, usual);
             }
-            // Of all passes in this gap, in the order of their planes: where the strip of each ends, bin by
-            // bin. Where a partial one is not wanted it has none.
-            std::vector<const TiltedStepOver::PartialPass*> partial;
-            for (const TiltedStepOver::PartialPass& p : gap.partial)
-                partial.push_back(&p);
-            std::stable_sort(partial.begin(), partial.end(),
-                             [](const auto* a, const auto* b) { return a->pass.plane < b->pass.plane; });
-            const std::size_t bins = stepover_.bin(infinity) + 1;
-            std::vector<double> after(bins, lines.hi()), before(bins, lines.hi());
-            std::vector<std::array<std::vector<double>, 2>> own;
-            for (const auto* p : partial)
-                own.push_back({std::vector<double>(bins, p->pass.v), std::vector<double>(bins, p->pass.v)});
-            for (std::size_t i = 0; i < bins; ++i) {
-                const EstimatedPass* from = &last;
-                double* strip_end = &after[i];
-                for (std::size_t k = 0; k < partial.size(); ++k) {
-                    if (i < partial[k]->bins.first || i > partial[k]->bins.last) continue;
-                    *strip_end = own[k][0][i] = stepover_.border(*from, partial[k]->pass, i);
-                    from = &partial[k]->pass;
-                    strip_end = &own[k][1][i];
-                }
-                *strip_end = before[i] = gap.next ? stepover_.border(*from, *gap.next, i) : lines.hi();
-            }
-            const bool is_last = !gap.next && partial.empty();
-            finish_pass(last, border_lo, is_last ? std::vector<double>() : after, here);
-            for (std::size_t k = 0; k < partial.size(); ++k)
-                finish_pass(partial[k]->pass, own[k][0], own[k][1], here);
+            const bool is_last = !gap.next && gap.partial.empty();
+            finish_pass(last, border_lo, is_last ? std::vector<double>() : gap.border_lo, here);
+            for (const PartialPass& p : gap.partial)
+                finish_pass(p.pass, p.border_lo, p.border_hi, here);
             if (!gap.next) break;
-            border_lo = std::move(before);
+            border_lo = std::move(gap.border_hi);
             last = std::move(*gap.next);
         }
     }
@@ -188,7 +166,7 @@ private:
             const Progress here = at(v);
             const long plane = std::lround((v - lines.lo()) / lines.spacing());
             const EstimatedPass pass = timed([&] { return stepover_.estimate(plane, travel(int(i)), here); });
-            std::vector<double> lo(stepover_.bin(infinity) + 1, pass.v - 0.5 * step), hi = lo;
+            std::vector<double> lo(stepover_.bins().count(), pass.v - 0.5 * step), hi = lo;
             std::fill(hi.begin(), hi.end(), pass.v + 0.5 * step);
             finish_pass(pass, lo, hi, here);
         }
@@ -205,7 +183,8 @@ private:
                      const std::vector<double>& border_hi, const Progress& progress) {
         if (pass.lines.empty()) return; // between two pieces of the surface
         const int drive = result_.drive_planes++;
-        cutter_.add(place_pass(field_, stepover_, pass, border_lo, border_hi), drive, pass.v, progress);
+        cutter_.add(place_pass(field_, stepover_.passes(), pass, border_lo, border_hi), drive, pass.v,
+                    progress);
         field_.lines().forget(field_.lines().beyond(pass.v, field_.lines().hi())
                               - long(2.5 * field_.radius() / field_.lines().spacing()));
     }
@@ -270,6 +249,7 @@ private:
     bool is_piece_;
     FiveAxisField field_;
     TiltedStepOver stepover_;
+    PartialPasses partial_;
     PassCutter cutter_;
     StrategyResult result_;
     int unsatisfied_ = 0; ///< drive planes

@@ -14,9 +14,9 @@ constexpr double beyond_spacing_share = 0.2;
 
 class Placement {
 public:
-    Placement(const FiveAxisField& field, const TiltedStepOver& stepover, const EstimatedPass& pass,
+    Placement(const FiveAxisField& field, const PassEstimator& passes, const EstimatedPass& pass,
               const std::vector<double>& border_lo, const std::vector<double>& border_hi)
-        : field_(field), stepover_(stepover), pass_(pass), border_lo_(border_lo), border_hi_(border_hi) {}
+        : field_(field), passes_(passes), pass_(pass), border_lo_(border_lo), border_hi_(border_hi) {}
 
     PlacedLine place(std::size_t l) const {
         const SurfaceLine& line = pass_.lines[l];
@@ -53,11 +53,11 @@ public:
 
 private:
     /// Where the tool reaches the strip's borders, beside and behind the contact, each pass takes the
-    /// farthest, which its widths allow (TiltedStepOver).
+    /// farthest, which its widths allow (PassEstimator).
     std::array<double, 2> strip(double u) const {
         std::array<double, 2> strip{field_.lines().lo(), field_.lines().hi()};
-        const auto [from, to] = stepover_.cleared(u, pass_.travel);
-        const std::size_t first = stepover_.bin(from), last = stepover_.bin(to);
+        const auto [from, to] = passes_.cleared(u, pass_.travel);
+        const std::size_t first = passes_.bins().at(from), last = passes_.bins().at(to);
         if (!border_lo_.empty())
             strip[0] =
                 *std::min_element(border_lo_.begin() + long(first), border_lo_.begin() + long(last) + 1);
@@ -94,17 +94,17 @@ private:
     }
 
     const FiveAxisField& field_;
-    const TiltedStepOver& stepover_;
+    const PassEstimator& passes_;
     const EstimatedPass& pass_;
     const std::vector<double>&border_lo_, &border_hi_;
 };
 
 } // namespace
 
-std::vector<PlacedLine> place_pass(const FiveAxisField& field, const TiltedStepOver& stepover,
+std::vector<PlacedLine> place_pass(const FiveAxisField& field, const PassEstimator& passes,
                                    const EstimatedPass& pass, const std::vector<double>& border_lo,
                                    const std::vector<double>& border_hi) {
-    const Placement placement(field, stepover, pass, border_lo, border_hi);
+    const Placement placement(field, passes, pass, border_lo, border_hi);
     std::vector<PlacedLine> lines;
     for (std::size_t i = 0; i < pass.lines.size(); ++i)
         lines.push_back(placement.place(pass.travel > 0 ? i : pass.lines.size() - 1 - i));

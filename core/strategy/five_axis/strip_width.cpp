@@ -1,18 +1,26 @@
 #include "core/strategy/five_axis/strip_width.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
 
 namespace {
 
-/// Of the cutter's radius.
+/// In radii of the cutter. Short of the whole of it: at its edge the cutter's surface rises steeply, and of
+/// two strips that met there a pass a hair beside its plane would leave a wall between.
 constexpr double max_width_share = 0.97;
+/// Distance of the lines that are looked at.
+constexpr double look_share = 1.0 / 16;
 
 } // namespace
 
-double StripWidth::most(const FiveAxisField& field) {
+double StripWidth::max_width(const FiveAxisField& field) {
     return max_width_share * field.radius();
+}
+
+long StripWidth::planes_apart(const FiveAxisField& field) {
+    return std::max(1L, std::lround(look_share * field.radius() / field.lines().spacing()));
 }
 
 const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
@@ -45,7 +53,7 @@ const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
 }
 
 StripWidth::Width StripWidth::operator()(const PostureValue& posture, int side) {
-    const double most = StripWidth::most(field_);
+    const double most = StripWidth::max_width(field_);
     double last_v = place_.v, last_margin = infinity;
     for (std::size_t i = 0;; ++i) {
         // Beyond the last one that counts no line need be cut.

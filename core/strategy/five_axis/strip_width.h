@@ -10,19 +10,20 @@
 
 namespace facetmill {
 
-/// Of one contact point. The lines beside it are cut once for all postures that are asked about.
+/// Strips of one contact point. The lines beside it are cut once for all postures that are asked about.
 class StripWidth {
 public:
-    /// Of a width: what is used of it, because the strip is to leave room for postures other than the one it
-    /// is taken from.
+    /// What is used of a width, because the strip is to leave room for postures other than the one it is
+    /// taken from.
     static constexpr double used_width = 0.95;
 
-    /// Lines are looked at every `look` planes, those that are multiples of it: passes share their slices.
-    StripWidth(const FiveAxisField& field, const ContactPlace& place, long look)
-        : field_(field), place_(place), look_(look) {}
+    StripWidth(const FiveAxisField& field, const ContactPlace& place)
+        : field_(field), place_(place), look_(planes_apart(field)) {}
 
     /// Widths are not looked for beyond this, mm.
-    static double most(const FiveAxisField& field);
+    static double max_width(const FiveAxisField& field);
+    /// Lines are looked at every so many planes, those that are multiples of it: passes share their slices.
+    static long planes_apart(const FiveAxisField& field);
 
     struct Width {
         double width = 0; ///< mm across the drive planes; +inf: the surface ends before

@@ -1,0 +1,154 @@
+#include "core/strategy/five_axis/contact_widths.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/five_axis/strip_width.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// An estimated posture at yaw 0 may be lifted by this share of the tolerance.
+constexpr double lifted_share = 0.1;
+/// One with a yaw by this share: a flat end that stands on both flanks of a hollow clears a wide strip.
+constexpr double yawed_share = 0.5;
+/// A strip that is as wide to either side as this share of the gap needs no other posture.
+constexpr double wanted_share = 0.75;
+const double yaw_step = radians(15);
+/// Largest step of the lead while the least inclined posture is sought.
+const double max_lead_step = radians(3);
+constexpr std::size_t contacts_per_block = 16;
+
+/// Nodes of the grid, from yaw 0 outward.
+std::vector<double> outward_from_zero(const std::vector<double>& nodes) {
+    std::vector<double> yaws;
+    const std::size_t step =
+        nodes.size() > 1 ? std::size_t(std::ceil(yaw_step / (nodes[1] - nodes[0]) - 0.5)) : 1;
+    const auto middle =
+        std::size_t(std::min_element(nodes.begin(), nodes.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); })
+                    - nodes.begin());
+    for (std::size_t away = 0; away < nodes.size(); away += std::max<std::size_t>(step, 1)) {
+        if (middle + away < nodes.size()) yaws.push_back(nodes[middle + away]);
+        if (away > 0 && away <= middle) yaws.push_back(nodes[middle - away]);
+    }
+    return yaws;
+}
+
+} // namespace
+
+ContactWidths::ContactWidths(const FiveAxisField& field, double leave) : field_(field), leave_(leave) {
+    if (field.settings().posture != Finish5Settings::PostureChoice::cm2)
+        yaws_ = outward_from_zero(field.grid().yaw);
+}
+
+void ContactWidths::find(std::vector<EstimatedContact>& contacts, double gap,
+                         const Progress& progress) const {
+    // Blocks have their own hints, so that threads make no difference.
+    parallel_blocks(contacts.size(), contacts_per_block, progress, [&](std::size_t begin, std::size_t end) {
+        double lead = field_.settings().lead_limits[0];
+        ToolLift::Hint hint;
+        for (std::size_t i = begin; i < end; ++i) {
+            progress.check();
+            auto& c = contacts[i];
+            find(c, gap, lead, hint);
+            if (!c.usable) continue;
+            const double slope = std::abs(field_.drive().v(c.place.frame.left));
+            c.left = c.width_lo + c.width_hi < leave_ * slope;
+        }
+    });
+}
+
+void ContactWidths::find(EstimatedContact& contact, double gap, double& lead, ToolLift::Hint& hint) const {
+    find_posture(contact, lead, hint);
+    if (contact.usable) find_widths(contact, gap, hint);
+}
+
+void ContactWidths::find_posture(EstimatedContact& contact, double& lead, ToolLift::Hint& hint) const {
+    const auto& limits = field_.settings().lead_limits;
+    const double step = std::min(field_.settings().grid_step, max_lead_step);
+    const auto lift = [&](double at) { return field_.builder().bottom(contact.place.frame, at, 0, hint); };
+    const double enough = lifted_share * field_.cusp();
+    // From the neighbour's inclination: down as far as it serves, else up until it does.
+    double at = std::clamp(lead, limits[0], limits[1]), delta = lift(at);
+    double best = at, best_delta = delta;
+    if (delta <= enough) {
+        while (at > limits[0]) {
+            const double lower = std::max(at - step, limits[0]), d = lift(lower);
+            if (!(d <= enough)) break;
+            best = at = lower;
+            best_delta = d;
+        }
+    } else {
+        while (at < limits[1] && !(best_delta <= enough)) {
+            at = std::min(at + step, limits[1]);
+            delta = lift(at);
+            if (delta < best_delta) {
+                best = at;
+                best_delta = delta;
+            }
+        }
+        if (!(best_delta <= enough))
+            for (at = std::clamp(lead, limits[0], limits[1]); at > limits[0];) {
+                at = std::max(at - step, limits[0]);
+                delta = lift(at);
+                if (delta < best_delta) {
+                    best = at;
+                    best_delta = delta;
+                }
+            }
+    }
+    lead = best;
+    contact.posture = {best, 0, best_delta};
+    contact.usable = best_delta <= field_.cusp();
+}
+
+void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift::Hint& hint) const {
+    const double wanted = wanted_share * gap;
+    const ContactPlace& place = contact.place;
+    const CSpaceBuilder& builder = field_.builder();
+    StripWidth width(field_, place);
+    const auto value = [&](const StripWidth::Width& lo, const StripWidth::Width& hi) {
+        return std::min(lo.width, wanted) * std::min(hi.width, wanted);
+    };
+    StripWidth::Width lo = width(contact.posture, -1), hi = width(contact.posture, +1);
+    double most = value(lo, hi);
+    const double enough = wanted * wanted;
+    const double hollow = std::max(field_.hollowness(place, place.frame.feed), 0.0), r = field_.radius();
+    // Nodes of the grid: what is free there the choice of postures finds.
+    for (const double yaw : yaws_) {
+        if (most >= enough) break;
+        // Leaning to a side a flat end lies over the strip's border there with its whole width, and in a
+        // hollow along the travel holds it with heel or toe only: what lies between them stays.
+        const double aside = std::abs(std::sin(yaw));
+        const double arched = 0.5 * hollow * r * r * aside * (2 - aside);
+        for (const double lead : field_.grid().lead) {
+            const PostureValue posture{lead, yaw, builder.bottom(place.frame, lead, yaw, hint)};
+            if (!(posture.delta <= yawed_share * field_.cusp())) continue;
+            if (builder.holds(place.frame, posture) && width.clears_own_line(posture)) {
+                const PostureValue arching{lead, yaw, posture.delta + arched};
+                const StripWidth::Width l = width(arching, -1), h = width(arching, +1);
+                if (value(l, h) > most) {
+                    most = value(l, h);
+                    contact.posture = posture;
+                    lo = l;
+                    hi = h;
+                }
+            }
+            // Inclined further its strip is narrower.
+            if (posture.delta <= lifted_share * field_.cusp() || most >= enough) break;
+        }
+    }
+    // Strips end in planes of the lattice.
+    const double spacing = field_.lines().spacing();
+    const auto whole = [&](double w) { return std::floor(w / spacing + tolerance::level_angle) * spacing; };
+    contact.width_lo = whole(lo.width);
+    contact.width_hi = whole(hi.width);
+    contact.end_lo = lo.end;
+    contact.end_hi = hi.end;
+}
+
+} // namespace facetmill

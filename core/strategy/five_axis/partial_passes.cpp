@@ -1,0 +1,187 @@
+#include "core/strategy/five_axis/partial_passes.h"
+
+#include "core/strategy/five_axis/strip_width.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Steps between full passes are tried in this ratio, until so many in a row are no better.
+constexpr double step_ratio = 1.15;
+constexpr int tries_beyond = 4;
+/// What a partial pass costs besides its length, in radii of the cutter.
+constexpr double partial_cost = 2;
+/// Where partial passes would be longer than this share of a full one, a full one is closer by.
+constexpr double max_partial = 0.6;
+/// Partial passes have partial passes between them, so deep at most.
+constexpr int deepest_partial = 3;
+
+} // namespace
+
+PassGap PartialPasses::next(const EstimatedPass& last, double usual, const Progress& progress) const {
+    PassGap gap;
+    gap.next = cheapest(last, nullptr, bins_.all(), usual, progress);
+    fill(last, gap.next ? &*gap.next : nullptr, bins_.all(), 0, gap, progress);
+    std::stable_sort(gap.partial.begin(), gap.partial.end(),
+                     [](const PartialPass& a, const PartialPass& b) { return a.pass.plane < b.pass.plane; });
+    find_borders(last, gap);
+    return gap;
+}
+
+void PartialPasses::find_borders(const EstimatedPass& last, PassGap& gap) const {
+    const double part_hi = field_.lines().hi();
+    gap.border_lo.assign(bins_.count(), part_hi);
+    gap.border_hi.assign(bins_.count(), part_hi);
+    for (PartialPass& p : gap.partial) {
+        p.border_lo.assign(bins_.count(), p.pass.v);
+        p.border_hi.assign(bins_.count(), p.pass.v);
+    }
+    for (std::size_t i = 0; i < bins_.count(); ++i) {
+        const EstimatedPass* from = &last;
+        double* strip_end = &gap.border_lo[i];
+        for (PartialPass& p : gap.partial) {
+            if (i < p.bins.first || i > p.bins.last) continue;
+            *strip_end = p.border_lo[i] = stepover_.border(*from, p.pass, i);
+            from = &p.pass;
+            strip_end = &p.border_hi[i];
+        }
+        *strip_end = gap.border_hi[i] = gap.next ? stepover_.border(*from, *gap.next, i) : part_hi;
+    }
+}
+
+std::vector<BinRange> PartialPasses::narrow_ranges(const EstimatedPass& a, const EstimatedPass* b,
+                                                   const BinRange& within) const {
+    const double r = field_.radius(), gap = (b ? b->v : field_.lines().hi()) - a.v;
+    // A pose clears what lies beside and behind it.
+    const double aside = std::min(0.5 * gap, StripWidth::max_width(field_));
+    const double beyond = stepover_.passes().behind() + r - std::sqrt(r * r - aside * aside);
+    std::vector<BinRange> ranges;
+    for (std::size_t i = within.first; i <= within.last; ++i) {
+        if (stepover_.fits(&a, b, i)) continue;
+        // Two that would run into each other, or whose ends cost as much as the way between them, are one.
+        if (!ranges.empty()
+            && double(i - ranges.back().last) * bins_.width() <= 2 * beyond + partial_cost * r)
+            ranges.back().last = i;
+        else
+            ranges.push_back({i, i, beyond});
+    }
+    return ranges;
+}
+
+double PartialPasses::partial_travel(const EstimatedPass& a, const EstimatedPass* b,
+                                     const BinRange& within) const {
+    const double gap = (b ? b->v : field_.lines().hi()) - a.v;
+    double travel = 0;
+    for (const BinRange& range : narrow_ranges(a, b, within)) {
+        double most = 1;
+        for (std::size_t i = range.first; i <= range.last; ++i) {
+            double width = 0;
+            if (a.comes[i] && std::isfinite(a.width_hi[i])) width += a.width_hi[i];
+            if (b && b->comes[i] && std::isfinite(b->width_lo[i])) width += b->width_lo[i];
+            const double passes = std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+            travel += passes * bins_.width();
+            most = std::max(most, passes);
+        }
+        travel += most * (2 * range.beyond + partial_cost * field_.radius());
+    }
+    return travel;
+}
+
+double PartialPasses::partial_share(const EstimatedPass& a, const EstimatedPass& b,
+                                    const BinRange& within) const {
+    double partial = 0, whole = 0;
+    for (const BinRange& range : narrow_ranges(a, &b, within))
+        partial += double(range.last + 1 - range.first) * bins_.width() + 2 * range.beyond;
+    for (std::size_t i = within.first; i <= within.last; ++i)
+        if (a.comes[i] || b.comes[i]) whole += bins_.width();
+    return whole > 0 ? partial / whole : 0;
+}
+
+std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, const EstimatedPass* limit,
+                                                     const BinRange& within, double usual,
+                                                     const Progress& progress) const {
+    const auto& lines = field_.lines();
+    const long end = limit ? limit->plane : lines.beyond(lines.hi(), lines.lo());
+    const int travel = turns_ ? -last.travel : last.travel;
+    const double rest = lines.v(end) - last.v;
+    std::optional<EstimatedPass> best;
+    double least = infinity;
+    // As far as nothing is asked for between.
+    TiltedStepOver::Step whole = stepover_.next(&last, travel, usual, limit, within, progress);
+    const auto better = [&](EstimatedPass&& p) {
+        double travelled = partial_travel(last, &p, within);
+        for (const SurfaceLine& line : p.lines)
+            travelled +=
+                std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
+        if (!(travelled < least * (p.v - last.v))) return false;
+        // Where most of the way asks for passes between, the last of them would come close to its neighbour.
+        if (whole.satisfied && partial_share(last, p, within) > max_partial) return false;
+        least = travelled / (p.v - last.v);
+        best = std::move(p);
+        return true;
+    };
+    const auto tried = [&](double step) {
+        const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
+        return better(
+            stepover_.passes().estimate(std::min(plane, end - 1), travel, step, within, progress.part(0, 0)));
+    };
+    const double most = std::max(std::min(largest_, rest), smallest_);
+    const double start = std::clamp(usual, smallest_, most);
+    tried(start);
+    if (whole.satisfied) better(std::move(whole.pass));
+    // What is travelled per width falls and rises several times on the way.
+    int worse = 0;
+    for (double step = start * step_ratio; step < most * step_ratio && worse < tries_beyond;
+         step *= step_ratio)
+        worse = tried(std::min(step, most)) ? 0 : worse + 1;
+    worse = 0;
+    for (double step = start / step_ratio; step > smallest_ && worse < tries_beyond; step /= step_ratio)
+        worse = tried(step) ? 0 : worse + 1;
+    // At the end partial passes alone may be less.
+    if (rest <= largest_ && partial_travel(last, limit, within) < least * (best->v - last.v)) best.reset();
+    return best;
+}
+
+void PartialPasses::fill(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within, int depth,
+                         PassGap& gap, const Progress& progress) const {
+    const auto& lines = field_.lines();
+    for (const BinRange& range : narrow_ranges(a, b, within)) {
+        const EstimatedPass* last = &a;
+        const long end = b ? b->plane : lines.beyond(lines.hi(), lines.lo());
+        double usual = 0.5 * (lines.v(end) - a.v);
+        while (!stepover_.fits(last, b, range)) {
+            if (end - last->plane <= 1) {
+                gap.satisfied = false;
+                break;
+            }
+            std::optional<EstimatedPass> next;
+            if (depth < deepest_partial) {
+                next = cheapest(*last, b, range, usual, progress);
+                // Narrow in a part of the range only.
+                if (!next) {
+                    fill(*last, b, range, depth + 1, gap, progress);
+                    break;
+                }
+            } else {
+                TiltedStepOver::Step step =
+                    stepover_.next(last, turns_ ? -last->travel : last->travel, usual, b, range, progress);
+                if (!step.satisfied && b && b->v - last->v <= smallest_) {
+                    gap.satisfied = false;
+                    break;
+                }
+                next = std::move(step.pass);
+            }
+            usual = next->v - last->v;
+            const EstimatedPass* before = last;
+            gap.partial.push_back({std::move(*next), range, {}, {}});
+            last = &gap.partial.back().pass;
+            if (depth < deepest_partial) fill(*before, last, range, depth + 1, gap, progress);
+        }
+    }
+}
+
+} // namespace facetmill
