@@ -335,7 +335,7 @@ private:
         if (opened.what == Opened::What::Namespace
             || (opened.what == Opened::What::Class && opened.name.empty())) {
             const bool unnamed = opened.name.empty() && opened.what == Opened::What::Namespace;
-            push(opened, unnamed && head_.size() > 0 && head_.back().text == "namespace");
+            push(opened, unnamed && !head_.empty() && head_.back().text == "namespace");
             head_.clear();
         } else if (opened.what == Opened::What::Class) {
             push(opened, false);
