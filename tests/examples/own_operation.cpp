@@ -3,6 +3,7 @@
 // report come from the library.
 #include "core/gouge/axial_lift.h"
 #include "core/job/planner.h"
+#include "core/job/program_files.h"
 #include "core/mesh/sample.h"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 //
 //     plan_and_write [PART.stl]
 #include "core/job/planner.h"
+#include "core/job/program_files.h"
 #include "core/mesh/sample.h"
 
 #include <cstdio>
