@@ -2,7 +2,7 @@
 // (after Okabe and Ito), by line width, and by dashes.
 #pragma once
 
-#include "core/link/motion.h"
+#include "core/setup/motion.h"
 #include "viz/scene.h"
 
 #include <array>

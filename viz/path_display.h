@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/link/motion.h"
+#include "core/setup/motion.h"
 #include "core/strategy/plan/path.h"
 
 #include <array>

@@ -13,7 +13,7 @@
 
 #include "core/base/units.h"
 #include "core/base/vec.h"
-#include "core/link/motion.h"
+#include "core/setup/motion.h"
 #include "core/setup/tool.h"
 #include "core/verify/stock_model.h"
 #include "viz/deviation_display.h"

@@ -5,6 +5,7 @@
 #include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/link/link.h"
 #include "core/mesh/geometry.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/global_local/rework_plan.h"

@@ -4,10 +4,10 @@
 
 #include "core/base/progress.h"
 #include "core/job/project.h"
-#include "core/link/motion.h"
 #include "core/mesh/mesh_io.h"
 #include "core/output/cl_program.h"
 #include "core/output/motion_time.h"
+#include "core/setup/motion.h"
 #include "core/verify/program.h"
 
 #include <memory>

@@ -1,5 +1,5 @@
 #include "core/base/tolerances.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/five_axis/posture_path.h"
 
 #include <cmath>

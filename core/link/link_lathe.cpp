@@ -1,5 +1,5 @@
 #include "core/base/tolerances.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/lathe/lathe_field.h"
 
 #include <cmath>

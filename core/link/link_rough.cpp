@@ -1,5 +1,5 @@
 #include "core/base/tolerances.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/lathe/lathe.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/rough/rough_reach.h"

@@ -1,5 +1,5 @@
 #include "core/base/tolerances.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/surface/lift_line.h"
 
 namespace facetmill {

@@ -3,7 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/cutter/cutter.h"
-#include "core/link/motion.h"
+#include "core/setup/motion.h"
 
 #include <string>
 #include <vector>

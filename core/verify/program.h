@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/cutter/cutter.h"
-#include "core/link/motion.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/motion.h"
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
 #include "core/setup/turning_axis.h"

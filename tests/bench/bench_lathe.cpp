@@ -4,7 +4,7 @@
 //
 //     bench_lathe [THREADS] [PART]
 #include "core/base/parallel.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/sample.h"
 #include "core/strategy/lathe/lathe_finish.h"
 #include "core/strategy/lathe/lathe_rough.h"

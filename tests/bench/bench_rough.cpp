@@ -6,7 +6,7 @@
 //     bench_rough [RESOLUTION [PART...]]      of the verifier, mm, 0: none; default: 1.5. Parts: pillar,
 //                                             shell, complex, fine; default: all
 #include "core/gouge/axial_lift.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
 #include "core/output/motion_time.h"

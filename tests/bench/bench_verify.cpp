@@ -7,7 +7,7 @@
 #include "core/gouge/axial_lift.h"
 #include "core/gouge/tool_lift.h"
 #include "core/job/project.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
 #include "core/verify/removal.h"

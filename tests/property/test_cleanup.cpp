@@ -3,7 +3,7 @@
 // by a search over places of the cutter, which share no code with the planner.
 #include "core/base/parallel.h"
 #include "core/gouge/axial_lift.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/sample.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/surface/point_grid.h"

@@ -2,7 +2,7 @@
 // points that an operation of five axes left, and around material that the verification finds.
 #include "core/job/planner.h"
 #include "core/job/verification.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/mesh_io.h"
 #include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/cleanup.h"

@@ -2,7 +2,7 @@
 // verifier, which share no code with the planner.
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "core/strategy/five_axis/posture_path.h"

@@ -1,7 +1,7 @@
 // Global-local CM2 over random shells: main and rework path together, judged by the verifier, which shares no
 // code with the planner.
 #include "core/base/parallel.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/global_local/global_local.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"

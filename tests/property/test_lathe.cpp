@@ -2,7 +2,7 @@
 // symmetry: judged by the verifier, which shares no code with the planner and turns the part as the machine
 // does.
 #include "core/base/parallel.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/output/apt.h"
 #include "core/strategy/lathe/lathe_finish.h"
 #include "core/strategy/lathe/lathe_rough.h"

@@ -3,7 +3,7 @@
 // the planner.
 #include "core/base/parallel.h"
 #include "core/gouge/axial_lift.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/sample.h"
 #include "core/strategy/rough/rough.h"
 #include "core/strategy/surface/cutter_cover.h"

@@ -1,7 +1,7 @@
 // Every registered three-axis operation with every cutter shape over parts with known answers: judged by the
 // path checker, which shares no code with the planner.
 #include "core/base/parallel.h"
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/mesh/sample.h"
 #include "tests/property/shapes.h"
 #include "tests/support/cancel_at.h"

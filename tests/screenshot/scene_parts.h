@@ -1,8 +1,8 @@
 // Small parts and paths for the scene's tests.
 #pragma once
 
-#include "core/link/motion.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/motion.h"
 #include "core/strategy/plan/path.h"
 #include "viz/path_display.h"
 

@@ -1,12 +1,8 @@
 // What a strategy makes: passes of cutter contacts and cutter locations. Millimetres, part coordinates.
-//
-// CC, cutter contact: the point of the part's surface that the cutter is to cut, with the surface's unit
-// normal there.
-// CL, cutter location: the tool tip and the unit tool axis (tip towards spindle) that cut it.
 #pragma once
 
 #include "core/base/vec.h"
-#include "core/setup/turning_axis.h"
+#include "core/setup/motion.h"
 #include "core/strategy/plan/strip.h"
 
 #include <array>
@@ -20,14 +16,6 @@ namespace facetmill {
 struct FiveAxisRecord; // five_axis_record.h
 struct CleanupRecord;  // cleanup.h
 struct ReworkPlan;     // rework_plan.h
-
-struct CutterContact {
-    Vec3 point, normal;
-};
-
-struct CutterLocation {
-    Vec3 tip, axis;
-};
 
 /// One uninterrupted cut along one drive plane; cl[i] cuts cc[i].
 struct Pass {

@@ -1,5 +1,5 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
-#include "core/link/motion.h"
+#include "core/link/link.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "tests/property/shapes.h"
 #include "tests/support/path_checker.h"

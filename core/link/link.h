@@ -1,44 +1,15 @@
-// The complete motion of the tool for one operation: cuts joined by links and clearance moves. Millimetres,
-// part coordinates; every motion starts where the one before ended.
+// Joins the passes of an operation to the complete motion of its tool: cuts, links and clearance moves.
+// Millimetres, part coordinates.
 #pragma once
 
 #include "core/base/progress.h"
 #include "core/gouge/tool_lift.h"
-#include "core/setup/turning_axis.h"
+#include "core/setup/motion.h"
 #include "core/strategy/plan/operation.h"
-
-#include <cstdint>
-#include <optional>
-#include <vector>
 
 namespace facetmill {
 
-struct LatheCommon; // core/strategy/lathe.h
-
-enum class MotionKind : std::uint8_t {
-    rapid,    ///< clearance move, never in contact
-    approach, ///< down to the part at feed
-    cut,
-    link,    ///< between cuts at feed, on or just above the surface
-    retract, ///< away from the part at feed
-};
-
-struct Motion {
-    MotionKind kind = MotionKind::rapid;
-    CutterLocation to;
-    Index pass = no_index; ///< pass and CC point that `to` cuts, or no_index
-    Index point = no_index;
-};
-
-struct ToolMotions {
-    std::vector<Motion>
-        motions; ///< the first is a rapid to the start; nothing is known of where the tool was before
-    double clearance_z = 0;
-    double air_length = 0; ///< of roughing: of motions at feed, where nothing is cut; mm
-    /// Of a part that turns: motions between locations whose axes differ run as TurningAxis says. Else the
-    /// tip moves straight and the axis turns in one plane.
-    std::optional<TurningAxis> turning;
-};
+struct LatheCommon; // core/strategy/lathe/lathe.h
 
 struct LinkOptions {
     double clearance = 5;     ///< above the highest of part and stock
