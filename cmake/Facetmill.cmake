@@ -66,6 +66,7 @@ endfunction()
 # facetmill_link_core(TARGET ROOM): links the room and all rooms before it; `strategy` means all of its wings.
 function(facetmill_link_core target upto)
     set(found FALSE)
+    set(rooms "")
     foreach(room IN LISTS FACETMILL_ROOMS)
         set(inside FALSE)
         if(room STREQUAL upto OR room MATCHES "^${upto}/")
@@ -75,14 +76,22 @@ function(facetmill_link_core target upto)
         if(found AND NOT inside)
             break()
         endif()
+        list(APPEND rooms ${room})
+    endforeach()
+    if(NOT found)
+        message(FATAL_ERROR "${target}: there is no room ${upto}")
+    endif()
+    facetmill_link_rooms(${target} ${rooms})
+endfunction()
+
+# facetmill_link_rooms(TARGET room ...): links these rooms and no others: what they need of another does not link.
+function(facetmill_link_rooms target)
+    foreach(room IN LISTS ARGN)
         string(REPLACE "/" "_" library fm_${room})
         if(TARGET ${library})
             target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
         endif()
     endforeach()
-    if(NOT found)
-        message(FATAL_ERROR "${target}: there is no room ${upto}")
-    endif()
     target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
 endfunction()
@@ -105,15 +114,20 @@ function(facetmill_moc target)
     target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 
-# facetmill_test(NAME ROOM room [LABELS ...] [TIMEOUT s] [COST n] SOURCES ...): a QtTest program whose classes register
-# themselves with FACETMILL_TEST (tests/support/test_runner.h). Those without a label are the target unit_tests. Programs of
-# higher cost are run first, so that no processor idles while the longest one ends.
+# facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] SOURCES ...): a QtTest program whose
+# classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all rooms before it
+# or with ROOMS alone. Those without a label are the target unit_tests. Programs of higher cost are run first, so that no
+# processor idles while the longest one ends.
 function(facetmill_test name)
-    cmake_parse_arguments(ARG "" "ROOM;TIMEOUT;COST" "SOURCES;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
     set_target_properties(${name} PROPERTIES FACETMILL_TEST TRUE)
     facetmill_moc(${name} ${ARG_SOURCES})
-    facetmill_link_core(${name} ${ARG_ROOM})
+    if(ARG_ROOMS)
+        facetmill_link_rooms(${name} ${ARG_ROOMS})
+    else()
+        facetmill_link_core(${name} ${ARG_ROOM})
+    endif()
     target_link_libraries(${name} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
     target_compile_definitions(${name} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
     target_precompile_headers(${name} REUSE_FROM facetmill_test_header)

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 namespace facetmill::test {
@@ -22,6 +23,18 @@ std::map<std::string, std::string> sources(const std::vector<std::string>& folde
             all[fs::relative(entry.path(), root).generic_string()] = text.str();
         }
     return all;
+}
+
+std::vector<Include> includes_in(const std::string& text, const std::string& file) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+    std::vector<Include> found;
+    std::istringstream lines(text);
+    std::string line;
+    for (int n = 1; std::getline(lines, line); ++n) {
+        std::smatch m;
+        if (std::regex_search(line, m, pattern)) found.push_back({file, n, m[2], m[1] == "\""});
+    }
+    return found;
 }
 
 } // namespace facetmill::test

@@ -6,19 +6,10 @@
 #include <QTest>
 
 #include <optional>
-#include <regex>
-#include <sstream>
 
-using facetmill::test::sources;
+using namespace facetmill::test;
 
 namespace {
-
-struct Include {
-    std::string file; // from the root
-    int line = 0;
-    std::string target; // as written, without the quotes or brackets
-    bool quoted = false;
-};
 
 /// A place in the order; a file includes only places that are not above its own.
 const std::vector<std::string> order = {"core/base",
@@ -68,18 +59,6 @@ std::optional<std::string> violation(const Include& include) {
     if (core && (qt || vtk)) return at + "core includes <" + t + ">";
     if (viz && qt) return at + "viz includes <" + t + ">";
     return std::nullopt;
-}
-
-std::vector<Include> includes_in(const std::string& text, const std::string& file) {
-    static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
-    std::vector<Include> found;
-    std::istringstream lines(text);
-    std::string line;
-    for (int n = 1; std::getline(lines, line); ++n) {
-        std::smatch m;
-        if (std::regex_search(line, m, pattern)) found.push_back({file, n, m[2], m[1] == "\""});
-    }
-    return found;
 }
 
 } // namespace

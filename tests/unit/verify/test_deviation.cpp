@@ -5,7 +5,7 @@
 #include "core/mesh/sample.h"
 #include "core/verify/deviation.h"
 #include "core/verify/probes.h"
-#include "tests/property/shapes.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
