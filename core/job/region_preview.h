@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/job/planner.h"
+#include "core/strategy/global_local/find_regions.h"
 #include "core/strategy/global_local/tool_advice.h"
 
 #include <memory>

@@ -12,12 +12,14 @@ namespace facetmill {
 
 namespace {
 
-/// Of the tolerance: a tool that has to be lifted by no more touches. A mesh stands as much above the tangent
-/// planes of the surface that it was made from as its facets are coarse, and with a flat end that asks for
-/// lead where the surface does not: half of what may stay is given to that, the other half to the strip.
+/// A tool that has to be lifted by no more than this share of the tolerance touches. The coarser its facets,
+/// the more a mesh stands above the tangent planes of the surface that it was made from, and with a flat end
+/// that asks for lead where the surface does not. Half of what may stay is given to that, the other half to
+/// the strip.
 constexpr double lifted_share = 0.5;
-/// Leads are looked for in these steps, then halved down to the second.
+/// Leads are looked for in steps of the first size, which are then halved down to the second.
 constexpr double lead_step = pi / 180, lead_accuracy = lead_step / 16;
+/// A part that asks for more contacts is most likely in another unit.
 constexpr double max_contacts = 5e6;
 
 /// The smallest lead at which the tool touches, from a guess on; +inf where there is none. The guess becomes

@@ -12,12 +12,15 @@ namespace facetmill {
 
 namespace {
 
-/// Of the radius: how far the tool moves at most in a piece of its way, cells of the samples, and what is
-/// given away because within a piece places move straight as the tool sees them.
+/// In radii of the cutter: how far the tool moves at most in one piece of its path, the size of the cells of
+/// samples, and what is given away because within a piece places are taken to move straight as the tool sees
+/// them.
 constexpr double step_share = 0.25, cell_share = 0.25, straight_share = 2e-4;
-/// The deepest place of a way through the cutter is looked for so often, each time on two thirds of the rest.
+/// The deepest place of a path through the cutter is looked for so often, each time on two thirds of the
+/// rest.
 constexpr int deepest_rounds = 24;
-/// Of the radius: what of the cutter counts, above the tip.
+/// So much of the cutter above its tip counts, in radii: all that an inclined cutter clears a surface with,
+/// and few samples to look at.
 constexpr double height_share = 1;
 
 /// Samples by cells of a level grid.
@@ -29,7 +32,7 @@ public:
             box.add(p);
         lo_ = points.empty() ? Vec3(0, 0, 0) : box.lo;
         const Vec3 size = points.empty() ? Vec3(0, 0, 0) : Vec3(box.hi - box.lo);
-        // Of scattered points no more cells than some per point.
+        // Where points are scattered, no more than a few cells per point.
         while (size.x() * size.y() > 16.0 * double(points.size() + 1) * cell_ * cell_)
             cell_ *= 2;
         nx_ = std::size_t(size.x() / cell_) + 1;
@@ -133,7 +136,7 @@ bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double 
     if (std::max(a.z, b.z) < slack || std::min(a.z, b.z) > height) return false;
     const double r = cutter.max_radius() - slack;
     const Vec3 route = b.beside - a.beside;
-    // The part of the way beside which the cutter is: |a + t way| <= r, 0 <= z <= height.
+    // The part of the path that is beside the cutter: |a + t route| <= r, 0 <= z <= height.
     double from = 0, to = 1;
     const double square = route.squaredNorm(), half = a.beside.dot(route),
                  rest = a.beside.squaredNorm() - r * r;
@@ -154,7 +157,7 @@ bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double 
     const auto depth = [&](double t) {
         return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * route).norm());
     };
-    // The cutter is convex: on a straight way the depth rises, then falls.
+    // The cutter is convex: on a straight path the depth rises, then falls.
     if (depth(from) >= slack || depth(to) >= slack) return true;
     for (int round = 0; round < deepest_rounds; ++round) {
         const double third = (to - from) / 3, first = depth(from + third), second = depth(to - third);
@@ -184,7 +187,7 @@ void Coverage::add(std::span<const Pass> passes, const CutterProfile& cutter, co
         for (std::size_t k = 0; k + 1 < pass.cl.size(); ++k) {
             const CutterLocation &a = pass.cl[k], &b = pass.cl[k + 1];
             const double route = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
-            // What a turning tool sees of a straight way bends by turn (reach turn + 2 way) / 8.
+            // What a turning tool sees of a straight path bends by turn (reach turn + 2 route) / 8.
             const double pieces = std::ceil(std::max(
                 {1.0, route / (step_share * r), std::sqrt(turn * (reach * turn + 2 * route) / (8 * slack))}));
             CutterLocation last = a;

@@ -1,8 +1,8 @@
 // What a path with any tool axes clears of the part, judged by its tool alone: places of the surface, raised
 // by what may stay there, that some pose of the tool holds. Poses alone do not tell: an inclined flat end
-// holds a place that is raised by a hundredth of a millimetre for a few hundredths of its way. So the way of
-// each place as the tool sees it is followed, in straight pieces; what those lack, less than a thousandth of
-// the cutter's radius, counts as not cleared. Millimetres.
+// holds a place that is raised by a hundredth of a millimetre only for a few hundredths of a motion. So the
+// path of each place as the tool sees it is followed, in straight pieces. What these miss, less than a
+// thousandth of the cutter's radius, counts as not cleared: coverage errs on the safe side. Millimetres.
 #pragma once
 
 #include "core/cutter/cutter.h"
@@ -19,19 +19,19 @@ namespace facetmill {
 
 struct SurfaceSample {
     Vec3 point, normal; ///< the normal is unit, towards the tool
-    double area = 0;    ///< that it stands for, mm^2
+    double area = 0;    ///< the piece of the surface that it stands for, mm^2
 };
 
-/// At most `spacing` apart, on all facets that face the tool; `normals` are the vertices'.
+/// Samples at most `spacing` apart, on all facets that face the tool; `normals` are the vertices'.
 std::vector<SurfaceSample> surface_samples(const Mesh& mesh, std::span<const Vec3> normals, const UpSide& up,
                                            double spacing);
 
 class Coverage {
 public:
-    /// `raise`: along the normals, what is to stay and what may stay.
+    /// `raise`: what is to stay and what may stay, along the normals.
     Coverage(std::vector<SurfaceSample> samples, double raise);
 
-    /// Adds what the passes clear. Throws Cancelled within 20 ms.
+    /// Adds what the passes clear.
     void add(std::span<const Pass> passes, const CutterProfile& cutter, const Progress& progress);
 
     const std::vector<SurfaceSample>& samples() const { return samples_; }

@@ -4,10 +4,10 @@
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/five_axis/five_axis_parameters.h"
 #include "core/strategy/global_local/coverage.h"
+#include "core/strategy/global_local/find_regions.h"
 #include "core/strategy/global_local/tool_advice.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/pass_order.h"
-#include "core/strategy/surface/travel_direction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,25 +19,16 @@ namespace {
 const OperationRegistration registration("global_local", "Global-local CM²",
                                          [] { return std::make_unique<GlobalLocal>(); });
 
-/// Of the main cutter's radius: distance of trajectories, and of the places that are looked at afterwards.
-constexpr double spacing_share = 1.0 / 8, sample_share = 1.0 / 12;
-/// No more trajectory contacts and samples than about this.
-constexpr double max_contacts = 400'000, max_samples = 2'000'000;
-/// Of the part's surface: the main path has to have at least this much to cut.
+/// Distance of the places that are looked at after cutting, in radii of the main cutter; no more places than
+/// about the number.
+constexpr double sample_share = 1.0 / 12, max_samples = 2'000'000;
+/// Share of the part's surface that the main path has to have to cut at least.
 constexpr double min_main_share = 0.02;
-/// Of the surface: what stays is said from this on.
+/// What stays is said from this share of the surface on.
 constexpr double told_share = 1e-5;
-/// Of the main tool's diameter: a rework tool that is not known yet.
-constexpr double usual_rework_share = 0.25;
-/// Of the part: where more than this would be left for that, nothing is.
+/// Narrow strips are left to the rework tool, but where that is more than this share of the part nothing is:
+/// strips are narrow everywhere then, and better than those of the rework tool.
 constexpr double max_left_share = 0.1;
-/// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
-constexpr double along_share = 0.1;
-
-std::string angle_text(double radians) {
-    return format_number(degrees(radians), 3) + "°";
-}
-
 std::string minutes_text(double seconds) {
     return format_number(seconds / 60, 3) + " min";
 }
@@ -48,35 +39,6 @@ std::string percent_text(double share) {
 
 std::string region_count(std::size_t n) {
     return std::to_string(n) + (n == 1 ? " region" : " regions");
-}
-
-double spacing_of(const Box3& box, double radius) {
-    const Vec3 size = box.size();
-    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_contacts));
-}
-
-/// The travel as an angle; "auto": that of the main path.
-double machining_angle(const NumberOrWord& asked, double main) {
-    if (asked.is_number()) return asked.number;
-    return asked.is("x") ? 0 : asked.is("y") ? 0.5 * pi : main;
-}
-
-void check_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit) {
-    if (!(settings.lead_limit > 0))
-        throw Error(ErrorCode::out_of_range, "lead_limit",
-                    "a lead limit of 0 leaves the main path no hollows", "enter an angle above 0");
-    if (settings.lead_limit > settings.assumed_lead_limit)
-        throw Error(ErrorCode::out_of_range, "lead_limit",
-                    "the lead limit " + angle_text(settings.lead_limit)
-                        + " is above that of the assumed path, " + angle_text(settings.assumed_lead_limit),
-                    "lower it, or raise assumed_lead_limit");
-    const Vec3 size = source.part->box().size();
-    if (settings.rework_offset > std::max(size.x(), size.y()))
-        throw Error(ErrorCode::out_of_range, "rework_offset",
-                    "the offset of " + length_text(settings.rework_offset, unit)
-                        + " is larger than the part, which is " + length_text(size.x(), unit) + " by "
-                        + length_text(size.y(), unit),
-                    "enter a smaller length");
 }
 
 /// The smallest cutter curvature that does nearly everywhere, as advice.
@@ -112,7 +74,7 @@ void check_rework_tool(const GlobalLocalSettings& settings, const PlanContext& c
                     "choose a flat or bull-nosed tool, or rework_cutting ball");
 }
 
-/// What main and rework path take at feed, with the ways between passes.
+/// What main and rework path take at feed, with the travel between passes.
 double seconds(const StrategyResult& plan, double feed, double clear_z) {
     double length = 0;
     for (const StrategyResult* path : {&plan, &plan.rework->path}) {
@@ -144,7 +106,6 @@ public:
         StrategyResult result = main_path(leave(), progress_.part(0.05, 0.65));
         double left = look_at_main(result);
         if (left > max_left_share * plan_->part_area) {
-            // Narrow everywhere: such strips are better than those of the rework tool.
             plan_->left_by_main.clear();
             result = main_path(0, progress_.part(0.65, 0.65));
             look_at_main(result);
@@ -157,8 +118,8 @@ public:
         return result;
     }
 
-    /// Nothing is taken out of the part for its leads: passes all along it as five-axis finishing makes them,
-    /// in the direction that it takes by itself, and regions where they leave something.
+    /// No place is taken out of the part for the lead it needs: passes all along it as five-axis finishing
+    /// makes them, in the direction that it takes by itself, and regions where they leave something.
     StrategyResult run_whole() {
         // What the assumed path's contacts ask for is asked of the passes themselves.
         RegionSource whole = *plan_->source;
@@ -242,7 +203,7 @@ private:
         return settings_.allowance + context_.tessellation_tolerance[1] + cusp_budget(settings_, context_);
     }
 
-    /// mm^2 that it leaves of what it was to cut.
+    /// Notes what the main path leaves of what it was to cut; its area, mm^2.
     double look_at_main(const StrategyResult& main) {
         Coverage coverage(
             surface_samples(*outside_.mesh, outside_.geometry->vertex_normals, up_, sample_spacing()),
@@ -348,100 +309,6 @@ private:
 };
 
 } // namespace
-
-namespace {
-
-AssumedPath assumed_along(const PlanContext& context, Finish5Settings settings, double direction,
-                          const Progress& progress) {
-    settings.direction = {direction, ""};
-    const FiveAxisField field(context, settings, progress.part(0, 0.3));
-    if (!(field.lines().lo() <= field.lines().hi()))
-        throw Error(ErrorCode::empty_result, settings.name, "no drive plane meets the part",
-                    "check part and direction");
-    return assume_path(field, spacing_of(context.part_box, field.radius()), progress.part(0.3, 1));
-}
-
-} // namespace
-
-std::shared_ptr<const RegionSource>
-region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress) {
-    auto source = std::make_shared<RegionSource>();
-    PlanContext own = context;
-    if (!own.geometry) own.geometry = compute_geometry(*own.part, progress.part(0, 0.1));
-    if (!own.curvatures)
-        own.curvatures = std::make_shared<std::vector<VertexCurvature>>(
-            vertex_curvatures(*own.part, own.geometry->vertex_normals, progress.part(0.1, 0.3)));
-    source->part = own.part;
-    source->geometry = own.geometry;
-    source->curvatures = own.curvatures;
-    Finish5Settings assumed = settings;
-    assumed.lead_limits = {0, settings.assumed_lead_limit};
-    if (!settings.direction.is("auto")) {
-        source->assumed =
-            assumed_along(own, assumed, travel_direction(settings.direction, own, progress.part(0.3, 0.3)),
-                          progress.part(0.3, 1));
-    } else {
-        const double diameter = 2 * CutterProfile(own.tool.cutter()).max_radius();
-        const double rework =
-            own.further_tools.empty() ? usual_rework_share * diameter : own.further_tools[0].diameter;
-        double least = infinity;
-        for (const bool along_y : {false, true}) {
-            RegionSource one = *source;
-            one.assumed = assumed_along(own, assumed, along_y ? 0.5 * pi : 0,
-                                        along_y ? progress.part(0.65, 1) : progress.part(0.3, 0.65));
-            const double seconds = estimate(one, diameter, diameter, settings.lead_limit, rework,
-                                            settings.tolerance, settings.feed)
-                                       .seconds();
-            if (!(seconds < least)) continue;
-            least = seconds;
-            *source = std::move(one);
-        }
-    }
-    if (source->assumed.contacts.empty())
-        throw Error(ErrorCode::empty_result, settings.name, "no place of the part can be come to from above",
-                    "turn the part");
-    return source;
-}
-
-FoundRegions find_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit,
-                          std::span<const UncutPlace> further, const Progress& progress) {
-    check_regions(source, settings, unit);
-    const Vec3 view(settings.view_direction[0], settings.view_direction[1], settings.view_direction[2]);
-    const double angle = machining_angle(settings.machining_direction, source.assumed.direction);
-    const DriveFrame frame(angle);
-    Vec3 machining(frame.along.x(), frame.along.y(), 0);
-    if (!(view.cross(machining).norm() > along_share * view.norm()))
-        throw Error(ErrorCode::out_of_range, "view_direction",
-                    "the view direction has no length or runs along the machining direction",
-                    "look across it, as along 0, 0, 1");
-    // Across the travel nothing is forward: then the travel itself is meant.
-    if (std::abs(machining.dot(source.assumed.travel)) < along_share) machining = source.assumed.travel;
-    ScreenedPath screened =
-        screen(source.assumed, settings.lead_limit, settings.rework_offset, view, machining, progress);
-    screened.uncut.insert(screened.uncut.end(), further.begin(), further.end());
-    RegionInput input;
-    input.part = source.part;
-    input.geometry = source.geometry;
-    input.curvatures = source.curvatures;
-    input.spacing = source.assumed.spacing;
-    input.offset = settings.rework_offset;
-    input.edits = settings.region_edits;
-    input.drags = settings.boundary_drags;
-    FoundRegions found;
-    found.regions = rework_regions(input, screened.uncut, progress);
-    found.pairs = std::move(screened.pairs);
-    assign_pairs(found.regions, found.pairs);
-    for (ReworkRegion& r : found.regions.regions) {
-        r.strip.tool = settings.rework_tool;
-        r.strip.reason = r.lead_largest > settings.assumed_lead_limit
-                             ? "no lead up to " + angle_text(settings.assumed_lead_limit) + " is free"
-                         : r.lead_largest > settings.lead_limit
-                             ? "needs a lead of up to " + angle_text(r.lead_largest) + ", allowed are "
-                                   + angle_text(settings.lead_limit)
-                             : "left by the main path";
-    }
-    return found;
-}
 
 const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
     static const auto table = [] {

@@ -1,11 +1,11 @@
-// Global-local CM2 (Wang): one main path over the whole part whose lead angle is capped at alpha_M, so that
+// Global-local CM2 (Wang): one main path over the whole part whose lead is capped at alpha_M, so that
 // its strips stay wide, and a rework path with a smaller tool where that is not enough.
 //
 //  1. The assumed previous path and its screening by alpha_M (assumed_path.h) give the uncut places, these
-//     the rework regions on the part's surface (rework_region.h).
+//     the rework regions on the part's surface (find_regions.h).
 //  2. The main path is that of five-axis finishing (finish5.h) over the part without the uncut places, with
 //     leads from 0 to alpha_M and partial passes where strips are narrow; those that the rework tool cuts as
-//     well are left to it. The whole part is kept from being cut.
+//     well are left to it. No pass may cut into any place of the whole part.
 //  3. What the main path really clears is looked at pose by pose (coverage.h). Places that it leaves, at
 //     slanted ends of passes for example, join the regions.
 //  4. The rework path covers the regions with their outward offset: a ball with vertical axis along parallel
@@ -33,9 +33,9 @@ struct GlobalLocalSettings : Finish5Settings {
         tolerance = 0.05;
     }
     double lead_limit = radians(8);          ///< alpha_M
-    double assumed_lead_limit = radians(45); ///< of the assumed previous path
-    /// Where a main path all over the part with leads up to the assumed limit, and what it leaves reworked,
-    /// take less time, that is the plan.
+    double assumed_lead_limit = radians(45); ///< the assumed previous path's
+    /// Where leads up to the assumed limit take less time all over the part, rework of what they leave
+    /// included, they are used instead.
     bool raise_lead_limit = true;
     double rework_offset = 2; ///< mm
     long rework_tool = 0;     ///< 0: none, the regions are left to other operations
@@ -48,23 +48,6 @@ struct GlobalLocalSettings : Finish5Settings {
 };
 
 const ParameterTable<GlobalLocalSettings>& global_local_parameters();
-
-/// The assumed previous path over the context's part. With the direction auto: along X or Y, whichever the
-/// estimate of main and rework time (tool_advice.h) prefers. A flat end's strips are wide where the part is
-/// flat or hollow across the travel, so that need not be the direction in which the surface turns least.
-/// Throws what FiveAxisField throws; Cancelled within 100 ms.
-std::shared_ptr<const RegionSource>
-region_source(const PlanContext& context, const GlobalLocalSettings& settings, const Progress& progress);
-
-/// Regions of a source by the settings' lead limit, offset, directions and edits, with their names, tools and
-/// reasons; `further`: more uncut places. Fast enough for a dialog. Throws Error(out_of_range) for a lead
-/// limit above the assumed one, an offset larger than the part, a view along the machining direction.
-struct FoundRegions {
-    std::vector<BoundaryPair> pairs;
-    ReworkRegions regions;
-};
-FoundRegions find_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit,
-                          std::span<const UncutPlace> further, const Progress& progress);
 
 class GlobalLocal : public OperationWith<GlobalLocalSettings, global_local_parameters>,
                     public TakesRegionEdits {
@@ -93,8 +76,8 @@ public:
         settings_.boundary_drags = std::move(drags);
     }
 
-    /// Throws what Finish5::plan does; Error(out_of_range) as find_regions, and for a rework tool that does
-    /// not suit the cutting; Error(empty_result) where the lead limit leaves next to nothing to the main
+    /// Throws what Finish5::plan does; Error(out_of_range) as find_regions does, and for a rework tool that
+    /// does not suit the cutting; Error(empty_result) where the lead limit leaves next to nothing to the main
     /// path.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };

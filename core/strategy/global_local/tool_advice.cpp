@@ -10,10 +10,10 @@ namespace facetmill {
 
 namespace {
 
-/// Of the diameter: no strip is wider.
+/// No strip is wider than this share of the diameter.
 constexpr double widest_share = 0.97;
-/// Of the diameter: what turning round at the end of a pass costs. The tip of a flat end is a radius behind
-/// its contact, whichever way it goes.
+/// What turning round at the end of a pass costs, in diameters. The tip of a flat end is a radius behind its
+/// contact in either direction.
 constexpr double turn_share = 1;
 /// Curvatures below this share of the scallop over the radius squared are none.
 constexpr double flat_share = 1e-3;

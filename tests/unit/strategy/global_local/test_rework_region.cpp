@@ -1,7 +1,7 @@
 // Rework regions and what they are found from: motion directions, offsets, boundary points with known places,
 // regions of any shape that contain every uncut place.
 #include "core/base/parallel.h"
-#include "core/strategy/global_local/global_local.h"
+#include "core/strategy/global_local/find_regions.h"
 #include "core/strategy/global_local/tool_advice.h"
 #include "tests/property/shapes.h"
 #include "tests/support/cancel_at.h"
