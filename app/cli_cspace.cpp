@@ -23,7 +23,7 @@ void run(const Arguments& arguments, Session& session) {
     const Progress progress = session.progress();
     Planner planner;
     const auto result = plan_project(planner, project, file, name, progress.part(0.0, 0.7));
-    const auto& record = result->operations.front()->path.five_axis;
+    const auto record = result->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
                     "has no configuration spaces: its tool axes do not turn",

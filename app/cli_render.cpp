@@ -99,7 +99,7 @@ void run_cspace(const Arguments& arguments, Session& session) {
     const Progress progress = session.progress();
     Planner planner;
     const auto plan = planner.plan(project, name, progress.part(0.0, 0.7));
-    const auto& record = plan->operations.front()->path.five_axis;
+    const auto record = plan->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
                     "has no configuration spaces: its tool axes do not turn",

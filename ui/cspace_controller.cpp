@@ -78,7 +78,7 @@ void CSpaceController::clear_room(const QString& text) {
 
 bool CSpaceController::go_near(int operation, const std::shared_ptr<const OperationResult>& result,
                                const Vec3& place) {
-    const auto& record = result ? result->path.five_axis : nullptr;
+    const auto record = result ? result->path.five_axis() : nullptr;
     if (!record || record->points.empty()) return false;
     if (record != record_) {
         job_.cancel();

@@ -216,7 +216,7 @@ void InspectionController::update() {
             if (outcome->figures.empty())
                 for (std::size_t i = 0; i < results.size(); ++i) {
                     // A path of several axes belongs to the machine it was planned for.
-                    const auto& record = results[i]->path.five_axis;
+                    const auto record = results[i]->path.five_axis();
                     const Machine machine = record ? record->context.machine : project_machine(project);
                     const double n = double(results.size());
                     outcome->figures.push_back(path_figures(

@@ -43,8 +43,8 @@ const ParameterTable<MachineChoice>& machine_choice() {
 
 const std::vector<std::string> axis_points{"axis_from", "axis_to"};
 
-bool through_points(const TurnsPart& turns) {
-    return turns.lathe().axis == LatheCommon::Axis::points;
+bool through_points(const LatheCommon& turning) {
+    return turning.axis == LatheCommon::Axis::points;
 }
 
 } // namespace
@@ -145,8 +145,8 @@ QString PropertiesPanel::shape() const {
         shape += QChar('/') + QString::number(document_.operation_id(node_->index));
         for (const Tool& t : document_.project().tools)
             shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
-        if (const auto* turns = dynamic_cast<const TurnsPart*>(&document_.operation(node_->index)))
-            shape += through_points(*turns) ? QStringLiteral("/points") : QStringLiteral("/axis");
+        if (const LatheCommon* turning = document_.operation(node_->index).turning())
+            shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
     }
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind));
@@ -206,8 +206,8 @@ void PropertiesPanel::refresh() {
         title = text(operation.common().name);
         // Of the turning axis what says where it runs.
         std::vector<std::string> hidden;
-        if (const auto* turns = dynamic_cast<const TurnsPart*>(&operation)) {
-            if (through_points(*turns))
+        if (const LatheCommon* turning = operation.turning()) {
+            if (through_points(*turning))
                 hidden = {"axis_through"};
             else
                 hidden = axis_points;
@@ -247,8 +247,7 @@ void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {
         document_.change(tr("Pick %1").arg(text(key).replace(QChar('_'), QChar(' '))),
                          [&, index = node_->index](Project& p) {
                              Operation& operation = *p.operations.at(index);
-                             if (dynamic_cast<const TurnsPart*>(&operation))
-                                 operation.set("axis", std::string("points"));
+                             if (operation.turning()) operation.set("axis", std::string("points"));
                              operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
                          });
     } catch (const Error& e) {

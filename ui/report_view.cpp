@@ -174,17 +174,18 @@ QString ReportView::operation_html(std::size_t i) const {
                    : html + note(tr("Press Plan (F5) to plan it."), signal.quiet);
 
     const StrategyResult& path = result->path;
+    const auto* turned = path.as<TurnedPath>();
     Facts facts(palette());
     facts.add(tr("Passes"), count_text(std::size_t(std::max(0, path.drive_planes))));
-    facts.add(path.turned ? tr("Side feed") : tr("Step-over"),
+    facts.add(turned ? tr("Side feed") : tr("Step-over"),
               path.stepover_min == path.stepover_max
                   ? shown_length(path.stepover_min, unit, 4)
                   : text(format_number(path.stepover_min / mm_per(unit), 4)) + QStringLiteral(" to ")
                         + shown_length(path.stepover_max, unit, 4));
-    if (!path.turned)
+    if (!turned)
         facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
     else if (document_.part())
-        add_turning(facts, *path.turned, document_.part()->box, unit, signal.attention.name());
+        add_turning(facts, *turned, document_.part()->box, unit, signal.attention.name());
     facts.add(tr("CC points"), count_text(result->cc_points));
     facts.add(tr("CL points"), count_text(result->cl_points));
     double cut = 0, rapid = 0, time = 0;
@@ -203,8 +204,8 @@ QString ReportView::operation_html(std::size_t i) const {
                       .arg(duration_text(program->totals.time_seconds),
                            count_text(std::size_t(std::max(0, program->path.drive_planes)))));
     }
-    if (path.rework) {
-        const ReworkRegions& r = path.rework->regions;
+    if (const auto* global_local = path.as<GlobalLocalPath>()) {
+        const ReworkRegions& r = global_local->rework->regions;
         facts.add(tr("Rework regions"), r.regions.empty()
                                             ? tr("none")
                                             : tr("%1, %2 % of the surface")

@@ -138,11 +138,12 @@ void RoughController::refresh() {
     job_.cancel();
     const LengthUnit unit = document_.unit();
     const StrategyResult& path = result->path;
-    const auto [least, most] = depths(path.layers);
-    QString all = path.layers.size() == 1 ? tr("1 layer") : tr("%1 layers").arg(path.layers.size());
+    const std::vector<double>& layers = path.as<RoughPath>()->layers;
+    const auto [least, most] = depths(layers);
+    QString all = layers.size() == 1 ? tr("1 layer") : tr("%1 layers").arg(layers.size());
     if (most > 0) all += tr(", %1 deep").arg(range_text(least, most, unit));
     all += tr("; at most %1 stays above the allowance").arg(shown_length(path.cusp_max, unit, 3));
-    take(path.layers, document_.part()->box, all);
+    take(layers, document_.part()->box, all);
     if (alone) emit layer_changed();
 }
 

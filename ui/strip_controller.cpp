@@ -186,7 +186,7 @@ void StripController::set_paths(std::vector<std::shared_ptr<const OperationResul
         const QString was = box->currentText();
         box->clear();
         for (std::size_t i = 0; i < results_.size(); ++i) {
-            if (!results_[i]->path.cleanup_record) continue;
+            if (!results_[i]->path.as<CleanupPath>()) continue;
             sources_.push_back(i);
             box->addItem(elided(text(results_[i]->name), 40));
         }
@@ -416,7 +416,7 @@ void StripController::choose(std::optional<std::size_t> strip, bool fly) {
     QSlider* place = panel_->place();
     {
         const QSignalBlocker quiet(place);
-        const auto touches = strip && listed_ ? listed_->path.cleanup_record->of(*strip)
+        const auto touches = strip && listed_ ? listed_->path.as<CleanupPath>()->record->of(*strip)
                                               : std::span<const CleanupRecord::Touch>();
         place->setRange(0, std::max(0, int(touches.size()) - 1));
         place->setValue(int(touches.size() / 2));
@@ -457,7 +457,7 @@ bool StripController::pick(const Vec3& place) {
     const auto nearest = strip_at(place, strips, document_.part()->box.diagonal());
     if (!nearest) return false;
     choose(nearest, false);
-    const auto touches = listed_->path.cleanup_record->of(*nearest);
+    const auto touches = listed_->path.as<CleanupPath>()->record->of(*nearest);
     const auto at = std::min_element(touches.begin(), touches.end(), [&](const auto& a, const auto& b) {
         return (a.center - place).squaredNorm() < (b.center - place).squaredNorm();
     });
@@ -484,7 +484,7 @@ void StripController::show_touch() {
     QString words;
     const CleanupRecord::Touch* touch = nullptr;
     if (listed_ && chosen_) {
-        const CleanupRecord& record = *listed_->path.cleanup_record;
+        const CleanupRecord& record = *listed_->path.as<CleanupPath>()->record;
         const auto touches = record.of(*chosen_);
         const Strip& strip = listed_->path.strips[*chosen_];
         if (!touches.empty()) {
@@ -514,7 +514,7 @@ void StripController::show_touch() {
     const bool wanted = touch && panel_->isVisible() && panel_->touch_box()->isChecked() && !tool_left_;
     if (wanted) {
         touch_shown_ = true;
-        emit touch_wanted(listed_->path.cleanup_record->previous, *touch);
+        emit touch_wanted(listed_->path.as<CleanupPath>()->record->previous, *touch);
     } else if (std::exchange(touch_shown_, false)) {
         emit touch_gone();
     }

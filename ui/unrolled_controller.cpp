@@ -78,7 +78,7 @@ void UnrolledController::set_paths(std::vector<std::shared_ptr<const OperationRe
         const QString was = operation_->currentText();
         operation_->clear();
         for (std::size_t i = 0; i < results_.size(); ++i) {
-            if (!results_[i]->path.turned) continue;
+            if (!results_[i]->path.as<TurnedPath>()) continue;
             sources_.push_back(i);
             operation_->addItem(elided(text(results_[i]->name), 40));
         }

@@ -163,8 +163,8 @@ PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progr
                 tick();
                 if (c.point.allFinite()) append(display->left_points, c.point - center);
             }
-            if (s.contacts->five_axis)
-                for (const FiveAxisRecord::Point& p : s.contacts->five_axis->points) {
+            if (const auto record = s.contacts->five_axis())
+                for (const FiveAxisRecord::Point& p : record->points) {
                     tick();
                     if (p.place.kept) append(display->kept_points, p.place.surface - center);
                 }

@@ -74,7 +74,7 @@ PathFiguresPtr path_figures(const std::shared_ptr<const OperationResult>& operat
 }
 
 std::vector<double> motion_cusps(const OperationResult& operation, const Progress& progress) {
-    const auto& record = operation.path.five_axis;
+    const auto record = operation.path.five_axis();
     if (!record) return {};
     const FiveAxisStudy study(record, progress.part(0, 0.4));
     const auto& points = record->points;

@@ -19,8 +19,9 @@ constexpr double min_scale = 1e-3;
 
 UnrolledPathPtr prepare_unrolled(std::shared_ptr<const OperationResult> operation, LengthUnit unit,
                                  const Progress& progress) {
-    if (!operation->path.turned) return nullptr;
-    const TurnedPath& t = *operation->path.turned;
+    const auto* path_on_axis = operation->path.as<TurnedPath>();
+    if (!path_on_axis) return nullptr;
+    const TurnedPath& t = *path_on_axis;
     const Vec3 &d = t.axis.direction, side = d.cross(t.zero);
     const double per = mm_per(unit);
     auto path = std::make_shared<UnrolledPath>();

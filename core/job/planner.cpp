@@ -181,7 +181,7 @@ void finish_program(OperationResult& result, const Project& project, const Opera
 std::shared_ptr<const OperationResult> rework_program(const OperationResult& main, const Project& project,
                                                       const Operation& operation, PlanContext context,
                                                       const Progress& progress) {
-    const ReworkPlan& plan = *main.path.rework;
+    const ReworkPlan& plan = *main.path.as<GlobalLocalPath>()->rework;
     auto result = std::make_shared<OperationResult>();
     result->name = main.name + " rework";
     result->kind = main.kind;
@@ -192,16 +192,9 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
         result->cc_points += pass.cc.size();
         result->cl_points += pass.cl.size();
     }
-    const OperationCommon& common = operation.common();
-    const LinkOptions options = default_link_options(plan.path, context, common);
-    const double beside = operation.holder_clearance();
     result->program.multi_axis = !plan.three_axis;
-    result->program.motions =
-        plan.three_axis
-            ? link_three_axis(plan.path, context, common.allowance, options, progress)
-            : link_five_axis(plan.path, context,
-                             {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
-                             progress);
+    result->program.motions = link_operation(operation, plan.three_axis ? Linking::upright : Linking::tilted,
+                                             plan.path, context, progress);
     finish_program(*result, project, operation, context, progress);
     return result;
 }
@@ -418,7 +411,8 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         ++work.links;
     }
     finish_program(*result, project, operation, context, progress);
-    if (result->path.rework && !result->path.rework->path.passes.empty())
+    const auto* global_local = result->path.as<GlobalLocalPath>();
+    if (global_local && !global_local->rework->path.passes.empty())
         result->further.push_back(
             rework_program(*result, project, operation, context, progress.part(0.98, 1)));
     result->seconds_planning = result->seconds_strategy + result->seconds_link;

@@ -75,14 +75,13 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         paths.push_back(folder / program_file_name(project, result, i));
         const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
         write_apt(o.program, files.add(paths.back()), part);
-        if (o.path.turned) {
-            const auto* turns = place < project.operations.size()
-                                    ? dynamic_cast<const TurnsPart*>(project.operations[place].get())
-                                    : nullptr;
-            const bool modulo = turns && turns->lathe().winding == LatheCommon::Winding::modulo;
+        if (const auto* turned = o.path.as<TurnedPath>()) {
+            const LatheCommon* turning =
+                place < project.operations.size() ? project.operations[place]->turning() : nullptr;
+            const bool modulo = turning && turning->winding == LatheCommon::Winding::modulo;
             for (const TurningTableRange& range : turning_table_ranges(o.program, o.path)) {
                 paths.push_back(folder / turning_table_name(place + 1, o.name, range.pass));
-                write_turning_table(o.program, *o.path.turned, range,
+                write_turning_table(o.program, *turned, range,
                                     modulo ? AngleWinding::modulo : AngleWinding::unwound,
                                     files.add(paths.back()), part);
             }

@@ -21,12 +21,11 @@ Json box_json(const Box3& box, double per) {
 }
 
 /// The turning axis, the diameters and what the cutter cannot reach; only programs of a turning part have it.
-void add_turning(Json& entry, const OperationResult& o, double per) {
+void add_turning(Json& entry, const TurnedPath& t, const std::string& name, double per) {
     const auto number = [&](double v) {
-        return json_number(v, "report: operation '" + printable(o.name) + "'");
+        return json_number(v, "report: operation '" + printable(name) + "'");
     };
-    const TurnedPath& t = *o.path.turned;
-    if (!o.path.layers.empty()) entry["layers"] = o.path.layers.size();
+    if (!t.layers.empty()) entry["layers"] = t.layers.size();
     entry["turning"] = Json{{"axis_point", numbers(t.axis.point, per)},
                             {"axis_direction", numbers(t.axis.direction, 1)},
                             {"part_diameter", number(2 * t.part_radius / per)},
@@ -54,15 +53,17 @@ void add_machine_run(Json& entry, const OperationResult& o) {
         return json_number(v, "report: operation '" + printable(o.name) + "'");
     };
     const MachineRun& run = *o.machine_run;
-    const auto& seconds = o.path.stage_seconds;
-    if (!o.path.turned)
+    if (!o.path.as<TurnedPath>()) {
+        const auto* tilted = o.path.as<TiltedPath>();
+        const auto seconds = tilted ? tilted->stage_seconds : std::array<double, 4>{};
         entry["seconds_by_stage"] = Json{{"cc", number(seconds[0])},
                                          {"bottom", number(seconds[1])},
                                          {"top", number(seconds[2])},
                                          {"choose", number(seconds[3])}};
-    if (o.path.lead_min <= o.path.lead_max)
+    }
+    if (const auto* leads = o.path.as<LeadRange>(); leads && leads->any())
         entry["lead_degrees"] =
-            Json::array({number(degrees(o.path.lead_min)), number(degrees(o.path.lead_max))});
+            Json::array({number(degrees(leads->lead_min)), number(degrees(leads->lead_max))});
     Json reversals;
     for (std::size_t j = 0; j < run.joints.size(); ++j)
         reversals[run.joints[j]] = run.reversals[j];
@@ -77,7 +78,7 @@ void add_rework(Json& entry, const OperationResult& o, double per) {
     const auto number = [&](double v) {
         return json_number(v, "report: operation '" + printable(o.name) + "'");
     };
-    const ReworkPlan& plan = *o.path.rework;
+    const ReworkPlan& plan = *o.path.as<GlobalLocalPath>()->rework;
     const auto program = [&](const OperationResult& one) {
         return Json{{"tool", one.program.tool_number},
                     {"passes", one.path.drive_planes},
@@ -139,7 +140,8 @@ std::string report_json(const Project& project, const PlanResult& result) {
         entry["cc_points"] = o->cc_points;
         entry["cl_points"] = o->cl_points;
         entry["cleanup_points"] = o->path.cleanup_points;
-        entry["rework_regions"] = o->path.rework_regions;
+        const auto* global_local = o->path.as<GlobalLocalPath>();
+        entry["rework_regions"] = global_local ? global_local->rework->regions.regions.size() : 0;
         entry["cut_length"] = number(o->totals.cut_length / per);
         entry["rapid_length"] = number(o->totals.rapid_length / per);
         entry["time_seconds"] = number(o->totals.time_seconds);
@@ -147,14 +149,14 @@ std::string report_json(const Project& project, const PlanResult& result) {
         entry["warnings"] = std::move(warnings);
         entry["seconds_planning"] = number(o->seconds_planning);
         entry["direction_degrees"] = number(degrees(o->path.direction));
-        if (o->path.stock_cell > 0) {
-            entry["layers"] = o->path.layers.size();
+        if (const auto* rough = o->path.as<RoughPath>()) {
+            entry["layers"] = rough->layers.size();
             entry["remaining_height"] = number(o->path.cusp_max / per);
             entry["air_length"] = number(o->program.motions.air_length / per);
         }
-        if (o->path.turned) add_turning(entry, *o, per);
+        if (const auto* turned = o->path.as<TurnedPath>()) add_turning(entry, *turned, o->name, per);
         if (o->machine_run) add_machine_run(entry, *o);
-        if (o->path.rework) add_rework(entry, *o, per);
+        if (global_local) add_rework(entry, *o, per);
         operations.push_back(std::move(entry));
     }
     const MeshReport& mesh = result.part->report;

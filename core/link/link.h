@@ -57,9 +57,12 @@ ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, d
 ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
                        const LinkOptions& options, const Progress& progress);
 
-/// Joins the passes of an operation in the way that suits it.
+/// Joins the passes of an operation's path as the operation says.
 ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,
                            const Progress& progress);
+/// The same for a further path of the operation that is linked in its own manner.
+ToolMotions link_operation(const Operation& operation, Linking linking, const StrategyResult& path,
+                           const PlanContext& context, const Progress& progress);
 
 /// Throws Error(out_of_range) unless clearance and chord tolerance are above 0 and the link distance at least
 /// 0.

@@ -136,9 +136,10 @@ private:
 ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
                        const LinkOptions& options, const Progress& progress) {
     check_link_options(options);
-    if (!path.turned)
+    const auto* turned = path.as<TurnedPath>();
+    if (!turned)
         throw Error(ErrorCode::internal, "link", "the path of a turning part knows no axis", "report this");
-    Linker linker(settings, context, *path.turned, options, progress.part(0, 0.1));
+    Linker linker(settings, context, *turned, options, progress.part(0, 0.1));
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
         progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
         if (!path.passes[i].cl.empty()) linker.add(path.passes[i], Index(i));

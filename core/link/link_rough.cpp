@@ -22,7 +22,7 @@ public:
            const LinkOptions& options, const Progress& progress)
         : path_(path), options_(options), progress_(progress), profile_(context.tool.cutter()),
           cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
-          field_(stock_before(context, path.stock_cell, progress.part(0, 0.1))),
+          field_(stock_before(context, path.as<RoughPath>()->stock_cell, progress.part(0, 0.1))),
           // Links keep from the part what cuts keep.
           reach_(context.contact, context, allowance + context.tessellation_tolerance[1],
                  std::max(path.chord_tolerance, tolerance::smallest_chord), -infinity) {
@@ -150,16 +150,27 @@ ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, d
 
 ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,
                            const Progress& progress) {
+    return link_operation(operation, operation.linking(), path, context, progress);
+}
+
+ToolMotions link_operation(const Operation& operation, Linking linking, const StrategyResult& path,
+                           const PlanContext& context, const Progress& progress) {
     const OperationCommon& common = operation.common();
     const LinkOptions options = default_link_options(path, context, common);
-    if (const auto* turns = dynamic_cast<const TurnsPart*>(&operation))
-        return link_lathe(path, context, turns->lathe(), options, progress);
-    if (path.stock_cell > 0) return link_rough(path, context, common.allowance, options, progress);
-    if (operation.three_axis()) return link_three_axis(path, context, common.allowance, options, progress);
     const double beside = operation.holder_clearance();
-    return link_five_axis(path, context,
-                          {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
-                          progress);
+    switch (linking) {
+    case Linking::upright:
+        return link_three_axis(path, context, common.allowance, options, progress);
+    case Linking::tilted:
+        return link_five_axis(path, context,
+                              {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
+                              progress);
+    case Linking::over_stock:
+        return link_rough(path, context, common.allowance, options, progress);
+    case Linking::about_axis:
+        return link_lathe(path, context, *operation.turning(), options, progress);
+    }
+    throw Error(ErrorCode::internal, "link", "unknown kind of linking", "report this");
 }
 
 } // namespace facetmill

@@ -111,9 +111,10 @@ ClProgram row(const char* name, const PlanContext& context, bool ball, RoughSett
                 before ? "rest"
                 : ball ? "ball"
                        : "flat",
-                offset == RoughSettings::Offset::contact ? "contact" : "vertices", path.layers.size(),
-                path.passes.size(), totals.cut_length / inch, 100 * program.motions.air_length / all,
-                100 * totals.rapid_length / all, path.cusp_max / inch);
+                offset == RoughSettings::Offset::contact ? "contact" : "vertices",
+                path.as<RoughPath>()->layers.size(), path.passes.size(), totals.cut_length / inch,
+                100 * program.motions.air_length / all, 100 * totals.rapid_length / all,
+                path.cusp_max / inch);
     std::vector<Collision> hits;
     if (resolution > 0) {
         VerifySettings v;

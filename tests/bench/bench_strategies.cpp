@@ -131,7 +131,8 @@ int main(int argc, char** argv) {
             const OperationResult& o = *plan->operations[i];
             total += o.totals.time_seconds;
             double share = 100;
-            if (const auto& rework = plan->operations[0]->path.rework)
+            const auto* global_local = plan->operations[0]->path.as<GlobalLocalPath>();
+            if (const auto rework = global_local ? global_local->rework : nullptr)
                 share = 100
                         * (i == 0 ? 1 - rework->regions.uncut_area / rework->part_area
                                   : rework->regions.area / rework->part_area);

@@ -173,7 +173,8 @@ private slots:
         const StrategyResult path = op.plan(context, Progress());
         for (const auto& w : path.warnings)
             qInfo("%s", w.c_str());
-        QVERIFY(path.lead_max > radians(5) && path.lead_max <= radians(40) + 1e-9);
+        QVERIFY(path.as<LeadRange>()->lead_max > radians(5)
+                && path.as<LeadRange>()->lead_max <= radians(40) + 1e-9);
         double turned = 0;
         for (const Pass& pass : path.passes)
             for (std::size_t i = 0; i < pass.cl.size(); ++i) {
@@ -215,7 +216,7 @@ private slots:
                                     .arg(where.x())
                                     .arg(where.y())
                                     .arg(where.z())
-                                    .arg(degrees(path.lead_max));
+                                    .arg(degrees(path.as<LeadRange>()->lead_max));
         qInfo("%s", qPrintable(figures));
         QVERIFY2(asked > 200 && most <= tau, qPrintable(figures));
     }

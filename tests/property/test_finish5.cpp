@@ -118,8 +118,12 @@ CutterLocation on_route(const CutterLocation& a, const CutterLocation& b, double
 }
 
 std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min, path.stepover_max, path.direction,
-                            path.cusp_max,     path.lead_min,     path.lead_max};
+    std::vector<double> all{path.stepover_min,
+                            path.stepover_max,
+                            path.direction,
+                            path.cusp_max,
+                            path.as<LeadRange>()->lead_min,
+                            path.as<LeadRange>()->lead_max};
     for (const Pass& p : path.passes) {
         all.push_back(p.offset);
         for (std::size_t i = 0; i < p.cl.size(); ++i)
@@ -186,7 +190,8 @@ private slots:
 
         // Within the limits: what stands between neighbours too.
         const Finish5Settings& s = op.settings();
-        QVERIFY(path.lead_min >= s.lead_limits[0] && path.lead_max <= s.lead_limits[1]);
+        QVERIFY(path.as<LeadRange>()->lead_min >= s.lead_limits[0]
+                && path.as<LeadRange>()->lead_max <= s.lead_limits[1]);
         for (const Pass& pass : path.passes) {
             QCOMPARE(pass.cc.size(), pass.cl.size());
             for (std::size_t i = 0; i < pass.cl.size(); ++i) {

@@ -71,6 +71,10 @@ GlobalLocalSettings settings() {
     return s;
 }
 
+const ReworkPlan& rework_of(const StrategyResult& path) {
+    return *path.as<GlobalLocalPath>()->rework;
+}
+
 /// Both programs, one after the other.
 Verification judged(const PlanContext& context, const GlobalLocal& op, const StrategyResult& path) {
     VerifySettings s;
@@ -87,7 +91,7 @@ Verification judged(const PlanContext& context, const GlobalLocal& op, const Str
                        : link_five_axis(one, c, {op.common().allowance, 0, 0}, options, Progress()));
     };
     std::vector<VerifyProgram> programs{{"main", VerifyTool(context.tool), link(path, context, false), {}}};
-    const ReworkPlan& rework = *path.rework;
+    const ReworkPlan& rework = rework_of(path);
     if (!rework.path.passes.empty()) {
         PlanContext c = context;
         c.tool = rework.tool;
@@ -98,7 +102,7 @@ Verification judged(const PlanContext& context, const GlobalLocal& op, const Str
 
 std::vector<double> numbers(const StrategyResult& path) {
     std::vector<double> all;
-    for (const StrategyResult* p : {&path, &path.rework->path})
+    for (const StrategyResult* p : {&path, &rework_of(path).path})
         for (const Pass& pass : p->passes)
             for (std::size_t i = 0; i < pass.cl.size(); ++i)
                 for (const Vec3* v : {&pass.cl[i].tip, &pass.cl[i].axis, &pass.cc[i].point})
@@ -144,16 +148,16 @@ private slots:
         const StrategyResult path = op.plan(context, Progress());
         for (const std::string& w : path.warnings)
             qInfo("%s", w.c_str());
-        QVERIFY(path.rework && path.rework_regions > 0);
-        QCOMPARE(path.strips.size(), path.rework_regions);
-        QVERIFY(!path.rework->path.passes.empty());
+        QVERIFY(path.as<GlobalLocalPath>() && rework_of(path).regions.regions.size() > 0);
+        QCOMPARE(path.strips.size(), rework_of(path).regions.regions.size());
+        QVERIFY(!rework_of(path).path.passes.empty());
         QVERIFY2(largest_lead(path) <= s.lead_limit + 1e-6, qPrintable(QString::number(largest_lead(path))));
         for (const Strip& strip : path.strips) {
             QVERIFY(strip.enabled && strip.tool == 2 && strip.area > 0 && !strip.boundaries.empty());
             QVERIFY(!strip.band.empty() && !strip.reason.empty());
         }
         // Not all of the part: the main path has its share.
-        QVERIFY(path.rework->regions.area < 0.8 * path.rework->part_area);
+        QVERIFY(rework_of(path).regions.area < 0.8 * rework_of(path).part_area);
 
         const Verification v = judged(context, op, path);
         QVERIFY(v.figures.samples > 3000);
@@ -177,8 +181,8 @@ private slots:
         const PlanContext context = context_for(part, with_holder(flat_tool(8)), with_holder(ball_tool(3)));
         const GlobalLocal op(settings());
         const StrategyResult path = op.plan(context, Progress());
-        QCOMPARE(path.rework_regions, std::size_t(0));
-        QVERIFY(path.rework->path.passes.empty());
+        QCOMPARE(rework_of(path).regions.regions.size(), std::size_t(0));
+        QVERIFY(rework_of(path).path.passes.empty());
         QVERIFY(!path.warnings.empty() && path.warnings[0].find("nothing to rework") != std::string::npos);
         QCOMPARE(judged(context, op, path).figures.uncut_fraction, 0.0);
     }
@@ -196,15 +200,17 @@ private slots:
         s.lead_limit = radians(1);
         const auto length = [](const StrategyResult& plan) {
             double sum = 0;
-            for (const StrategyResult* path : {&plan, &plan.rework->path})
+            for (const StrategyResult* path : {&plan, &rework_of(plan).path})
                 for (const Pass& pass : path->passes)
                     for (std::size_t i = 1; i < pass.cl.size(); ++i)
                         sum += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
             return sum;
         };
         const StrategyResult kept = GlobalLocal(s).plan(context, Progress());
-        QVERIFY2(kept.rework_regions > 0 && largest_lead(kept) <= s.lead_limit + 1e-6,
-                 qPrintable(QString("%1 %2").arg(kept.rework_regions).arg(degrees(largest_lead(kept)))));
+        QVERIFY2(rework_of(kept).regions.regions.size() > 0 && largest_lead(kept) <= s.lead_limit + 1e-6,
+                 qPrintable(QString("%1 %2")
+                                .arg(rework_of(kept).regions.regions.size())
+                                .arg(degrees(largest_lead(kept)))));
         s.raise_lead_limit = true;
         const GlobalLocal op(s);
         const StrategyResult raised = op.plan(context, Progress());
@@ -216,10 +222,10 @@ private slots:
         QVERIFY(!v.gouged() && v.collisions.empty());
         QCOMPARE(v.figures.uncut_fraction, 0.0);
 
-        const Vec3& place = kept.rework->regions.regions[0].place;
+        const Vec3& place = rework_of(kept).regions.regions[0].place;
         s.region_edits.push_back({{place.x(), place.y(), place.z()}, true, 1});
         const StrategyResult edited = GlobalLocal(s).plan(context, Progress());
-        QVERIFY(edited.rework_regions > 0 && largest_lead(edited) <= s.lead_limit + 1e-6);
+        QVERIFY(rework_of(edited).regions.regions.size() > 0 && largest_lead(edited) <= s.lead_limit + 1e-6);
     }
 
     /// Regions that are switched off, or have no tool, are not cut, and that is said.
@@ -229,13 +235,14 @@ private slots:
         GlobalLocalSettings s = settings();
         s.rework_tool = 0;
         const StrategyResult none = GlobalLocal(s).plan(context, Progress());
-        QVERIFY(none.rework->path.passes.empty() && none.rework_regions > 0 && none.cleanup_points > 0);
+        QVERIFY(rework_of(none).path.passes.empty() && rework_of(none).regions.regions.size() > 0
+                && none.cleanup_points > 0);
         QVERIFY(none.warnings[0].find("choose a rework tool") != std::string::npos);
         s.rework_tool = 2;
-        for (const ReworkRegion& r : none.rework->regions.regions)
+        for (const ReworkRegion& r : rework_of(none).regions.regions)
             s.region_edits.push_back({{r.place.x(), r.place.y(), r.place.z()}, false, 0});
         const StrategyResult off = GlobalLocal(s).plan(context, Progress());
-        QVERIFY(off.rework->path.passes.empty());
+        QVERIFY(rework_of(off).path.passes.empty());
         QCOMPARE(off.cleanup_points, none.cleanup_points);
         QVERIFY(off.warnings[0].find("switched off") != std::string::npos);
         for (const Strip& strip : off.strips)

@@ -73,7 +73,7 @@ PlanContext turning(const Mesh& part, const Tool& tool) {
 std::vector<std::string> turning_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (dynamic_cast<const TurnsPart*>(k.make().get())) kinds.push_back(k.kind);
+        if (k.make()->turning()) kinds.push_back(k.kind);
     return kinds;
 }
 

@@ -51,7 +51,7 @@ std::vector<TipLine> cuts(const ToolMotions& motions) {
 }
 
 std::vector<double> numbers(const StrategyResult& r, const ToolMotions& m) {
-    std::vector<double> all = r.layers;
+    std::vector<double> all = r.as<RoughPath>()->layers;
     all.insert(all.end(), {r.cusp_max, r.stepover_min, double(r.passes.size()), m.air_length});
     for (const Motion& motion : m.motions) {
         all.push_back(double(int(motion.kind)));

@@ -276,7 +276,9 @@ private slots:
         record->points[0].place.surface = at(70, 50);
         record->points[0].place.kept = {{0.1, 0.2}};
         record->points[1].place.surface = at(20, 20);
-        result->path.five_axis = record;
+        TiltedPath tilted;
+        tilted.record = record;
+        result->path.detail = std::move(tilted);
         const auto path = prepare_path_display({path_source(result)}, {});
         QCOMPARE(path->left_points.size(), std::size_t(3 * 12));
         QCOMPARE(path->kept_points.size(), std::size_t(3));

@@ -69,7 +69,7 @@ private slots:
         QCOMPARE(*room().point(), first + 10);
 
         // The next pass is another line of the record; its study replaces the one under way.
-        const auto record = w().document().result(0)->path.five_axis;
+        const auto record = w().document().result(0)->path.five_axis();
         const int pass = record->line_of(*room().point()).drive;
         QTest::keyClick(&w(), Qt::Key_Down);
         QTest::keyClick(&w(), Qt::Key_Down);
@@ -157,7 +157,7 @@ private slots:
         w().plan();
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(w().document().state(0), OperationState::planned);
-        const auto record = w().document().result(0)->path.five_axis;
+        const auto record = w().document().result(0)->path.five_axis();
         QVERIFY(record->points[point].choice.free);
         QCOMPARE(record->points[point].choice.posture.lead, wish.lead);
         QCOMPARE(record->points[point].choice.posture.yaw, wish.yaw);

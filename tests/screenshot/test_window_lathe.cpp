@@ -41,7 +41,7 @@ class TestWindowLathe : public QObject, public WindowFixture {
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("unrolled_dock")); }
     std::shared_ptr<const OperationResult> finish() { return w().document().result(0); }
     const std::vector<Motion>& motions() { return finish()->program.motions.motions; }
-    LatheCommon settings() { return dynamic_cast<const TurnsPart&>(w().document().operation(0)).lathe(); }
+    LatheCommon settings() { return *w().document().operation(0).turning(); }
 
     /// Jasra's square prism, 50 mm square and 40 mm long about X, with coarse finishing alone.
     bool open_prism() {
@@ -63,7 +63,7 @@ class TestWindowLathe : public QObject, public WindowFixture {
     }
 
     double angle_of(const CutterLocation& at) {
-        const TurnedPath& t = *finish()->path.turned;
+        const TurnedPath& t = *finish()->path.as<TurnedPath>();
         const double angle =
             degrees(std::atan2(at.axis.dot(t.axis.direction.cross(t.zero)), at.axis.dot(t.zero)));
         return angle < 0 ? angle + 360 : angle;
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(path.operation, finish());
         // Round stock about the prism's corners: the sides' middles lie 10.36 below, and what margin there
         // is.
-        const double stock = finish()->path.turned->stock_radius;
+        const double stock = finish()->path.as<TurnedPath>()->stock_radius;
         QVERIFY(std::abs(path.high - (stock - 25)) < 0.51);
         QVERIFY(std::abs(path.low - (stock - 25 * std::sqrt(2.0))) < 0.51);
         const QImage picture = view()->grab().toImage();
@@ -504,7 +504,7 @@ private slots:
         w().plan();
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().document().state(0) == OperationState::planned, qPrintable(w().last_failure()));
-        QVERIFY((finish()->path.turned->axis.direction - Vec3::UnitX()).norm() < 1e-6);
+        QVERIFY((finish()->path.as<TurnedPath>()->axis.direction - Vec3::UnitX()).norm() < 1e-6);
         // To look at something else ends it.
         QTest::mouseClick(button("axis_to"), Qt::LeftButton);
         w().tree().select({TreeNode::Kind::part, 0});

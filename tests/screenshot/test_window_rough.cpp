@@ -82,9 +82,9 @@ private slots:
         enter(w(), "depth", QStringLiteral("0.1"));
         QVERIFY2(plan_all(), qPrintable(w().last_failure()));
         const auto& path = w().document().result(0)->path;
-        QCOMPARE(controller().heights(), path.layers);
-        QCOMPARE(slider()->maximum(), int(path.layers.size()));
-        QVERIFY(path.layers.size() > 2);
+        QCOMPARE(controller().heights(), path.as<RoughPath>()->layers);
+        QCOMPARE(slider()->maximum(), int(path.as<RoughPath>()->layers.size()));
+        QVERIFY(path.as<RoughPath>()->layers.size() > 2);
         QVERIFY2(!readout().contains(QStringLiteral("Preview")), qPrintable(readout()));
         w().layers().set_shown(ViewLayer::part, false);
         emit w().layers().toggled();
@@ -99,7 +99,8 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(first, view_picture(w())) > 500);
         shot(w(), QStringLiteral("rough-layer"));
-        QVERIFY(std::abs(w().viewport().scene().tool_pose()->tip.z() - path.layers.back()) < 1e-9);
+        QVERIFY(std::abs(w().viewport().scene().tool_pose()->tip.z() - path.as<RoughPath>()->layers.back())
+                < 1e-9);
         slider()->setValue(0);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(all, view_picture(w())) < 200);

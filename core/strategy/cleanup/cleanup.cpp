@@ -375,8 +375,8 @@ private:
                 result_.passes.push_back(std::move(p));
         }
         if (settings_.tilt_limit > 0) {
-            result_.lead_min = 0;
-            result_.lead_max = largest;
+            own_.lead_min = 0;
+            own_.lead_max = largest;
         }
         for (std::size_t i = 0; i < result_.passes.size(); ++i)
             result_.passes[i].drive = int(i);
@@ -532,7 +532,8 @@ private:
             if (found_[i].curve && found_[i].kind == StripKind::valley)
                 for (const PencilPoint& p : found_[i].curve->points)
                     record->touches.push_back({i, p.center, p.tip, p.touch, p.gap});
-        result_.cleanup_record = std::move(record);
+        own_.record = std::move(record);
+        result_.detail = std::move(own_);
         result_.chord_tolerance = chord_;
         auto& warnings = result_.warnings;
         if (blocked_ > ripple_)
@@ -559,6 +560,7 @@ private:
     double blocked_ = 0, held_ = 0;
     ToolBody held_by_ = ToolBody::none;
     StrategyResult result_;
+    CleanupPath own_;
 };
 
 } // namespace

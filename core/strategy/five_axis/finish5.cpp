@@ -84,7 +84,7 @@ private:
     auto timed(Make&& make) {
         const auto start = Clock::now();
         auto made = make();
-        result_.stage_seconds[0] += std::chrono::duration<double>(Clock::now() - start).count();
+        tilted_.stage_seconds[0] += std::chrono::duration<double>(Clock::now() - start).count();
         return made;
     }
 
@@ -195,12 +195,13 @@ private:
         result_.cleanup_points = result_.cleanup.size();
         result_.cusp_max = cut.cusp_max + field_.chord();
         result_.chord_tolerance = field_.chord();
-        result_.lead_min = cut.lead_min;
-        result_.lead_max = cut.lead_max;
-        result_.stage_seconds[1] = cut.seconds.bottom;
-        result_.stage_seconds[2] = cut.seconds.top;
-        result_.stage_seconds[3] = cut.seconds.postures;
-        result_.five_axis = cutter_.record();
+        tilted_.lead_min = cut.lead_min;
+        tilted_.lead_max = cut.lead_max;
+        tilted_.stage_seconds[1] = cut.seconds.bottom;
+        tilted_.stage_seconds[2] = cut.seconds.top;
+        tilted_.stage_seconds[3] = cut.seconds.postures;
+        tilted_.record = cutter_.record();
+        result_.detail = tilted_;
     }
 
     void finish() {
@@ -252,6 +253,7 @@ private:
     PartialPasses partial_;
     PassCutter cutter_;
     StrategyResult result_;
+    TiltedPath tilted_;
     int unsatisfied_ = 0; ///< drive planes
 };
 

@@ -74,10 +74,14 @@ void check_rework_tool(const GlobalLocalSettings& settings, const PlanContext& c
                     "choose a flat or bull-nosed tool, or rework_cutting ball");
 }
 
+const ReworkPlan& rework_of(const StrategyResult& plan) {
+    return *std::get<GlobalLocalPath>(plan.detail).rework;
+}
+
 /// What main and rework path take at feed, with the travel between passes.
 double seconds(const StrategyResult& plan, double feed, double clear_z) {
     double length = 0;
-    for (const StrategyResult* path : {&plan, &plan.rework->path}) {
+    for (const StrategyResult* path : {&plan, &rework_of(plan).path}) {
         const Pass* last = nullptr;
         for (const Pass& pass : path->passes) {
             if (pass.cl.empty()) continue;
@@ -274,14 +278,14 @@ private:
             result.strips.push_back(r.strip);
             on += r.strip.enabled;
         }
-        result.rework_regions = plan_->regions.regions.size();
+        const std::size_t regions = plan_->regions.regions.size();
         auto& told = result.warnings;
-        const std::size_t off = result.rework_regions - on;
-        if (result.rework_regions == 0)
+        const std::size_t off = regions - on;
+        if (regions == 0)
             told.push_back("no place needs a lead above " + angle_text(settings_.lead_limit)
                            + ": the main path cuts all of the part, there is nothing to rework");
         else if (settings_.rework_tool == 0)
-            told.push_back(region_count(result.rework_regions)
+            told.push_back(region_count(regions)
                            + " stay uncut: choose a rework tool, or cut them by another operation");
         if (off > 0 && settings_.rework_tool != 0)
             told.push_back(region_count(off) + (off == 1 ? " is" : " are") + " switched off and not cut");
@@ -296,7 +300,7 @@ private:
                            + " of the surface is cleared by neither path" + where
                            + (settings_.rework_tool != 0 ? ": use a smaller rework tool" : ""));
         }
-        result.rework = plan_;
+        result.detail = GlobalLocalPath{std::get<TiltedPath>(std::move(result.detail)), plan_};
     }
 
     const GlobalLocalSettings& settings_;
@@ -408,7 +412,7 @@ StrategyResult GlobalLocal::plan(const PlanContext& context, const Progress& pro
                            && s.region_edits.empty() && s.boundary_drags.empty();
     StrategyResult capped =
         GlobalLocalPlanner(s, context, source, progress.part(0.1, may_raise ? 0.6 : 1)).run();
-    if (!may_raise || capped.rework_regions == 0) return capped;
+    if (!may_raise || rework_of(capped).regions.regions.empty()) return capped;
     GlobalLocalSettings raised = s;
     raised.lead_limit = s.assumed_lead_limit;
     StrategyResult whole;
@@ -421,14 +425,14 @@ StrategyResult GlobalLocal::plan(const PlanContext& context, const Progress& pro
     const double clear_z = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + s.clearance;
     const double own = seconds(capped, s.feed, clear_z), other = seconds(whole, s.feed, clear_z);
     if (!(other < own)
-        || whole.rework->remaining_area
-               > capped.rework->remaining_area + told_share * whole.rework->part_area)
+        || rework_of(whole).remaining_area
+               > rework_of(capped).remaining_area + told_share * rework_of(whole).part_area)
         return capped;
     whole.warnings.insert(whole.warnings.begin(),
                           "the lead limit is raised to " + angle_text(raised.lead_limit)
                               + ": that takes about " + minutes_text(other) + ", " + angle_text(s.lead_limit)
-                              + " and rework of " + region_count(capped.rework_regions) + " "
-                              + minutes_text(own));
+                              + " and rework of " + region_count(rework_of(capped).regions.regions.size())
+                              + " " + minutes_text(own));
     return whole;
 }
 

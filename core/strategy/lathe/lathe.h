@@ -82,13 +82,6 @@ void add_lathe_parameters(ParameterTable<S>& table) {
     table.set_stage("clearance", Stage::strategy); // chuck and tailstock are kept clear by it
 }
 
-/// What an operation is that turns the part; ask an Operation by dynamic_cast.
-class TurnsPart {
-public:
-    virtual ~TurnsPart() = default;
-    virtual const LatheCommon& lathe() const = 0;
-};
-
 /// A place of the cutter: where on the part's turn and along it.
 struct LathePlace {
     double angle = 0; ///< radians, unwound

@@ -16,7 +16,7 @@ struct LatheFinishSettings : LatheCommon {
 
 const ParameterTable<LatheFinishSettings>& lathe_finish_parameters();
 
-class LatheFinish : public OperationWith<LatheFinishSettings, lathe_finish_parameters>, public TurnsPart {
+class LatheFinish : public OperationWith<LatheFinishSettings, lathe_finish_parameters> {
 public:
     using OperationWith::OperationWith;
 
@@ -24,7 +24,8 @@ public:
     std::unique_ptr<Operation> clone() const override { return std::make_unique<LatheFinish>(settings_); }
     bool three_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
-    const LatheCommon& lathe() const override { return settings_; }
+    Linking linking() const override { return Linking::about_axis; }
+    const LatheCommon* turning() const override { return &settings_; }
 
     /// A pass per turn (ring, line); each begins where the one before ended. Throws Error(out_of_range) for
     /// an axis that misses the part and settings that leave nothing, Error(empty_result) where nothing faces

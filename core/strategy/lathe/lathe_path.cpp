@@ -110,7 +110,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     turned.side_feed_max = route.feed_max;
     for (const LathePoint& p : points_)
         turned.at_core += p.held == LathePoint::HeldBy::core;
-    base_.turned = turned;
+    base_.detail = turned;
     base_.drive_planes = int(turns_.size());
     const double length = across_turns ? 1 : part_radius;
     base_.stepover_min = route.feed_min * length;
@@ -141,7 +141,7 @@ void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
                            + text(field_->stock_radius()) + " from the axis, the part "
                            + text(field_->part_radius()) + ": take a stock of at least "
                            + text(2 * field_->part_radius()) + " in diameter");
-    const std::size_t core = base_.turned->at_core;
+    const std::size_t core = base_.as<TurnedPath>()->at_core;
     if (core == points_.size())
         throw Error(ErrorCode::empty_result, s.name,
                     "nothing of the part holds the tool on its way to the axis",

@@ -68,7 +68,7 @@ public:
             for (std::size_t i = 0; i < n; ++i)
                 before[i] = std::min(before[i], now[i]);
         }
-        result_.drive_planes = int(result_.layers.size());
+        result_.drive_planes = int(turned().layers.size());
         if (deepest_ > context_.tool.flute_length)
             result_.warnings.push_back("passes are up to " + text_(deepest_)
                                        + " below the stock's outside, the flutes are "
@@ -78,6 +78,8 @@ public:
     }
 
 private:
+    TurnedPath& turned() { return std::get<TurnedPath>(result_.detail); }
+
     /// Where the cutter meets the raw material on its way in.
     void find_stock(const Progress& progress) {
         const LatheStock stock(path_.field().frame(), context_, LatheStock::Of::cutter,
@@ -117,7 +119,7 @@ private:
         if (runs.empty()) return;
         for (const Run& run : runs)
             add_run(number, run, selected, before, now);
-        result_.layers.push_back(selected);
+        turned().layers.push_back(selected);
     }
 
     void add_run(int number, const Run& run, double selected, const std::vector<double>& before,

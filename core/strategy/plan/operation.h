@@ -77,6 +77,16 @@ struct OperationCommon {
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
 };
 
+struct LatheCommon; // lathe.h
+
+/// How the passes of an operation are joined (motion.h).
+enum class Linking {
+    upright,    ///< axis +Z: over the surface, or level at the clearance height
+    tilted,     ///< axis per location: over the surface, or level beyond what the tilted tool reaches
+    over_stock, ///< axis +Z: over the stock as it stands at each moment
+    about_axis, ///< around a part that turns; such an operation has `turning()`
+};
+
 class Operation : public Parameterized {
 public:
     virtual std::string_view kind() const = 0;
@@ -85,6 +95,9 @@ public:
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;
+    virtual Linking linking() const { return three_axis() ? Linking::upright : Linking::tilted; }
+    /// The settings of an operation that turns the part about an axis; else null.
+    virtual const LatheCommon* turning() const { return nullptr; }
     /// True when the plan depends on what stands of the stock: raw material and earlier operations.
     virtual bool reads_stock() const { return false; }
     /// What of the operations before it the plan depends on beside that.

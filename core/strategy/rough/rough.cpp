@@ -94,6 +94,7 @@ private:
     double cleared_ = 0; ///< walls are cut down to there for the shank
     Layers layers_;
     StrategyResult result_;
+    RoughPath rough_;
     Vec2 at_ = Vec2::Zero();
     double blocked_length_ = 0, closed_length_ = 0; ///< left out: shank or holder; no room to enter
     std::size_t closed_routes_ = 0;
@@ -195,7 +196,7 @@ StrategyResult Planner::run() {
     result_.stepover_min = step_ / divisions_;
     result_.stepover_max = step_;
     result_.chord_tolerance = margin_;
-    result_.stock_cell = field_->cell();
+    rough_.stock_cell = field_->cell();
     check_passes(progress_.part(0.92, 0.94, "Checking passes"));
 
     RemainingInput input;
@@ -225,6 +226,7 @@ StrategyResult Planner::run() {
             + " stays above the allowance, most at " + text_(found.beyond_at)
             + ": rough again there with a smaller tool");
     add_warnings();
+    result_.detail = std::move(rough_);
     return std::move(result_);
 }
 
@@ -399,8 +401,8 @@ void Planner::number_layers() {
         number[std::size_t(pass.layer)] = 0;
     for (std::size_t k = 0; k < number.size(); ++k) {
         if (number[k] < 0) continue;
-        number[k] = int(result_.layers.size());
-        result_.layers.push_back(layers_.heights[k]);
+        number[k] = int(rough_.layers.size());
+        rough_.layers.push_back(layers_.heights[k]);
     }
     for (Pass& pass : result_.passes)
         pass.layer = number[std::size_t(pass.layer)];

@@ -48,6 +48,7 @@ public:
     std::string_view kind() const override { return "rough"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Rough>(settings_); }
     bool three_axis() const override { return true; }
+    Linking linking() const override { return Linking::over_stock; }
     bool reads_stock() const override { return true; }
 
     /// The passes are level, one or more a layer, but for those along floors of valleys between two layers,

@@ -100,15 +100,15 @@ private slots:
         // The limits are for what the program chooses.
         s.yaw_limits = {radians(-6), radians(6)};
         const StrategyResult without = Finish5(s).plan(c, Progress());
-        const FiveAxisRecord& record = *without.five_axis;
+        const FiveAxisRecord& record = *without.five_axis();
         const std::size_t middle = nearest(record, Vec3(0.4, 0.6, 0));
         const Vec3 place = record.points[middle].place.surface;
-        const auto wish = free_posture(without.five_axis, middle);
+        const auto wish = free_posture(without.five_axis(), middle);
         QVERIFY(wish.has_value());
         const double lead = wish->lead, yaw = wish->yaw;
         s.manual_postures = {{numbers(place), lead, yaw}};
         const StrategyResult with = Finish5(s).plan(c, Progress());
-        const FiveAxisRecord& kept = *with.five_axis;
+        const FiveAxisRecord& kept = *with.five_axis();
         QCOMPARE(kept.points.size(), record.points.size());
         const FiveAxisRecord::Point& now = kept.points[middle];
         QVERIFY(now.place.kept.has_value());
@@ -129,7 +129,7 @@ private slots:
             }
         QVERIFY(found);
         // Studied again it is what all methods choose there.
-        const FiveAxisStudy study(with.five_axis, Progress());
+        const FiveAxisStudy study(with.five_axis(), Progress());
         for (const ChosenPosture& chosen : study.point(middle, Progress()).chosen) {
             QVERIFY(chosen.free);
             QCOMPARE(chosen.posture.lead, lead);
@@ -141,7 +141,7 @@ private slots:
         const PlanContext c = context(ball_tool(5));
         Finish5Settings s = settings(Choice::global);
         s.turn_limit = radians(4);
-        const auto before = Finish5(s).plan(c, Progress()).five_axis;
+        const auto before = Finish5(s).plan(c, Progress()).five_axis();
         const std::size_t middle = nearest(*before, Vec3(0.4, 0.6, 0));
         // Within the yaw limits: farther out it would have no neighbours to follow it by so little a turn.
         const auto wish = free_posture(before, middle, 44.7);
@@ -150,7 +150,7 @@ private slots:
             return posture_axis(p.place.frame, p.choice.posture.lead, p.choice.posture.yaw);
         };
         s.manual_postures = {{numbers(before->points[middle].place.surface), wish->lead, wish->yaw}};
-        const auto after = Finish5(s).plan(c, Progress()).five_axis;
+        const auto after = Finish5(s).plan(c, Progress()).five_axis();
         const Vec3 kept = axis(after->points[middle]);
         // Where they stood, they were too far from it.
         QVERIFY(axis(before->points[middle - 1]).dot(kept) < std::cos(s.turn_limit));
@@ -165,7 +165,7 @@ private slots:
         for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
             Finish5Settings s = settings(choice);
             const StrategyResult without = Finish5(s).plan(c, Progress());
-            const auto& at = without.five_axis->points[nearest(*without.five_axis, Vec3(0.4, 0.6, 0))];
+            const auto& at = without.five_axis()->points[nearest(*without.five_axis(), Vec3(0.4, 0.6, 0))];
             s.manual_postures = {{numbers(at.place.surface), radians(88), 0}};
             const StrategyResult with = Finish5(s).plan(c, Progress());
             QVERIFY(says(with, "the posture kept for the point "
@@ -180,12 +180,12 @@ private slots:
         const PlanContext c = context(bull_tool(5, 1));
         Finish5Settings s = settings(Choice::cm2);
         const StrategyResult without = Finish5(s).plan(c, Progress());
-        const auto& at = without.five_axis->points[nearest(*without.five_axis, Vec3(0.4, 0.6, 0))];
+        const auto& at = without.five_axis()->points[nearest(*without.five_axis(), Vec3(0.4, 0.6, 0))];
         s.manual_postures = {{numbers(at.place.surface), radians(20), radians(10)}};
         // Other passes: the nearest contact point takes it.
         s.tolerance = 0.08;
         const StrategyResult moved = Finish5(s).plan(c, Progress());
-        const auto& points = moved.five_axis->points;
+        const auto& points = moved.five_axis()->points;
         const auto kept = std::find_if(points.begin(), points.end(),
                                        [](const auto& p) { return p.place.kept.has_value(); });
         QVERIFY(kept != points.end());

@@ -81,7 +81,7 @@ private slots:
                 ++all;
             }
         QVERIFY2(even >= 12 * 720 && all < 2 * even, qPrintable(QString("%1 of %2").arg(even).arg(all)));
-        QVERIFY(path.turned && path.turned->from == 0 && path.turned->to == 40);
+        QVERIFY(path.as<TurnedPath>() && path.as<TurnedPath>()->from == 0 && path.as<TurnedPath>()->to == 40);
         // Of a level prism a side feed of 4 with r = 6.35 leaves 0.323, plus what motions may be off.
         QVERIFY2(std::abs(path.cusp_max - (0.3232 + path.chord_tolerance)) < 0.02,
                  qPrintable(QString::number(path.cusp_max)));
@@ -125,9 +125,9 @@ private slots:
         const PlanContext context = turning(part, ball_tool(12.7), 40);
         const StrategyResult path = LatheRough(s).plan(context, Progress());
         // From 40 to 25 + 2.
-        QCOMPARE(path.layers.size(), std::size_t(5));
-        QVERIFY(std::abs(path.layers.front() - 37) < 0.01);
-        QVERIFY(std::abs(path.layers.back() - 27) < 0.01);
+        QCOMPARE(path.as<TurnedPath>()->layers.size(), std::size_t(5));
+        QVERIFY(std::abs(path.as<TurnedPath>()->layers.front() - 37) < 0.01);
+        QVERIFY(std::abs(path.as<TurnedPath>()->layers.back() - 27) < 0.01);
         const LatheField field(s, context, 2, Progress());
         LatheField::Hint hint;
         int layer = 0;
@@ -140,10 +140,10 @@ private slots:
                     // U_selected or U_file, the outer one, and never into the allowance.
                     const double file = field.u({angle, c.tip.x()}, hint);
                     QVERIFY(away(c) >= file - path.chord_tolerance);
-                    QVERIFY(away(c) >= path.layers[std::size_t(layer)] - 1e-9);
+                    QVERIFY(away(c) >= path.as<TurnedPath>()->layers[std::size_t(layer)] - 1e-9);
                     if (&route == &pass.cl)
-                        QVERIFY(away(c)
-                                <= std::max(file, path.layers[std::size_t(layer)]) + path.chord_tolerance);
+                        QVERIFY(away(c) <= std::max(file, path.as<TurnedPath>()->layers[std::size_t(layer)])
+                                               + path.chord_tolerance);
                 }
         }
         QCOMPARE(layer, 4);
@@ -187,7 +187,7 @@ private slots:
         context.stock.mesh = std::make_shared<Mesh>(box(Vec3(0, -29, -29), Vec3(40, 29, 29)));
         const StrategyResult mesh = LatheRough(s).plan(context, Progress());
         QCOMPARE(mesh.passes.size(), square.passes.size());
-        QCOMPARE(mesh.layers, square.layers);
+        QCOMPARE(mesh.as<TurnedPath>()->layers, square.as<TurnedPath>()->layers);
         double length[2] = {0, 0};
         for (const StrategyResult* path : {&square})
             for (const Pass& p : path->passes)
@@ -209,7 +209,7 @@ private slots:
         s.side_feed = {3, ""};
         s.depth_of_cut = 100;
         const StrategyResult path = LatheRough(s).plan(context, Progress());
-        QCOMPARE(path.layers.size(), std::size_t(1));
+        QCOMPARE(path.as<TurnedPath>()->layers.size(), std::size_t(1));
         QVERIFY(warned(path, "one pass"));
         s.finishing_allowance = 50;
         std::string said;
@@ -255,7 +255,7 @@ private slots:
         slotted.vertices.insert(slotted.vertices.end(), other.vertices.begin(), other.vertices.end());
         context = turning(slotted, ball_tool(8));
         const StrategyResult guarded = LatheFinish(s).plan(context, Progress());
-        QVERIFY(warned(guarded, "core radius") && guarded.turned->at_core > 0);
+        QVERIFY(warned(guarded, "core radius") && guarded.as<TurnedPath>()->at_core > 0);
     }
 
     void bad_input_is_refused_data() {

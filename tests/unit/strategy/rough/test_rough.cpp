@@ -101,8 +101,9 @@ private slots:
         const StrategyResult r = Rough(settings(2.5)).plan(c, Progress());
         const double m = r.chord_tolerance;
         // 10.5 + margin is a level place and the floor another; four layers between them.
-        QCOMPARE(r.layers.size(), std::size_t(4));
-        QVERIFY(r.layers.back() > 0.5 + m && r.layers.back() < 0.5 + m + 1e-5);
+        QCOMPARE(r.as<RoughPath>()->layers.size(), std::size_t(4));
+        QVERIFY(r.as<RoughPath>()->layers.back() > 0.5 + m
+                && r.as<RoughPath>()->layers.back() < 0.5 + m + 1e-5);
         Box3 box;
         each_move(r, [&](const Vec3& a, const Vec3& b) {
             box.add(a);
@@ -128,7 +129,7 @@ private slots:
                 s.ramp_angle = radians(degree);
                 const StrategyResult r = Rough(s).plan(c, Progress());
                 const StockCutter cutter{CutterProfile(tool.cutter())};
-                StockField field = stock_before(c, r.stock_cell, Progress());
+                StockField field = stock_before(c, r.as<RoughPath>()->stock_cell, Progress());
                 int ramps = 0;
                 for (const Pass& p : r.passes) {
                     const Vec3 start = p.entry.empty() ? p.cl.front().tip : p.entry.front().tip;
@@ -148,7 +149,7 @@ private slots:
                     for (std::size_t i = 1; i < p.cl.size(); ++i)
                         cut(p.cl[i - 1].tip, p.cl[i].tip);
                 }
-                QVERIFY(ramps >= int(r.layers.size()));
+                QVERIFY(ramps >= int(r.as<RoughPath>()->layers.size()));
             }
             s.entry = RoughSettings::Entry::plunge;
             for (const Pass& p : Rough(s).plan(c, Progress()).passes)
@@ -171,7 +172,7 @@ private slots:
         for (const Pass& p : r.passes)
             outside += p.entry.empty();
         QCOMPARE(outside, int(r.passes.size()));
-        QCOMPARE(r.layers.back(), 0.0);
+        QCOMPARE(r.as<RoughPath>()->layers.back(), 0.0);
         QVERIFY(r.warnings.empty());
     }
 
@@ -195,7 +196,7 @@ private slots:
             QVERIFY(nearest <= 3.5 + 3 * r.chord_tolerance);
             // Nothing stands where the tool could go.
             const StockCutter cutter{CutterProfile(tool.cutter())};
-            StockField field = stock_before(c, r.stock_cell, Progress());
+            StockField field = stock_before(c, r.as<RoughPath>()->stock_cell, Progress());
             each_move(r, [&](const Vec3& from, const Vec3& to) { field.cut(cutter, from, to); });
             for (int row = 0; row < field.rows(); ++row)
                 for (int column = 0; column < field.columns(); ++column) {
@@ -243,13 +244,16 @@ private slots:
         c.earlier = {earlier};
         const StrategyResult r = Rough(settings(1)).plan(c, Progress());
         for (const Pass& p : r.passes) {
-            QVERIFY(p.layer >= 0 && std::size_t(p.layer) < r.layers.size());
+            QVERIFY(p.layer >= 0 && std::size_t(p.layer) < r.as<RoughPath>()->layers.size());
             for (const CutterLocation& l : p.cl)
-                QCOMPARE(l.tip.z(), r.layers[std::size_t(p.layer)]);
+                QCOMPARE(l.tip.z(), r.as<RoughPath>()->layers[std::size_t(p.layer)]);
         }
-        QVERIFY(std::any_of(r.layers.begin(), r.layers.end(), [](double z) { return z > 8; }));
-        QVERIFY(std::any_of(r.layers.begin(), r.layers.end(), [](double z) { return z < 3; }));
-        QVERIFY(std::none_of(r.layers.begin(), r.layers.end(), [](double z) { return z > 3 && z < 8; }));
+        QVERIFY(std::any_of(r.as<RoughPath>()->layers.begin(), r.as<RoughPath>()->layers.end(),
+                            [](double z) { return z > 8; }));
+        QVERIFY(std::any_of(r.as<RoughPath>()->layers.begin(), r.as<RoughPath>()->layers.end(),
+                            [](double z) { return z < 3; }));
+        QVERIFY(std::none_of(r.as<RoughPath>()->layers.begin(), r.as<RoughPath>()->layers.end(),
+                             [](double z) { return z > 3 && z < 8; }));
     }
 
     void oneway_lines_all_run_one_way() {
@@ -310,8 +314,10 @@ private slots:
         RoughPreview preview = preview_rough(s, c, Progress());
         StrategyResult r = Rough(s).plan(c, Progress());
         // All of them but the floor at the part's lowest place, where the layer above has left the allowance.
-        QVERIFY(preview.heights.size() == r.layers.size() + 1 && preview.heights.back() == 0);
-        QVERIFY(std::equal(r.layers.begin(), r.layers.end(), preview.heights.begin()));
+        QVERIFY(preview.heights.size() == r.as<RoughPath>()->layers.size() + 1
+                && preview.heights.back() == 0);
+        QVERIFY(std::equal(r.as<RoughPath>()->layers.begin(), r.as<RoughPath>()->layers.end(),
+                           preview.heights.begin()));
         QVERIFY(std::abs(preview.remaining - r.cusp_max) < 1e-9);
         QVERIFY(preview.depth_max <= 2 + 1e-9 && preview.depth_min > 0);
         QVERIFY(std::abs(preview.stock.hi.z() - c.stock_box.hi.z()) < 1e-6);
@@ -322,7 +328,7 @@ private slots:
         finer.allowance = 0.1;
         preview = preview_rough(finer, later, Progress());
         r = Rough(finer).plan(later, Progress());
-        for (const double z : r.layers)
+        for (const double z : r.as<RoughPath>()->layers)
             QVERIFY(std::find(preview.heights.begin(), preview.heights.end(), z) != preview.heights.end());
         s.stepover = {6.1, {}};
         QCOMPARE(code_of([&] { preview_rough(s, c, Progress()); }), std::string("out_of_range"));
@@ -375,7 +381,7 @@ private slots:
         s.entry = RoughSettings::Entry::plunge;
         const StrategyResult plunged = Rough(s).plan(c, Progress());
         QVERIFY(!warns(plunged, "no room to enter"));
-        QVERIFY(plunged.layers.size() > r.layers.size());
+        QVERIFY(plunged.as<RoughPath>()->layers.size() > r.as<RoughPath>()->layers.size());
     }
 };
 
