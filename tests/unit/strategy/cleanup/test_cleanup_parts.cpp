@@ -3,6 +3,7 @@
 #include "core/strategy/cleanup/border_touch.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/cleanup/rest_band.h"
+#include "core/strategy/cleanup/ridge.h"
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/surface/point_grid.h"
