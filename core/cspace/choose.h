@@ -31,7 +31,7 @@ struct PassPoint {
     std::optional<PostureValue> kept;
 };
 
-/// Not free: the point is left to clean-up.
+/// Where it is not free the point is left to clean-up.
 struct ChosenPosture {
     bool free = false;
     PostureValue posture;
@@ -39,10 +39,10 @@ struct ChosenPosture {
 
 struct ChooseInput {
     const CSpaceBuilder* builder = nullptr; ///< with the grid and, if any, the kinematics of its input
-    double feed = 1000.0 / 60;              ///< of the tip, mm/s
+    double feed = 1000.0 / 60;              ///< the tip's, mm/s
     double turn_limit = radians(15);        ///< between neighbouring tool axes; more separates the pass there
-    /// Kept below the top where there is as much, mm: local lifts no higher, global avoids postures that have
-    /// less.
+    /// Distance that is kept from the top where there is as much, mm: local lifts no higher, global avoids
+    /// postures that have less.
     double room = 0;
     bool accelerations = false;     ///< global: mind what axes take to change their speed
     std::optional<ToolPose> before; ///< where the tool comes from: the end of the pass before
@@ -54,7 +54,7 @@ struct ChooseInput {
 constexpr std::size_t choose_horizon = 12;
 
 /// One posture per point, in their order. Free postures lie in the configuration space: bottom <= delta <=
-/// top, checked between nodes too. Throws Cancelled within 100 ms. The same bits for every thread count.
+/// top, checked between nodes too.
 std::vector<ChosenPosture> choose_cm2(std::span<const PassPoint> points, const ChooseInput& input,
                                       const Progress& progress);
 std::vector<ChosenPosture> choose_local(std::span<const PassPoint> points, const ChooseInput& input,

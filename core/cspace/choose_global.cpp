@@ -1,5 +1,5 @@
 // The cheapest path through all configuration spaces of a pass. What Lu calls too complex to implement is a
-// shortest path: the free nodes of each point's grid, in either way the machine can hold them, are the stops;
+// shortest path: the free nodes of each point's grid, in either joint solution of the machine, are the stops;
 // a move between two of neighbouring points costs the time it takes, feed or joints, whichever is longer.
 // The path begins where the pass before ended and goes on into the next one, so that the tool ends as the
 // next pass is best begun. Between nodes it is then refined: around every stop a smaller grid and the same
@@ -35,15 +35,15 @@ constexpr double crowded_seconds = 0.1;
 constexpr double separation_seconds = 1000;
 constexpr std::size_t points_per_block = 4;
 
-/// One way to stand at a point.
+/// A posture at a point, held in one of the manners that the machine has for it.
 struct Stop {
     PostureValue posture;
     Stand stand;
     double own_cost = 0; ///< s
 };
 
-/// Of one point. On the whole grid they are in the order of its nodes: those of node n stand from first[n] to
-/// first[n + 1]; elsewhere, and where a posture is kept, `first` is empty.
+/// The stops of one point. On the whole grid they are in the order of its nodes: those of node n stand from
+/// first[n] to first[n + 1]; elsewhere, and where a posture is kept, `first` is empty.
 struct Stops {
     std::vector<Stop> all;
     std::vector<std::uint32_t> first;
@@ -89,9 +89,9 @@ private:
 
     void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {
         const ToolPose pose = posture_pose(builder_.input().lift->cutter(), point.frame, posture);
-        const JointClock::Routes routes = clock_.routes(pose);
-        for (int w = 0; w < routes.count; ++w)
-            stops.all.push_back({posture, {pose, routes.at[std::size_t(w)]}, own_cost(posture, top)});
+        const JointClock::Solutions held = clock_.solutions(pose);
+        for (int w = 0; w < held.count; ++w)
+            stops.all.push_back({posture, {pose, held.at[std::size_t(w)]}, own_cost(posture, top)});
     }
 
     Stops nodes(std::size_t i) const {
@@ -125,7 +125,8 @@ private:
         double cost = infinity;
         std::uint32_t from = 0;
     };
-    /// The speeds of the moves next to one, of the round before; nullptr: there is none, or it is no matter.
+    /// Joint speeds of the moves before and after one, in the round before; nullptr: there is none, or it
+    /// does not matter.
     struct Neighbors {
         const JointClock::Times *before = nullptr, *after = nullptr;
     };
@@ -171,8 +172,8 @@ private:
         return best;
     }
 
-    /// Indices of the cheapest stops of points begin..end - 1. `speeds`: of the moves to them in the round
-    /// before, or none.
+    /// Indices of the cheapest stops of points begin..end - 1. `speeds`: those of the moves to them in the
+    /// round before, or none.
     std::vector<std::size_t> cheapest(const std::vector<Stops>& stops, std::size_t begin, std::size_t end,
                                       const std::vector<JointClock::Times>& speeds,
                                       const Progress& progress) const {
@@ -250,7 +251,7 @@ private:
         return all;
     }
 
-    /// Of the moves to each stop; the first has none.
+    /// Joint speeds of the move to each stop; the first has none.
     std::vector<JointClock::Times> speeds_of(const std::vector<Stop>& path) const {
         std::vector<JointClock::Times> speeds(path.size());
         for (std::size_t k = 1; k < path.size(); ++k)
@@ -304,7 +305,7 @@ private:
     /// turn by a degree or so; a grid step is three.
     static constexpr std::size_t window = 2;
 
-    std::vector<PassPoint> points_; ///< of the pass, then of the next
+    std::vector<PassPoint> points_; ///< the pass's, then the next one's
     std::size_t own_;               ///< how many are the pass's
     const ChooseInput& input_;
     const CSpaceBuilder& builder_;

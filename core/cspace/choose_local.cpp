@@ -1,14 +1,14 @@
 // Lu's local optimum (3.5.5.2): at every contact point by itself the posture nearest in joint-motion time to
 // the ideal one. He minimises
 //
-//   F(lambda, omega, delta) = time(posture, ideal) + r (violation of S2 <= delta <= S1)^2,   r = 10000
+//   F(λ, ω, δ) = time(posture, ideal) + r (violation of S2 <= δ <= S1)^2,   r = 10000
 //
 // from the CM2 posture. The ideal axis is any that stays the same along the pass (3.119, Fig. 3-28 c: the
-// spindle's way is then shortest). Lu takes Z for all points; but on machines with a head or table that turns
+// spindle then travels least). Lu takes Z for all points; but on machines with a head or table that turns
 // about Z that is the singular direction, next to which the axes turn most, and nothing ties neighbours
 // together. Here it is the axis that the point before has: where it can stay, it stays, and where the
 // configuration space does not allow it, it moves by as little as it takes. The time is that of the machine's
-// own joints (his 3.122 takes lambda and omega for joint angles, see core/cspace/README.md), and at least
+// own joints (his 3.122 takes λ and ω for joint angles), and at least
 // that of the tip at feed: a flat end that hardly leans is anywhere about its contact point in no joint time
 // to speak of. The surfaces are read off the grid between nodes; what comes out is then judged exactly, and
 // where it is not free, moved towards the nearest free node as little as it takes.
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double penalty = 10000; // Lu's r; lengths in mm, times in s
 constexpr int max_steps = 60;
-/// Of the first step: the search ends when its steps are this small.
+/// The search ends when its steps are this share of the first one.
 constexpr double last_step_share = 1.0 / 64;
 constexpr int border_halvings = 8;
 constexpr double first_delta_step = 0.01; // mm

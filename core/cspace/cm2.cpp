@@ -19,17 +19,16 @@ double cutter_curvature_across(const CutterProfile& cutter, double lead) {
 
 namespace {
 
-/// A circle of the cutter that touches planes that lean from `from` to `to`: at distance e + r sin(lambda)
-/// from the axis.
+/// A circle of the cutter that touches planes that lean from `from` to `to`: at distance e + r sin(lead) from
+/// the axis.
 struct TouchingCircle {
     double e, r, from, to;
 
-    /// The smallest lead in it and from `lo` on with sin(lambda) >= kappa (e + r sin(lambda)); infinity for
-    /// none.
+    /// The smallest lead in it and from `lo` on with sin(lead) >= kappa (e + r sin(lead)); infinity for none.
     double lead(double kappa, double lo) const {
         const double start = std::max(lo, from);
         if (!(start <= to)) return infinity;
-        // As sin(lambda) (1 - kappa r) >= kappa e; of a ball the sine does not matter.
+        // That is sin(lead) (1 - kappa r) >= kappa e; for a ball the sine does not matter.
         const double factor = 1 - kappa * r;
         if (std::abs(e) <= tolerance::cutter_tangency * r) return factor >= 0 ? start : infinity;
         if (std::sin(start) * factor >= kappa * e) return start;

@@ -130,63 +130,82 @@ PostureBlock CSpaceBuilder::judge(const Reason& reason, const ToolPose& pose,
     return PostureBlock::local;
 }
 
-CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedCurve> curves,
-                                          const Progress& progress) const {
-    if (!input_.grid)
-        throw Error(ErrorCode::internal, "CSpaceBuilder", "was asked for a space without a grid",
-                    "report this");
-    const PostureGrid& grid = *input_.grid;
-    const CutterProfile& cutter = input_.lift->cutter();
+/// What the nodes of a grid need of their leads and yaws, worked out once each.
+struct CSpaceBuilder::GridTerms {
     struct Lean {
         LeanTerms terms;
         Vec2 at;
         bool touches;
     };
     std::vector<Lean> leans;
-    for (const double lead : grid.lead) {
-        const LeanTerms terms(lead);
-        leans.push_back({terms, plane_contact(cutter, terms.angle), can_touch(cutter, lead, input_.height)});
-    }
     std::vector<TurnTerms> turns;
-    for (const double yaw : grid.yaw)
-        turns.emplace_back(yaw);
+
+    GridTerms(const PostureGrid& grid, const CutterProfile& cutter, double height) {
+        for (const double lead : grid.lead) {
+            const LeanTerms terms(lead);
+            leans.push_back({terms, plane_contact(cutter, terms.angle), can_touch(cutter, lead, height)});
+        }
+        for (const double yaw : grid.yaw)
+            turns.emplace_back(yaw);
+    }
+    ToolPose pose(std::size_t lead_number, std::size_t yaw_number, const ContactFrame& frame) const {
+        return leans[lead_number].terms.pose(leans[lead_number].at, frame, turns[yaw_number], 0);
+    }
+};
+
+CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedCurve> curves,
+                                          const Progress& progress) const {
+    if (!input_.grid)
+        throw Error(ErrorCode::internal, "CSpaceBuilder", "was asked for a space without a grid",
+                    "report this");
+    const PostureGrid& grid = *input_.grid;
+    const GridTerms terms(grid, input_.lift->cutter(), input_.height);
     space.bottom.assign(grid.size(), infinity);
     space.top.assign(grid.size(), -infinity);
     space.block.assign(grid.size(), PostureBlock::shank);
-
-    // To and fro, so that every posture is a neighbour of the one before: what one met, the next is likely to
-    // meet.
     const double start = thread_seconds();
+    fill_top(space, terms, curves, progress);
+    const double between = thread_seconds();
+    fill_bottom(space, terms, progress);
+    return {thread_seconds() - between, between - start};
+}
+
+void CSpaceBuilder::fill_top(CSpace& space, const GridTerms& terms, std::span<const RaisedCurve> curves,
+                             const Progress& progress) const {
     constexpr std::size_t postures_per_check = 256;
+    const std::size_t leans = terms.leans.size();
     TopSearch search(curve_, curves);
     std::size_t seen = 0;
-    for (std::size_t io = 0; io < turns.size(); ++io)
-        for (std::size_t k = 0; k < leans.size(); ++k) {
+    // To and fro, so that every posture is a neighbour of the one before: what one met, the next is likely to
+    // meet.
+    for (std::size_t io = 0; io < terms.turns.size(); ++io)
+        for (std::size_t k = 0; k < leans; ++k) {
             if (seen++ % postures_per_check == 0) progress.check();
-            const std::size_t il = io % 2 == 0 ? k : leans.size() - 1 - k;
-            if (!leans[il].touches) continue;
-            const ToolPose pose = leans[il].terms.pose(leans[il].at, space.frame, turns[io], 0);
-            space.top[grid.node(il, io)] = search.top(pose);
+            const std::size_t il = io % 2 == 0 ? k : leans - 1 - k;
+            if (!terms.leans[il].touches) continue;
+            space.top[input_.grid->node(il, io)] = search.top(terms.pose(il, io, space.frame));
         }
-    const double between = thread_seconds();
-    // The bottom by patches of the grid: of poses that are alike it is found once what they can meet.
-    constexpr std::size_t patch_leans = 4, patch_turns = 8, fewest_in_group = 8;
+}
+
+void CSpaceBuilder::fill_bottom(CSpace& space, const GridTerms& terms, const Progress& progress) const {
+    // By patches of the grid: what poses that are alike can meet is found once for all of them.
+    constexpr std::size_t patch_leans = 4, patch_turns = 8;
     std::vector<std::size_t> nodes;
     std::vector<ToolPose> poses;
     ToolLift::Hint hint;
     ToolLift::Group group;
-    for (std::size_t il = 0; il < leans.size(); il += patch_leans)
-        for (std::size_t io = 0; io < turns.size(); io += patch_turns) {
+    for (std::size_t il = 0; il < terms.leans.size(); il += patch_leans)
+        for (std::size_t io = 0; io < terms.turns.size(); io += patch_turns) {
             progress.check();
             nodes.clear();
             poses.clear();
-            const std::size_t leans_end = std::min(leans.size(), il + patch_leans);
-            for (std::size_t o = io; o < std::min(turns.size(), io + patch_turns); ++o)
+            const std::size_t leans_end = std::min(terms.leans.size(), il + patch_leans);
+            for (std::size_t o = io; o < std::min(terms.turns.size(), io + patch_turns); ++o)
                 for (std::size_t k = il; k < leans_end; ++k) {
                     const std::size_t l = o % 2 == 0 ? k : il + leans_end - 1 - k;
-                    const std::size_t node = grid.node(l, o);
-                    if (!leans[l].touches) continue;
-                    const ToolPose pose = leans[l].terms.pose(leans[l].at, space.frame, turns[o], 0);
+                    const std::size_t node = input_.grid->node(l, o);
+                    if (!terms.leans[l].touches) continue;
+                    const ToolPose pose = terms.pose(l, o, space.frame);
                     if (input_.bottom_everywhere || space.top[node] >= 0) {
                         nodes.push_back(node);
                         poses.push_back(pose);
@@ -197,19 +216,25 @@ CSpaceBuilder::Stages CSpaceBuilder::fill(CSpace& space, std::span<const RaisedC
                         space.block[node] = judge(reason, pose, space.frame);
                     }
                 }
-            const bool grouped = poses.size() >= fewest_in_group;
-            if (grouped) input_.lift->gather(poses, 0, group);
-            for (std::size_t i = 0; i < poses.size(); ++i) {
-                const std::size_t node = nodes[i];
-                Reason reason;
-                reason.top = space.top[node];
-                reason.contact = grouped ? input_.lift->contact_above(poses[i], 0, hint, group)
-                                         : input_.lift->contact_above(poses[i], 0, hint);
-                reason.bottom = space.bottom[node] = reason.contact.lift;
-                space.block[node] = judge(reason, poses[i], space.frame);
-            }
+            judge_patch(space, nodes, poses, hint, group);
         }
-    return {thread_seconds() - between, between - start};
+}
+
+void CSpaceBuilder::judge_patch(CSpace& space, std::span<const std::size_t> nodes,
+                                std::span<const ToolPose> poses, ToolLift::Hint& hint,
+                                ToolLift::Group& group) const {
+    constexpr std::size_t fewest_in_group = 8;
+    const bool grouped = poses.size() >= fewest_in_group;
+    if (grouped) input_.lift->gather(poses, 0, group);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const std::size_t node = nodes[i];
+        Reason reason;
+        reason.top = space.top[node];
+        reason.contact = grouped ? input_.lift->contact_above(poses[i], 0, hint, group)
+                                 : input_.lift->contact_above(poses[i], 0, hint);
+        reason.bottom = space.bottom[node] = reason.contact.lift;
+        space.block[node] = judge(reason, poses[i], space.frame);
+    }
 }
 
 CSpace CSpaceBuilder::build(const ContactFrame& frame, std::span<const RaisedCurve> curves,

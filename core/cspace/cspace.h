@@ -1,9 +1,8 @@
-// The configuration space of one contact point: which postures (lambda, omega) and lifts delta leave a part
+// The configuration space of one contact point: which postures (lead, yaw) and lifts delta leave a part
 // neither gouged nor uncut there (Lu 3.5.5). Over a grid of postures it lies between two surfaces,
 //
 //   bottom (S2)  the least lift at which cutter, shank and holder cut nothing of the part, and
-//   top (S1)     the largest lift at which the strip beside the pass is still cleared to within the
-//   tolerance,
+//   top (S1)     the largest lift at which the strip beside the pass is cleared to within the tolerance,
 //
 // and is empty at a posture where the bottom is above the top. Frames and angles: contact_frame.h.
 //
@@ -18,7 +17,7 @@
 // smallest over the curves of the axial lift of the curve over the cutter's lower surface
 // (core/gouge/curve_lift.h). It may be negative: then even the pose that touches leaves too much.
 //
-// A stock allowance: build the ToolLift with that clearance and put the frame's point that much above the
+// For a stock allowance, build the ToolLift with that clearance and put the frame's point that much above the
 // part.
 #pragma once
 
@@ -39,37 +38,36 @@ class Kinematics;
 /// roughly along the feed. One point is a curve.
 using RaisedCurve = std::vector<Vec3>;
 
-/// Why a posture is not free. The first that applies, from `lift` downward.
+/// Why a posture is not free: the first cause that applies, in the order of core/cspace/README.md.
 enum class PostureBlock : std::uint8_t {
-    free,   ///< bottom <= top, and the machine can hold it
-    local,  ///< bottom > top: the cutter has to be lifted off the part within local_radius of the contact
-            ///< point
-    global, ///< the same, off the part elsewhere
-    shank,  ///< the same for the shank; or the cutter leans so far that it cannot touch with its cutting part
-            ///< (can_touch)
-    holder, ///< the same for the holder
-    lift,   ///< top < 0: even where it touches it leaves more than the tolerance at a strip boundary
+    free,    ///< bottom <= top, and the machine can hold it
+    local,   ///< bottom > top: the part within local_radius of the contact point stops the cutter
+    global,  ///< the same, the part elsewhere
+    shank,   ///< the same for the shank; or the cutter leans so far that it cannot touch (can_touch)
+    holder,  ///< the same for the holder
+    lift,    ///< top < 0: even the tool that touches leaves more than the tolerance at a strip boundary
     machine, ///< free of the part, but beyond what the machine's axes can do at the bottom
 };
 /// "free", "local", "global", "shank", "holder", "lift", "machine".
 const char* posture_block_name(PostureBlock block);
 
 struct CSpaceInput {
-    const ToolLift* lift = nullptr;         ///< cutter, shank and holder over the mesh; wanted
-    const PostureGrid* grid = nullptr;      ///< wanted for `build`
+    const ToolLift* lift = nullptr;         ///< cutter, shank and holder over the mesh; required
+    const PostureGrid* grid = nullptr;      ///< required for `build`
     const Kinematics* kinematics = nullptr; ///< none: a machine without limits
     double lowest_axis_z = -1;              ///< no tool axis with a smaller z is held, by any machine
-    /// mm. With the cutter's diameter all that lies under an upright flat end is local.
+    /// What counts as near the contact point, mm. With the cutter's diameter all that lies under an upright
+    /// flat end is local.
     double local_radius = 0;
-    /// Of the flutes (mm): above it the cutter removes nothing; 0: the cutter's own height.
+    /// Height of the flutes, mm: above it the cutter removes nothing; 0: the cutter's own height.
     double height = 0;
     /// False: where the top is below 0 (`lift`) the bottom is not looked for and stays 0. Enough for choosing
     /// postures, in a fraction of the time.
     bool bottom_everywhere = true;
 };
 
-/// Per node of the grid (PostureGrid::node), mm. Where the cutter cannot touch (can_touch), bottom is +inf
-/// and top -inf.
+/// Surfaces and causes per node of the grid (PostureGrid::node), mm. Where the cutter cannot touch
+/// (can_touch), bottom is +inf and top -inf.
 struct CSpace {
     ContactFrame frame;
     std::vector<double> bottom; ///< S2 >= 0
@@ -91,13 +89,13 @@ public:
         return holds(posture_pose(input_.lift->cutter(), frame, posture));
     }
 
-    /// Any posture, also between nodes, without allocation; the same bits as `build`.
+    /// Any posture, also between nodes, without allocation; the values of `build`.
     double bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint) const;
     double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
-    /// Of any pose: below 0 where it leaves more than it may at one of the curves.
+    /// The top of any pose: below 0 where it leaves more than it may at one of the curves.
     double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
 
-    /// Needs input().grid. Cancellation per 256 postures.
+    /// The whole space of one contact point. Needs input().grid.
     CSpace build(const ContactFrame& frame, std::span<const RaisedCurve> curves,
                  const Progress& progress = Progress()) const;
 
@@ -105,14 +103,14 @@ public:
     struct Stages {
         double bottom = 0, top = 0;
     };
-    /// Many contact points, each with its curves, in parallel: the bits of one by one. Throws Error(internal)
-    /// when the spans differ in length. `stages`, if given, is added to.
+    /// Many contact points, each with its curves, in parallel. Throws Error(internal) when the spans differ
+    /// in length. `stages`, if given, is added to.
     std::vector<CSpace> build(std::span<const ContactFrame> frames,
                               std::span<const std::vector<RaisedCurve>> curves, const Progress& progress,
                               Stages* stages = nullptr) const;
 
-    /// One posture, and what stops it: `contact` is where the whole tool is stopped above delta = 0, with
-    /// body none where it is not.
+    /// One posture, and what stops it: `contact` is where the tool has to be lifted off above delta = 0; its
+    /// body is none where nothing stops it.
     struct Reason {
         PostureBlock block = PostureBlock::free;
         double bottom = 0, top = 0;
@@ -123,7 +121,13 @@ public:
 
 private:
     PostureBlock judge(const Reason& reason, const ToolPose& pose, const ContactFrame& frame) const;
+    struct GridTerms;
     Stages fill(CSpace& space, std::span<const RaisedCurve> curves, const Progress& progress) const;
+    void fill_top(CSpace& space, const GridTerms& terms, std::span<const RaisedCurve> curves,
+                  const Progress& progress) const;
+    void fill_bottom(CSpace& space, const GridTerms& terms, const Progress& progress) const;
+    void judge_patch(CSpace& space, std::span<const std::size_t> nodes, std::span<const ToolPose> poses,
+                     ToolLift::Hint& hint, ToolLift::Group& group) const;
 
     CSpaceInput input_;
     CurveLift curve_;

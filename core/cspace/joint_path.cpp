@@ -21,11 +21,11 @@ JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
     }
 }
 
-JointClock::Routes JointClock::routes(const ToolPose& pose, const Times* near) const {
-    Routes routes;
+JointClock::Solutions JointClock::solutions(const ToolPose& pose, const Times* near) const {
+    Solutions held;
     if (!machine_) {
-        routes.count = 1;
-        return routes;
+        held.count = 1;
+        return held;
     }
     Joints hint;
     if (near)
@@ -50,9 +50,9 @@ JointClock::Routes JointClock::routes(const ToolPose& pose, const Times* near) c
             }
             times[joint] = value * per_unit_[joint];
         }
-        if (within) routes.at[std::size_t(routes.count++)] = times;
+        if (within) held.at[std::size_t(held.count++)] = times;
     }
-    return routes;
+    return held;
 }
 
 } // namespace facetmill

@@ -1,5 +1,5 @@
-// Joint positions as posture choice compares them: every pose with both ways to hold it, in seconds of each
-// axis at its largest speed.
+// Joint positions as posture choice compares them: every pose with both solutions of the machine for it, in
+// seconds of each axis at its largest speed.
 #pragma once
 
 #include "core/setup/kinematics.h"
@@ -18,15 +18,15 @@ public:
 
     /// Joint values over the largest speeds, s.
     using Times = std::array<double, 5>;
-    struct Routes {
+    struct Solutions {
         int count = 0;
         std::array<Times, 2> at{};
     };
-    /// The ways to hold a pose, with their rotary axes within travel where that is limited; none: out of
-    /// reach. At singular poses the free axis takes `near`'s.
-    Routes routes(const ToolPose& pose, const Times* near = nullptr) const;
+    /// Joint positions that hold a pose, with their rotary axes within travel where that is limited; none:
+    /// out of reach. At singular poses the free axis takes `near`'s.
+    Solutions solutions(const ToolPose& pose, const Times* near = nullptr) const;
 
-    /// Seconds between two: the slowest axis; rotary axes that may go round take the shorter way.
+    /// Seconds between two: the slowest axis; rotary axes that may go round turn in the shorter direction.
     double between(const Times& a, const Times& b) const {
         double slowest = 0;
         for (const double d : difference(a, b))
@@ -44,7 +44,7 @@ public:
     }
 
 protected:
-    /// From a to b, the shorter way of axes that may go round.
+    /// From a to b, in the shorter direction where an axis may go round.
     Times difference(const Times& a, const Times& b) const {
         Times d;
         for (std::size_t k = 0; k < 5; ++k) {
@@ -61,7 +61,7 @@ private:
     std::array<double, 5> change_{};    ///< s, half of what it takes to come to the largest speed
 };
 
-/// A pose and one way to hold it.
+/// A pose and one joint position that holds it.
 struct Stand {
     ToolPose pose;
     JointClock::Times joints{};
@@ -80,7 +80,7 @@ public:
         const double joints = between(a.joints, b.joints);
         return std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, joints) + joint_share * joints;
     }
-    /// Of the joints on a move, shares of the largest; 0 where nothing moves.
+    /// Speeds of the joints on a move, shares of the largest; 0 where nothing moves.
     Times speeds(const Stand& a, const Stand& b) const {
         Times d = difference(a.joints, b.joints);
         const double time =
@@ -89,9 +89,9 @@ public:
             v = time > 0 ? v / time : 0;
         return d;
     }
-    /// From a stand to the cheaper way to hold a pose; +inf where there is none.
+    /// From a stand to the cheaper solution of a pose; +inf where there is none.
     double to(const ToolPose& pose, const Stand& from) const {
-        const Routes held = routes(pose, &from.joints);
+        const Solutions held = solutions(pose, &from.joints);
         double least = infinity;
         for (int w = 0; w < held.count; ++w)
             least = std::min(least, between(from, Stand{pose, held.at[std::size_t(w)]}));
@@ -99,7 +99,7 @@ public:
     }
     /// The cheapest stand of a pose after another; the pose with joints at zero where it is out of reach.
     Stand stand(const ToolPose& pose, const Stand* after) const {
-        const Routes held = routes(pose, after ? &after->joints : nullptr);
+        const Solutions held = solutions(pose, after ? &after->joints : nullptr);
         Stand best{pose, {}};
         double least = infinity;
         for (int w = 0; w < held.count; ++w) {

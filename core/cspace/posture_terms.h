@@ -1,5 +1,5 @@
-// Sines and cosines of a posture's angles, so that a grid needs each of them once. One way to compute poses:
-// a node of a grid gives the same bits as its angles given one by one.
+// Sines and cosines of a posture's angles, so that a grid needs each of them once. All poses are computed
+// here: a node of a grid has the very pose of its angles given one by one.
 #pragma once
 
 #include "core/cspace/contact_frame.h"
@@ -14,7 +14,7 @@ struct TurnTerms {
     explicit TurnTerms(double yaw) : cosine(std::cos(yaw)), sine(std::sin(yaw)) {}
 };
 
-/// Of |lambda|; a negative lambda leans the other way.
+/// Terms of the lead's size; a negative lead leans in the opposite direction.
 struct LeanTerms {
     double angle, cosine, sine, sign;
     explicit LeanTerms(double lead)
@@ -26,7 +26,7 @@ struct LeanTerms {
     Vec3 axis(const ContactFrame& frame, const TurnTerms& turn) const {
         return cosine * frame.normal + sine * direction(frame, turn);
     }
-    /// `at`: plane_contact of the cutter at this angle. From there the axis is at distance at.x in the
+    /// `at`: the cutter's plane_contact at this angle. From there the axis is at distance at.x in the
     /// direction that the normal has across the axis, normal - cosine * axis = sine * (sine * normal - cosine
     /// * direction): its unit vector has a limit where the sine vanishes.
     ToolPose pose(const Vec2& at, const ContactFrame& frame, const TurnTerms& turn, double delta) const {

@@ -13,11 +13,11 @@ namespace {
 
 using Real = long double;
 
-/// Support function of the cutter that leans by lambda along X, in direction (0, sin turn, -cos turn): how
+/// Support function of the cutter that leans by the lead along X, in direction (0, sin turn, -cos turn): how
 /// far it reaches there. Seen along the feed the swept cutter is convex with this support. By a search over
 /// the profile.
 Real support(const BruteCutter& cutter, Real lead, Real turn) {
-    const Real along = -std::cos(turn) * std::cos(lead); // on the axis (sin lambda, 0, cos lambda)
+    const Real along = -std::cos(turn) * std::cos(lead); // on the axis (sin lead, 0, cos lead)
     const Real across = std::sqrt(std::max(Real(0), 1 - along * along));
     const auto reach = [&](Real rho) {
         return rho * across + cutter.height(rho) * along;
@@ -73,7 +73,7 @@ private slots:
             ball(AptCutter::ball(12, 25));
         const double hi = radians(45);
         QVERIFY(std::abs(cm2_lead(flat, 1.0 / 30, 0, hi) - std::asin(6.0 / 30)) < 1e-14);
-        // 30 = r + (R - r) / sin(lambda)
+        // 30 = r + (R - r) / sin(lead)
         QVERIFY(std::abs(cm2_lead(bull, 1.0 / 30, 0, hi) - std::asin(4.0 / 28)) < 1e-14);
         for (const CutterProfile& cutter : {flat, bull, ball}) {
             const double lo = radians(3);

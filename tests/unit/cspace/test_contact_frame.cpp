@@ -161,7 +161,7 @@ private slots:
         QVERIFY(can_touch(cone, radians(-59)) && !can_touch(cone, radians(-61)));
         const CutterProfile flat(AptCutter::flat(12, 25));
         QVERIFY(can_touch(flat, 0) && can_touch(flat, radians(89.9)) && !can_touch(flat, radians(90)));
-        const CutterProfile ball(AptCutter::ball(10, 25)); // at height 5 (1 - cos lambda)
+        const CutterProfile ball(AptCutter::ball(10, 25)); // at height 5 (1 - cos lead)
         QVERIFY(can_touch(ball, radians(59), 2.5) && !can_touch(ball, radians(61), 2.5));
         QVERIFY(can_touch(ball, radians(61)));
         for (const auto& [name, shape] : cutters())

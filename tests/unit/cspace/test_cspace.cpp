@@ -237,7 +237,7 @@ private slots:
     }
 
     /// Inside a sphere of radius S along a great circle: a flat end touches with its rim from where it leans
-    /// more than its rim needs, sin lambda = R / S, and is stopped with less lean.
+    /// more than its rim needs, sin lead = R / S, and is stopped with less lean.
     void bottom_in_a_bowl() {
         Mesh mesh;
         const double sphere = 30;
