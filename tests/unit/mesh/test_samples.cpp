@@ -300,9 +300,9 @@ private slots:
 
     void stand_ins_data() {
         QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("steepest_least"); // degrees; what makes the part hard
-        QTest::addColumn<double>("steepest_most");
-        QTest::addColumn<double>("tightest_least"); // mm, radius of its hollows
+        QTest::addColumn<double>("steepest_min"); // degrees; what makes the part hard
+        QTest::addColumn<double>("steepest_max");
+        QTest::addColumn<double>("tightest_min"); // mm, radius of its hollows
         QTest::newRow("pillar") << "pillar" << 60.0 << 75.0 << 0.05 * inch;
         QTest::newRow("gap") << "gap" << 75.0 << 88.0 << 0.05 * inch;
         // The ball that Wang reworks with, D 6.35 mm, fits.
