@@ -1,6 +1,7 @@
 #include "viz/part_display.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/edge_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,31 +136,22 @@ struct EdgeBlock {
 };
 
 /// Edges from `v` to vertices of higher number, by what their facets look like.
-void classify_edges(const Mesh& mesh, const CornersByVertex& by, const std::vector<Vec3>& facet_normals,
-                    std::size_t v, std::vector<std::pair<Index, std::uint32_t>>& around, EdgeBlock& out) {
-    around.clear(); // (other end, 2 * facet + 1 if the facet runs from v to it)
-    for (std::uint32_t i = by.start[v]; i < by.start[v + 1]; ++i) {
-        const std::size_t f = by.corners[i] / 3, k = by.corners[i] % 3;
-        const Index next = mesh.facets[f][(k + 1) % 3], before = mesh.facets[f][(k + 2) % 3];
-        if (next > v) around.emplace_back(next, std::uint32_t(2 * f + 1));
-        if (before > v) around.emplace_back(before, std::uint32_t(2 * f));
-    }
-    std::sort(around.begin(), around.end());
+void classify_edges(const Mesh& mesh, const EdgeTable& table, const std::vector<Vec3>& facet_normals,
+                    std::size_t v, EdgeBlock& out) {
     const double cos_crease = std::cos(crease_angle);
-    for (std::size_t i = 0, j; i < around.size(); i = j) {
-        for (j = i + 1; j < around.size() && around[j].first == around[i].first;)
-            ++j;
-        const std::array<Index, 2> edge{Index(v), around[i].first};
+    table.for_edges(v, [&](Index high, std::span<const EdgeSide> sides) {
+        if (high == v) return; // a facet that names the vertex twice
+        const std::array<Index, 2> edge{Index(v), high};
         out.all.push_back(edge);
-        if (j - i != 2) {
+        if (sides.size() != 2) {
             out.border.push_back(edge);
-        } else {
-            const std::uint32_t a = around[i].second, b = around[i + 1].second;
-            const bool turned = (a & 1u) == (b & 1u); // the two facets face opposite sides
-            if (turned || facet_normals[a / 2].dot(facet_normals[b / 2]) < cos_crease)
-                out.sharp.push_back(edge);
+            return;
         }
-    }
+        const auto [a, b] = std::pair(sides[0], sides[1]);
+        const bool turned = side_start(mesh, a.side) == side_start(mesh, b.side); // facing opposite sides
+        if (turned || facet_normals[a.facet()].dot(facet_normals[b.facet()]) < cos_crease)
+            out.sharp.push_back(edge);
+    });
 }
 
 } // namespace
@@ -193,6 +185,7 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
                  [&](std::size_t f) { facet_normals[f] = mesh.facet_normal(f); });
     display->sights = SightTree(mesh, progress.part(0.2, 0.3));
     const CornersByVertex by = corners_by_vertex(mesh, progress);
+    const EdgeTable table(mesh, progress.part(0.3, 0.3));
 
     const std::size_t blocks = (mesh.vertices.size() + block - 1) / block;
     display->triangles.resize(3 * mesh.facets.size());
@@ -206,11 +199,10 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
                         out.points.reserve(3 * (end - begin));
                         out.normals.reserve(3 * (end - begin));
                         Splitter splitter(mesh, by, facet_normals, display->center, display->triangles);
-                        std::vector<std::pair<Index, std::uint32_t>> around;
                         for (std::size_t v = begin; v < end; ++v) {
                             display_of[v] = std::int32_t(out.points.size() / 3);
                             splitter.split(v, out);
-                            classify_edges(mesh, by, facet_normals, v, around, edge_blocks[begin / block]);
+                            classify_edges(mesh, table, facet_normals, v, edge_blocks[begin / block]);
                         }
                     });
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/edge_table.h"
 
 #include <algorithm>
 #include <array>
@@ -62,11 +63,11 @@ constexpr Sentence sentences[] = {
     {"weights_ignored", "Vertices have rational weights other than 1; they were ignored."},
 };
 
-/// Sets of facets joined by edges, for concurrent joining: the root of a set is its smallest facet, so the
-/// sets and their number do not depend on the order of joining.
-class FacetSets {
+/// Sets of things that are joined, from any number of threads: the root of a set is its smallest number, so
+/// the sets do not depend on the order of joining.
+class JoinedSets {
 public:
-    explicit FacetSets(std::size_t count) : parent_(count) {
+    explicit JoinedSets(std::size_t count) : parent_(count) {
         for (std::size_t i = 0; i < count; ++i)
             parent_[i].store(Index(i), std::memory_order_relaxed);
     }
@@ -96,152 +97,103 @@ private:
 };
 
 struct EdgeCounts {
-    std::size_t duplicate = 0, open = 0, non_manifold = 0, inconsistent = 0, split_vertices = 0,
-                used_vertices = 0;
+    std::size_t duplicate = 0, open = 0, non_manifold = 0, inconsistent = 0;
 
     EdgeCounts& operator+=(const EdgeCounts& o) {
         duplicate += o.duplicate;
         open += o.open;
         non_manifold += o.non_manifold;
         inconsistent += o.inconsistent;
-        split_vertices += o.split_vertices;
-        used_vertices += o.used_vertices;
         return *this;
     }
 };
 
-/// Looks at one vertex after the other with the facets around it; every edge is counted at its lower vertex.
-class VertexVisitor {
+/// What the edges tell: counts, facets joined to shells, corners joined to the fans around their vertex.
+class EdgeCensus {
 public:
-    VertexVisitor(const Mesh& mesh, FacetSets& sets, const Progress& progress)
-        : mesh_(mesh), sets_(sets), progress_(progress) {}
+    EdgeCensus(const Mesh& mesh, JoinedSets& shells, JoinedSets& fans)
+        : mesh_(mesh), shells_(shells), fans_(fans) {}
 
-    /// `corners` are the corners 3 f + k that lie at `vertex`, ascending.
-    void visit(Index vertex, const Index* corners, std::size_t count, EdgeCounts& counts) {
-        if (count == 0) return;
-        ++counts.used_vertices;
-        spokes_.clear();
-        for (std::size_t i = 0; i < count; ++i) {
-            const Facet& f = mesh_.facets[corners[i] / 3];
-            const std::size_t k = corners[i] % 3;
-            spokes_.push_back({f[(k + 1) % 3], f[(k + 2) % 3], Index(i), true});
-            spokes_.push_back({f[(k + 2) % 3], f[(k + 1) % 3], Index(i), false});
-        }
-        sort_spokes();
-        fan_.resize(count);
-        std::iota(fan_.begin(), fan_.end(), Index(0));
-        std::size_t fans = count;
-        for (std::size_t begin = 0, end = 0; begin < spokes_.size(); begin = end) {
-            const Index other = spokes_[begin].other;
-            for (end = begin + 1; end < spokes_.size() && spokes_[end].other == other; ++end) {
-                const Index a = fan_root(spokes_[begin].local), b = fan_root(spokes_[end].local);
-                if (a == b) continue;
-                fan_[std::max(a, b)] = std::min(a, b);
-                --fans;
-            }
-            if (other > vertex) edge(&spokes_[begin], end - begin, corners, counts);
-        }
-        counts.split_vertices += fans > 1;
-    }
-
-private:
-    struct Spoke {
-        Index other;  ///< the vertex at the other end
-        Index third;  ///< the remaining corner of the facet
-        Index local;  ///< which of the vertex's corners
-        bool leaving; ///< the facet runs from the vertex to `other`
-    };
-
-    Index fan_root(Index i) {
-        while (fan_[i] != i) {
-            fan_[i] = fan_[fan_[i]];
-            i = fan_[i];
-        }
-        return i;
-    }
-
-    void edge(const Spoke* spokes, std::size_t count, const Index* corners, EdgeCounts& counts) {
-        counts.open += count == 1;
-        counts.non_manifold += count > 2;
-        counts.inconsistent += count == 2 && spokes[0].leaving == spokes[1].leaving;
-        if (count == 1) return;
-        for (std::size_t i = 1; i < count; ++i)
-            sets_.join(corners[spokes[0].local] / 3, corners[spokes[i].local] / 3);
+    /// `sides` are those of the edge between `low` and `high`.
+    void count(Index low, Index high, std::span<const EdgeSide> sides, EdgeCounts& counts) {
+        join_fans(low, high, sides);
+        if (low == high) return; // no edge: a facet that names a vertex twice
+        const auto leaves = [&](const EdgeSide& s) { return side_start(mesh_, s.side) == low; };
+        counts.open += sides.size() == 1;
+        counts.non_manifold += sides.size() > 2;
+        counts.inconsistent += sides.size() == 2 && leaves(sides[0]) == leaves(sides[1]);
+        if (sides.size() == 1) return;
+        for (std::size_t i = 1; i < sides.size(); ++i)
+            shells_.join(sides[0].facet(), sides[i].facet());
         // A corner set a < b < c is looked for at its edge a-b only.
         thirds_.clear();
-        for (std::size_t i = 0; i < count; ++i)
-            if (spokes[i].third > spokes[i].other) thirds_.push_back(spokes[i].third);
+        for (const EdgeSide& s : sides)
+            if (side_across(mesh_, s.side) > high) thirds_.push_back(side_across(mesh_, s.side));
         std::sort(thirds_.begin(), thirds_.end());
         for (std::size_t i = 1; i < thirds_.size(); ++i)
             counts.duplicate += thirds_[i] == thirds_[i - 1];
     }
 
-    void sort_spokes() {
-        if (spokes_.size() <= 24) { // nearly always; sorting by insertion is the fastest here
-            for (std::size_t i = 1; i < spokes_.size(); ++i) {
-                const Spoke s = spokes_[i];
-                std::size_t j = i;
-                for (; j > 0 && spokes_[j - 1].other > s.other; --j)
-                    spokes_[j] = spokes_[j - 1];
-                spokes_[j] = s;
-            }
-            return;
-        }
-        if (spokes_.size() <= 50'000) {
-            std::sort(spokes_.begin(), spokes_.end(),
-                      [](const Spoke& a, const Spoke& b) { return a.other < b.other; });
-            return;
-        }
-        // One vertex of a million facets: by bytes, so that a cancel is seen between the passes.
-        std::vector<Spoke> sorted(spokes_.size());
-        for (int shift = 0; shift < 32; shift += 8) {
-            progress_.check();
-            std::array<std::size_t, 257> place{};
-            for (const Spoke& s : spokes_)
-                ++place[((s.other >> shift) & 0xFF) + 1];
-            std::partial_sum(place.begin(), place.end(), place.begin());
-            for (const Spoke& s : spokes_)
-                sorted[place[(s.other >> shift) & 0xFF]++] = s;
-            spokes_.swap(sorted);
+private:
+    /// The corner 3 f + k is named by the side that starts at it.
+    void join_fans(Index low, Index high, std::span<const EdgeSide> sides) {
+        const auto corner_at = [&](const EdgeSide& s, Index vertex) {
+            return side_start(mesh_, s.side) == vertex ? s.side : 3 * s.facet() + (s.corner() + 1) % 3;
+        };
+        if (low == high)
+            for (const EdgeSide& s : sides)
+                fans_.join(s.side, 3 * s.facet() + (s.corner() + 1) % 3);
+        for (std::size_t i = 1; i < sides.size(); ++i) {
+            fans_.join(corner_at(sides[0], low), corner_at(sides[i], low));
+            if (high != low) fans_.join(corner_at(sides[0], high), corner_at(sides[i], high));
         }
     }
 
     const Mesh& mesh_;
-    FacetSets& sets_;
-    const Progress& progress_;
-    std::vector<Spoke> spokes_;
-    std::vector<Index> fan_, thirds_;
+    JoinedSets &shells_, &fans_;
+    std::vector<Index> thirds_;
 };
 
-EdgeCounts count_edges(const Mesh& mesh, FacetSets& sets, const Progress& progress) {
-    // Corners sorted by vertex.
-    std::vector<Index> begin(mesh.vertices.size() + 1, 0);
-    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-        if ((f & 0xFFFF) == 0) progress.check();
-        for (const Index v : mesh.facets[f])
-            ++begin[v + 1];
-    }
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        begin[v + 1] += begin[v];
-    std::vector<Index> corners(3 * mesh.facets.size());
-    {
-        std::vector<Index> next(begin.begin(), begin.end() - 1);
-        for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-            if ((f & 0xFFFF) == 0) progress.check();
-            for (std::size_t k = 0; k < 3; ++k)
-                corners[next[mesh.facets[f][k]]++] = Index(3 * f + k);
-        }
-    }
-    return parallel_reduce(
-        mesh.vertices.size(), 4096, EdgeCounts{}, progress,
+struct Connections {
+    EdgeCounts edges;
+    std::size_t shells = 0;
+    std::size_t used_vertices = 0;  ///< that a facet names
+    std::size_t split_vertices = 0; ///< whose facets form more than one fan
+};
+
+Connections connections_of(const Mesh& mesh, const Progress& progress) {
+    const std::size_t facets = mesh.facet_count();
+    JoinedSets shells(facets), fans(3 * facets);
+    const EdgeTable table(mesh, progress.part(0.0, 0.5));
+    Connections found;
+    found.edges = parallel_reduce(
+        table.vertex_count(), 4096, EdgeCounts{}, progress.part(0.5, 0.9),
         [&](std::size_t first, std::size_t last) {
             EdgeCounts counts;
-            VertexVisitor visitor(mesh, sets, progress);
+            EdgeCensus census(mesh, shells, fans);
             for (std::size_t v = first; v < last; ++v)
-                visitor.visit(Index(v), corners.data() + begin[v], begin[v + 1] - begin[v], counts);
+                table.for_edges(v, [&](Index high, std::span<const EdgeSide> sides) {
+                    census.count(Index(v), high, sides, counts);
+                });
             return counts;
         },
         [](EdgeCounts total, const EdgeCounts& part) { return total += part; });
+    enum : std::uint8_t { unused, one_fan, more_fans };
+    std::vector<std::uint8_t> around(mesh.vertices.size(), unused);
+    for (std::size_t f = 0; f < facets; ++f) {
+        if ((f & 0xFFFF) == 0) progress.check();
+        found.shells += shells.is_root(f);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!fans.is_root(3 * f + k)) continue;
+            std::uint8_t& at = around[mesh.facets[f][k]];
+            at = at == unused ? one_fan : more_fans;
+        }
+    }
+    for (const std::uint8_t at : around) {
+        found.used_vertices += at != unused;
+        found.split_vertices += at == more_fans;
+    }
+    return found;
 }
 
 /// Sums over the facets, about `center`.
@@ -302,28 +254,19 @@ std::vector<std::string> warning_words() {
 void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress) {
     const double mm = mm_per(report.assumed_unit);
     const std::size_t facet_count = mesh.facets.size();
-    FacetSets sets(facet_count);
-    const EdgeCounts edges = count_edges(mesh, sets, progress.part(0.0, 0.8));
-    const auto add = [](std::size_t a, std::size_t b) { return a + b; };
-    report.shells = parallel_reduce(
-        facet_count, 65536, std::size_t(0), progress.part(0.8, 0.85),
-        [&](std::size_t first, std::size_t last) {
-            std::size_t roots = 0;
-            for (std::size_t f = first; f < last; ++f)
-                roots += sets.is_root(f);
-            return roots;
-        },
-        add);
+    const Connections found = connections_of(mesh, progress.part(0.0, 0.85));
+    const EdgeCounts& edges = found.edges;
+    report.shells = found.shells;
     report.duplicate = edges.duplicate;
     report.open_edges = edges.open;
     report.non_manifold_edges = edges.non_manifold;
     report.inconsistent_edges = edges.inconsistent;
-    report.non_manifold_vertices = edges.split_vertices;
+    report.non_manifold_vertices = found.split_vertices;
     report.watertight =
         facet_count > 0 && edges.open == 0 && edges.non_manifold == 0 && edges.inconsistent == 0;
     report.vertices = mesh.vertices.size();
     if (report.facets == 0) report.facets = facet_count;
-    if (report.welded_vertices == 0) report.welded_vertices = edges.used_vertices;
+    if (report.welded_vertices == 0) report.welded_vertices = found.used_vertices;
 
     Box3 box = report.box_mm();
     if (report.file_box.empty()) {

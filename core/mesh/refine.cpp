@@ -1,6 +1,7 @@
 #include "core/mesh/refine.h"
 
 #include "core/base/error.h"
+#include "core/mesh/topology.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -219,31 +220,26 @@ std::vector<std::size_t> connected_pieces(const Mesh& mesh, std::span<const Inde
 }
 
 std::vector<std::vector<Vec3>> border_loops(const Mesh& mesh) {
-    std::unordered_map<std::uint64_t, int> uses;
-    for (const Facet& f : mesh.facets)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++uses[edge_key(f[k], f[(k + 1) % 3])];
-    // As many border edges leave a vertex as come to it, wherever facets are wound alike.
-    std::unordered_map<Index, std::vector<Index>> leaving;
-    std::vector<Index> starts;
-    for (const Facet& f : mesh.facets)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (uses[edge_key(f[k], f[(k + 1) % 3])] == 1) {
-                leaving[f[k]].push_back(f[(k + 1) % 3]);
-                starts.push_back(f[k]);
-            }
+    const auto topology = build_topology(mesh, Progress());
+    const HalfedgeMesh& half = topology->mesh;
+    std::vector<bool> seen(half.n_halfedges(), false);
     std::vector<std::vector<Vec3>> loops;
-    for (const Index start : starts) {
-        std::vector<Vec3> loop;
-        for (Index at = start;;) {
-            const auto it = leaving.find(at);
-            if (it == leaving.end() || it->second.empty()) break;
-            loop.push_back(mesh.vertices[at]);
-            at = it->second.back();
-            it->second.pop_back();
-            if (at == start) break;
+    // Half-edges without a facet run against the facets' winding, so their loops are gone back along.
+    for (const OpenMesh::FaceHandle face : half.faces()) {
+        OpenMesh::HalfedgeHandle side = half.halfedge_handle(face); // the one that ends at corner 0
+        for (std::size_t k = 0; k < 3; ++k) {
+            side = half.next_halfedge_handle(side);
+            const OpenMesh::HalfedgeHandle first = half.opposite_halfedge_handle(side);
+            if (!half.is_boundary(first) || seen[std::size_t(first.idx())]) continue;
+            std::vector<Vec3> loop;
+            for (OpenMesh::HalfedgeHandle at = first; !seen[std::size_t(at.idx())];
+                 at = half.prev_halfedge_handle(at)) {
+                seen[std::size_t(at.idx())] = true;
+                loop.push_back(
+                    mesh.vertices[topology->vertex_of[std::size_t(half.to_vertex_handle(at).idx())]]);
+            }
+            loops.push_back(std::move(loop));
         }
-        if (loop.size() >= 3) loops.push_back(std::move(loop));
     }
     return loops;
 }

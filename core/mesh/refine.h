@@ -57,8 +57,9 @@ PartOfMesh part_of(const Mesh& mesh, std::span<const Index> facets);
 std::vector<std::size_t> connected_pieces(const Mesh& mesh, std::span<const Index> facets,
                                           std::size_t& count);
 
-/// Closed curves along the edges that only one facet has, in the direction of the facet's winding. Where they
-/// touch at a vertex they are parted somehow.
+/// Closed curves along the edges that only one facet has, in the direction of the facet's winding. Curves
+/// that touch at a vertex are parted there. Facets that no half-edge structure holds (topology.h) count as
+/// missing.
 std::vector<std::vector<Vec3>> border_loops(const Mesh& mesh);
 
 /// Curvatures of all vertices of `derived`: those of the source, between them those of the shape operator in

@@ -1,5 +1,7 @@
 #include "core/mesh/topology.h"
 
+#include "core/mesh/edge_table.h"
+
 #include <algorithm>
 
 namespace facetmill {
@@ -10,13 +12,6 @@ constexpr std::size_t block = 20'000;
 /// OpenMesh numbers half-edges with int, two for each of up to three edges a facet.
 constexpr std::size_t facet_limit = 300'000'000;
 
-/// Side 3 f + k of facet f runs from its corner k to its corner k + 1.
-Index side_start(const Mesh& mesh, std::size_t side) {
-    return mesh.facets[side / 3][side % 3];
-}
-Index side_end(const Mesh& mesh, std::size_t side) {
-    return mesh.facets[side / 3][(side % 3 + 1) % 3];
-}
 Index next_side(Index side) {
     return side % 3 == 2 ? side - 2 : side + 1;
 }
@@ -34,38 +29,22 @@ void for_each_checked(std::size_t n, const Progress& progress, Body&& body) {
     }
 }
 
-/// For each side, the number of its undirected edge: sides with the same two ends share one.
+/// For each side, the number of its edge.
 struct Edges {
     std::vector<Index> of_side;
     std::size_t count = 0;
 };
 
 Edges number_edges(const Mesh& mesh, const Progress& progress) {
-    struct Entry {
-        Index high, side;
-    };
-    const std::size_t sides = 3 * mesh.facet_count();
-    const auto low = [&mesh](std::size_t s) { return std::min(side_start(mesh, s), side_end(mesh, s)); };
-    const auto high = [&mesh](std::size_t s) { return std::max(side_start(mesh, s), side_end(mesh, s)); };
-    // Counting sort by the lower vertex, then an ordinary one of the few sides there.
-    std::vector<Index> start(mesh.vertices.size() + 1, 0);
-    for_each_checked(sides, progress.part(0.0, 0.2), [&](std::size_t s) { ++start[low(s) + 1]; });
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        start[v + 1] += start[v];
-    std::vector<Entry> entries(sides);
-    std::vector<Index> next(start.begin(), start.end() - 1);
-    for_each_checked(sides, progress.part(0.2, 0.6), [&](std::size_t s) {
-        entries[next[low(s)]++] = {high(s), Index(s)};
-    });
+    const EdgeTable table(mesh, progress.part(0.0, 0.6));
     Edges edges;
-    edges.of_side.resize(sides);
-    for_each_checked(mesh.vertices.size(), progress.part(0.6, 1.0), [&](std::size_t v) {
-        const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
-        std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.high < b.high; });
-        for (auto e = begin; e != end; ++e) {
-            if (e == begin || e->high != (e - 1)->high) ++edges.count;
-            edges.of_side[e->side] = Index(edges.count - 1);
-        }
+    edges.of_side.resize(3 * mesh.facet_count());
+    for_each_checked(table.vertex_count(), progress.part(0.6, 1.0), [&](std::size_t v) {
+        table.for_edges(v, [&](Index, std::span<const EdgeSide> sides) {
+            for (const EdgeSide& s : sides)
+                edges.of_side[s.side] = Index(edges.count);
+            ++edges.count;
+        });
     });
     return edges;
 }
