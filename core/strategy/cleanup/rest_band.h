@@ -1,10 +1,16 @@
 // The part of the surface on which a cutter leaves more than the tolerance, divided among the valleys it
 // belongs to. Millimetres, part coordinates.
 //
-// What a cutter leaves over a place of the part is the distance of the place from all places the cutter may
-// take. Where it cannot touch, the nearest is one that touches twice (valley.h): no other reaches deeper
-// between the two. So the band of a valley lies between the touched points, and ends where the distance falls
-// to the tolerance.
+// What a cutter leaves over a place of the part is the distance from there to the cutter, in the nearest
+// position that it can take. Where it cannot touch the place, that is one in which it touches twice
+// (valley.h): no other reaches deeper between the two flanks. So the band of a valley lies between the
+// touched points, and ends where the distance falls to the tolerance.
+//
+//  1. rest_facets.h    facets are divided finely where something may be left
+//  2. rest_gaps.h      at their corners: how much, and by which valley
+//  3. rest_owners.h    facets are shared out among valleys and hollows
+//  4. band_outlines.h  bands are cut out along the tolerance, and where two valleys meet
+//  5. band_reach.h     how far they reach to either side
 #pragma once
 
 #include "core/strategy/cleanup/valley.h"
@@ -16,19 +22,21 @@ namespace facetmill {
 
 struct RestBand {
     int curve = -1;                        ///< of Valleys::curves; -1: a hollow without a valley
-    std::vector<std::array<Vec3, 3>> band; ///< cut along its boundaries; oriented as the part's facets
+    std::vector<std::array<Vec3, 3>> band; ///< triangles, cut along the boundaries, oriented as the part's
     std::vector<std::vector<Vec3>> boundaries;
-    double area = 0, depth = 0;   ///< depth: the most that is left
-    double length = 0, width = 0; ///< along the centre, the largest across it
+    double area = 0;
+    double depth = 0;             ///< the most that is left
+    double length = 0, width = 0; ///< length of the centre, largest width across it
     /// Per point of the curve: how far the band reaches to the left and to the right of the centre, across
     /// curve and fitted vector.
     std::vector<std::array<double, 2>> reach;
-    /// The same up the flanks: distance from the centre, across the curve.
+    /// Per point of the curve: how far it reaches up the flanks, left and right: distance from the centre
+    /// across the curve.
     std::vector<std::array<double, 2>> flank;
 };
 
-/// One band a curve, in their order, then hollows by area. Curves whose band is empty are left out. Throws
-/// Cancelled within 100 ms. The same bits for every thread count.
+/// One band a curve, in their order, then hollows by area, the largest first. Curves whose band is empty are
+/// left out. Throws Cancelled.
 std::vector<RestBand> rest_bands(const ValleyInput& input, const Valleys& valleys, const Progress& progress);
 
 /// Unit vectors along a curve at its points, towards its end; zero where it has no length.

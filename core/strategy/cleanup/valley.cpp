@@ -3,41 +3,31 @@
 #include "core/strategy/cleanup/pencil_probe.h"
 #include "core/strategy/cleanup/rest_samples.h"
 #include "core/strategy/cleanup/valley_nodes.h"
+#include "core/strategy/cleanup/valley_runs.h"
 #include "core/strategy/cleanup/valley_scale.h"
 #include "core/strategy/surface/point_grid.h"
 
 namespace facetmill {
 
-namespace {
-
-/// All tips of traced curves, with the run that has one nearest to them, if one is near.
-std::vector<Valleys::Tip> owned_tips(const std::vector<TracedValley>& traced,
-                                     const std::vector<ValleyRun>& runs, double step) {
-    PointGrid tips(2 * step);
+void own_tips(Valleys& valleys) {
+    PointGrid tips(2 * valleys.step);
     std::vector<int> owner;
-    for (std::size_t r = 0; r < runs.size(); ++r)
-        for (const PencilPoint& p : runs[r].curve.points) {
+    for (std::size_t c = 0; c < valleys.curves.size(); ++c)
+        for (const PencilPoint& p : valleys.curves[c].points) {
             tips.add(p.tip);
-            owner.push_back(int(r));
+            owner.push_back(int(c));
         }
-    std::vector<Valleys::Tip> result;
-    for (const TracedValley& t : traced)
-        for (const PencilPoint& p : t.curve.points) {
-            int curve = -1;
-            double least = step;
-            tips.near(p.tip, step, [&](std::size_t i) {
-                const double d = (tips.points()[i] - p.tip).norm();
-                if (d < least) {
-                    least = d;
-                    curve = owner[i];
-                }
-            });
-            result.push_back({p.tip, curve});
-        }
-    return result;
+    for (Valleys::Tip& t : valleys.tips) {
+        t.curve = -1;
+        double least = valleys.step;
+        tips.near(t.tip, valleys.step, [&](std::size_t i) {
+            if (const double d = (tips.points()[i] - t.tip).norm(); d < least) {
+                least = d;
+                t.curve = owner[i];
+            }
+        });
+    }
 }
-
-} // namespace
 
 Valleys find_valleys(const ValleyInput& input, const Progress& progress) {
     Valleys result;
@@ -47,9 +37,16 @@ Valleys find_valleys(const ValleyInput& input, const Progress& progress) {
     const auto seeds = pencil_seeds(input, result.samples, progress.part(0.5, 0.75));
     const auto traced = trace_valleys(input, seeds, progress.part(0.75, 0.95, "Following valleys"));
     const Progress measuring = progress.part(0.95, 1);
-    std::vector<ValleyRun> runs = valley_runs(input, traced, measuring);
-    result.tips = owned_tips(traced, runs, result.step);
-    join_valleys(input, std::move(runs), result);
+    for (const TracedValley& t : traced)
+        for (const PencilPoint& p : t.curve.points)
+            result.tips.push_back({p.tip, -1});
+    std::vector<std::array<bool, 2>> open;
+    for (ValleyRun& run : valley_runs(input, traced, measuring)) {
+        open.push_back(run.open);
+        result.curves.push_back(std::move(run.curve));
+    }
+    own_tips(result);
+    join_valleys(input, open, result);
     measuring.set(1);
     return result;
 }

@@ -78,6 +78,10 @@ struct Valleys {
     double step = 0;         ///< typical distance between the points of a curve
 };
 
+/// Throws Cancelled.
 Valleys find_valleys(const ValleyInput& input, const Progress& progress);
+
+/// Says of every tip which curve it belongs to: the one with a tip nearest to it, within a step.
+void own_tips(Valleys& valleys);
 
 } // namespace facetmill

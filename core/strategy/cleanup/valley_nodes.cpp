@@ -217,13 +217,8 @@ private:
 
 } // namespace
 
-void join_valleys(const ValleyInput& input, std::vector<ValleyRun> runs, Valleys& result) {
-    std::vector<std::array<bool, 2>> open;
-    for (ValleyRun& run : runs) {
-        open.push_back(run.open);
-        result.curves.push_back(std::move(run.curve));
-    }
-    NodeJoiner(input, result).run(open);
+void join_valleys(const ValleyInput& input, const std::vector<std::array<bool, 2>>& open, Valleys& valleys) {
+    NodeJoiner(input, valleys).run(open);
 }
 
 } // namespace facetmill

@@ -2,12 +2,13 @@
 // coordinates.
 #pragma once
 
-#include "core/strategy/cleanup/valley_runs.h"
+#include "core/strategy/cleanup/valley.h"
 
 namespace facetmill {
 
-/// The runs as the curves of a result whose tips are known: open ends that came to the same place go on to
-/// the centre of one corner, a node; single ones to as far as what they leave is the valley's.
-void join_valleys(const ValleyInput& input, std::vector<ValleyRun> runs, Valleys& result);
+/// Ends that came to the same place go on to the centre of one corner, a node; single ones as far as what
+/// they leave is the valley's. `open` says which ends of the curves a third flank made. Tips have their
+/// curves.
+void join_valleys(const ValleyInput& input, const std::vector<std::array<bool, 2>>& open, Valleys& valleys);
 
 } // namespace facetmill
