@@ -4,9 +4,10 @@ facetmill_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 
+# install_missing [PACKAGE ...]: those, or all of packages.txt
 install_missing() {
-    local wanted=() missing=() package
-    mapfile -t wanted < <(grep -vE '^[[:space:]]*(#|$)' "$facetmill_root/packaging/packages.txt")
+    local wanted=("$@") missing=() package
+    [ $# -gt 0 ] || mapfile -t wanted < <(grep -vE '^[[:space:]]*(#|$)' "$facetmill_root/packaging/packages.txt")
     for package in "${wanted[@]}"; do
         dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
     done
