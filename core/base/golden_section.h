@@ -41,7 +41,7 @@ LowPlace golden_minimum(F&& f, double lo, double hi, double accuracy, double eno
 /// of a line that meets a body only here and there. Where two values are the same, both infinite, the stretch
 /// is taken to be on the side that `low_side` says.
 template <class F>
-double least_where_finite(F&& f, double lo, double hi, bool low_side) {
+double min_where_finite(F&& f, double lo, double hi, bool low_side) {
     constexpr double section = 0.382; // as above, to three digits: both places are asked anew in each step
     constexpr int steps = 24;         // to 1e-5 of the interval
     double least = std::numeric_limits<double>::infinity();

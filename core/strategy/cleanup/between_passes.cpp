@@ -39,7 +39,7 @@ double BetweenPasses::left(const ValleySpot& a, const ValleySpot& b, const Vec3&
         }
         const double rest = std::min(by_a, by_b);
         if (rest <= std::max(most, with_.cusp)) continue;
-        most = std::max(most, rest - least_left(*at, rest - 2 * with_.cusp, hint));
+        most = std::max(most, rest - min_left(*at, rest - 2 * with_.cusp, hint));
     }
     return most;
 }
@@ -61,7 +61,7 @@ std::optional<BetweenPasses::Between> BetweenPasses::between(const ValleySpot& a
 }
 
 /// The least that the cutter can leave there; no better place is looked for than one that leaves `enough`.
-double BetweenPasses::least_left(const Between& at, double enough, LiftHint& hint) const {
+double BetweenPasses::min_left(const Between& at, double enough, LiftHint& hint) const {
     RestSample least = nearest_touch(reach_, at.point, at.facet, hint);
     if (at.normal.z() >= 0)
         if (const RestSample other = nearest_touch(reach_, at.point, at.normal, hint); other.gap < least.gap)

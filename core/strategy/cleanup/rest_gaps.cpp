@@ -80,7 +80,7 @@ private:
         RestSample nearest = nearest_by_normals(p, facets, hint);
         if (nearest.gap > in_.tolerance) {
             std::vector<ByCurve> by_curve;
-            const double least = least_by_tips(p, by_curve);
+            const double least = min_by_tips(p, by_curve);
             result.curve[v] = curve_of(p, by_curve, least);
             // In a valley's band the valley's own tips come nearest; a place for which they do not may have
             // a normal that says nothing, of a needle on a noisy plane.
@@ -106,7 +106,7 @@ private:
         return nearest;
     }
 
-    double least_by_tips(const Vec3& p, std::vector<ByCurve>& by_curve) const {
+    double min_by_tips(const Vec3& p, std::vector<ByCurve>& by_curve) const {
         double least = infinity;
         // A cutter is nearer than the distance of its axis less the radius nowhere.
         for (const double share : asked_radii) {

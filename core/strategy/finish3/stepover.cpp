@@ -124,7 +124,7 @@ double StepOver::entry(const DriveLine* line, double u, const Vec3& p, const Vec
                 }
                 return least;
             }
-            return std::min(least, least_where_finite(f, 0, 1, f0 < f2));
+            return std::min(least, min_where_finite(f, 0, 1, f0 < f2));
         };
         const auto after =
             std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
