@@ -1,9 +1,10 @@
-// facetmill-cli plan: a project to APT programs and a report.
+// facetmill-cli plan: a project to program files and a report.
 #include "app/cli_commands.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/job/program_files.h"
 #include "core/job/report.h"
+#include "core/output/apt.h"
 
 namespace facetmill::cli {
 
@@ -30,8 +31,8 @@ void run(const Arguments& arguments, Session& session) {
 Command plan_command() {
     return {.name = "plan",
             .operands = {"PROJECT"},
-            .summary =
-                "Plans a project: writes NN-NAME.apt per operation and report.json, and prints the report.",
+            .summary = "Plans a project: writes NN-NAME" + apt_writer().extension
+                       + " per operation and report.json, and prints the report.",
             .help = "Either all files appear or none. Keys and ranges of --set: facetmill-cli reference.",
             .options = {{.name = "--op", .value = "NAME", .help = "plans only this operation"},
                         {.name = "--set",

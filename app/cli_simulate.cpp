@@ -6,9 +6,11 @@
 #include "core/base/file.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/output/apt.h"
 
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 namespace facetmill::cli {
@@ -64,13 +66,13 @@ void run(const Arguments& arguments, Session& session) {
         check_project(project);
         const double n = double(cl_files.size());
         for (std::size_t i = 0; i < cl_files.size(); ++i) {
-            ClFileProgram cl = read_verify_program(
+            ClFilePrograms cl = read_verify_programs(
                 project, cl_files[i],
                 progress.part(0.2 * double(i) / n, 0.2 * double(i + 1) / n, "Reading CL"));
-            programs.push_back(std::move(cl.program));
+            std::move(cl.programs.begin(), cl.programs.end(), std::back_inserter(programs));
             for (const std::string& line : cl.ignored)
                 ignored.push_back(printable(cl_files[i], 400) + ": " + line);
-            if (!cl.remark.empty()) remarks.push_back(std::move(cl.remark));
+            std::move(cl.remarks.begin(), cl.remarks.end(), std::back_inserter(remarks));
         }
         part = planner.prepare(project, progress.part(0.2, 0.3));
         settings = verify_settings(project, nullptr);
@@ -102,15 +104,16 @@ Command simulate_command() {
         .summary =
             "Removes material and compares with the part: writes stock.stl, deviation.vtp, verify.json.",
         .help =
-            "Plans the project first, or takes CL files (APT) instead. Prints verify.json. Either all files "
-            "appear or none.\n"
-            "Exit status 1 also when a gouge or collision is found: the files are written then, and the "
-            "figures are on\n"
-            "stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
-            "file without\n"
-            "LOADTL those of tool 1 where it has the same cutter.",
+            "Plans the project first, or takes CL files (" + apt_writer().label
+            + ") instead. Prints verify.json. Either all files "
+              "appear or none.\n"
+              "Exit status 1 also when a gouge or collision is found: the files are written then, and the "
+              "figures are on\n"
+              "stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
+              "file without\n"
+              "LOADTL those of tool 1 where it has the same cutter.",
         .options = {{.name = "--cl",
-                     .value = "FILE.apt",
+                     .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",
                      .repeated = true},
                     {.name = "--op", .value = "NAME", .help = "plans and simulates only this operation"},

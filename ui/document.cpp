@@ -359,15 +359,8 @@ std::shared_ptr<const PlanResult> Document::complete_plan() const {
     plan->stock_warnings = stock_warnings(project_.stock, *part_, project_.unit);
     for (std::size_t i = 0; i < operation_count(); ++i) {
         if (state(i) != OperationState::planned) return nullptr;
-        auto copy = std::make_shared<OperationResult>(*result(i));
-        copy->program.unit = project_.unit;
-        for (auto& one : copy->further) {
-            auto further = std::make_shared<OperationResult>(*one);
-            further->program.unit = project_.unit;
-            one = std::move(further);
-        }
-        for (auto& program : programs_of(copy))
-            plan->operations.push_back(program);
+        for (auto& program : programs_of(result(i)))
+            plan->operations.push_back(std::move(program));
     }
     return plan;
 }

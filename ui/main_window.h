@@ -63,7 +63,7 @@ public:
     void set_stock_file(const QString& path);
     /// Writes to `path`; false when that failed, with the reason in the window.
     bool save_to(const QString& path);
-    /// Writes APT programs and report.json into `folder`, in the background.
+    /// Writes the program files and report.json into `folder`, in the background.
     void export_to(const QString& folder);
     /// Writes the setup sheet of the plan as it was verified, with the view as it is, in the background.
     void save_sheet(const QString& path);

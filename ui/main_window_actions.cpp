@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "core/mesh/sample.h"
+#include "core/output/apt.h"
 #include "ui/icons.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
@@ -42,8 +43,8 @@ void MainWindow::build_actions() {
     save_ = add_action(Icon::save, tr("&Save"), QKeySequence::Save, "save", [this] { save(); });
     save_as_ = add_action({}, tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), "save_as",
                           [this] { save_as(); });
-    export_ = add_action(Icon::export_program, tr("&Export APT…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                         "export", [this] { export_with_dialog(); });
+    export_ = add_action(Icon::export_program, tr("&Export %1…").arg(text(apt_writer().label)),
+                         QKeySequence(Qt::CTRL | Qt::Key_E), "export", [this] { export_with_dialog(); });
     sheet_ = add_action({}, tr("Export set&up sheet…"), {}, "setup_sheet", [this] { sheet_with_dialog(); });
     picture_ =
         add_action(Icon::picture, tr("Export &picture…"), {}, "picture", [this] { picture_with_dialog(); });
@@ -232,7 +233,7 @@ void MainWindow::show_shortcuts() {
     row(tr("Space"), tr("play, pause"));
     row(tr(",  ."), tr("one motion back, on (← and → too while playing back; Shift: ten)"));
     row(tr("Esc"), tr("cancel the running job"));
-    row(tr("Ctrl+E"), tr("export APT programs and the report"));
+    row(tr("Ctrl+E"), tr("export %1 programs and the report").arg(text(apt_writer().label)));
     row(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("undo, redo"));
     row(tr("Enter, F2"), tr("edit the selected tool or the parameters of the selection"));
     row(tr("Del"), tr("remove the selected tool or operation"));

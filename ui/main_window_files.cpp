@@ -5,6 +5,7 @@
 #include "core/job/program_files.h"
 #include "core/job/setup_sheet.h"
 #include "core/mesh/sample.h"
+#include "core/output/apt.h"
 #include "ui/export.h"
 #include "ui/part_dialog.h"
 #include "ui/project_tree.h"
@@ -285,11 +286,11 @@ void MainWindow::export_with_dialog() {
         return;
     }
     if (!may_export()) return;
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Export APT programs into"), settings::last_folder());
+    const QString folder = QFileDialog::getExistingDirectory(
+        this, tr("Export %1 programs into").arg(text(apt_writer().label)), settings::last_folder());
     if (folder.isEmpty()) return;
-    const QStringList there =
-        QDir(folder).entryList({QStringLiteral("*.apt"), QStringLiteral("report.json")}, QDir::Files);
+    const QStringList there = QDir(folder).entryList(
+        {QLatin1Char('*') + text(apt_writer().extension), QStringLiteral("report.json")}, QDir::Files);
     if (!there.isEmpty()
         && QMessageBox::question(
                this, tr("Replace files?"),

@@ -7,8 +7,10 @@
 #include "core/job/verification.h"
 #include "core/link/link.h"
 #include "core/mesh/geometry.h"
+#include "core/output/turning_table.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/global_local/rework_plan.h"
+#include "core/strategy/lathe/lathe.h"
 #include "core/strategy/surface/region_edit.h"
 
 #include <charconv>
@@ -160,10 +162,8 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
 /// All of a program but its motions, and what they take.
 void finish_program(OperationResult& result, const Project& project, const Operation& operation,
                     const PlanContext& context, const Progress& progress) {
-    ClProgram& program = result.program;
-    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
+    ClSection& program = result.program;
     program.operation_name = result.name;
-    program.unit = project.unit;
     program.tool_number = context.tool.number;
     program.tool_name = context.tool.name;
     program.cutter = context.tool.cutter();
@@ -171,6 +171,12 @@ void finish_program(OperationResult& result, const Project& project, const Opera
     program.spindle_rpm = operation.common().spindle;
     program.gauge_length = gauge_length(context.tool);
     program.part_box = context.part_box;
+    if (const auto* turned = result.path.as<TurnedPath>()) {
+        const LatheCommon* lathe = operation.turning();
+        const bool modulo = lathe && lathe->winding == LatheCommon::Winding::modulo;
+        program.turning = {turned->zero, modulo ? AngleWinding::modulo : AngleWinding::unwound,
+                           turning_ranges(program.motions, result.path)};
+    }
     MachineMotion followed;
     result.totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
                                   progress, &followed);
@@ -260,7 +266,7 @@ struct Planner::Cache {
 };
 
 /// What an operation cuts, for those after it.
-std::shared_ptr<const EarlierCuts> cuts_of(const ClProgram& program) {
+std::shared_ptr<const EarlierCuts> cuts_of(const ClSection& program) {
     auto cuts = std::make_shared<EarlierCuts>();
     cuts->cutter = program.cutter;
     const auto& motions = program.motions.motions;
@@ -395,7 +401,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         throw Error(ErrorCode::empty_result, "operation '" + printable(common.name) + "'", "nothing is cut",
                     "check part, tool and direction");
 
-    ClProgram& program = result->program;
+    ClSection& program = result->program;
     program.multi_axis = !operation.three_axis();
     start = std::chrono::steady_clock::now();
     std::size_t number = 0;

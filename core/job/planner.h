@@ -39,7 +39,7 @@ struct MachineRun {
 struct OperationResult {
     std::string name, kind;
     StrategyResult path;
-    ClProgram program;
+    ClSection program; ///< what it puts into a program file
     MotionTotals totals;
     std::optional<MachineRun> machine_run;         ///< of a program of several axes
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time

@@ -4,8 +4,7 @@
 #include "core/job/new_folder.h"
 #include "core/job/report.h"
 #include "core/output/apt.h"
-#include "core/output/turning_table.h"
-#include "core/strategy/lathe/lathe.h"
+#include "core/output/program_writer.h"
 
 namespace facetmill {
 
@@ -23,9 +22,8 @@ std::size_t place_in_project(const Project& project, const PlanResult& result, s
     return place;
 }
 
-} // namespace
-
-std::string program_file_name(std::size_t place, const std::string& operation_name) {
+/// "01-Finish": program_file_name without the extension.
+std::string file_stem(std::size_t place, const std::string& operation_name) {
     std::string name;
     for (char ch : operation_name) {
         const auto c = static_cast<unsigned char>(ch);
@@ -42,23 +40,31 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
         name.pop_back();
     if (name.empty()) name = "operation";
     const std::string number = std::to_string(place);
-    return (number.size() < 2 ? "0" + number : number) + "-" + name + ".apt";
+    return (number.size() < 2 ? "0" + number : number) + "-" + name;
 }
+
+/// The program of one operation, sharing its motions.
+ClProgram program_of(const Project& project, const std::shared_ptr<const OperationResult>& result) {
+    ClProgram program;
+    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
+    program.unit = project.unit;
+    program.sections.emplace_back(result, &result->program);
+    return program;
+}
+
+} // namespace
 
 const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program) {
     return *project.operations.at(place_in_project(project, result, program));
 }
 
+std::string program_file_name(std::size_t place, const std::string& operation_name) {
+    return file_stem(place, operation_name) + apt_writer().extension;
+}
+
 std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program) {
     return program_file_name(place_in_project(project, result, program) + 1,
                              result.operations[program]->name);
-}
-
-std::string turning_table_name(std::size_t place, const std::string& operation_name, int pass) {
-    std::string name = program_file_name(place, operation_name);
-    name.resize(name.size() - 4);
-    if (pass >= 0) name += (pass < 9 ? "-pass-0" : "-pass-") + std::to_string(pass + 1);
-    return name + ".txt";
 }
 
 std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
@@ -70,20 +76,15 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
     std::vector<fs::path> paths;
     const double n = double(result.operations.size());
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
-        const OperationResult& o = *result.operations[i];
-        const std::size_t place = place_in_project(project, result, i);
-        paths.push_back(folder / program_file_name(project, result, i));
+        const ClProgram program = program_of(project, result.operations[i]);
+        const std::string stem =
+            file_stem(place_in_project(project, result, i) + 1, result.operations[i]->name);
         const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
-        write_apt(o.program, files.add(paths.back()), part);
-        if (const auto* turned = o.path.as<TurnedPath>()) {
-            const LatheCommon* turning =
-                place < project.operations.size() ? project.operations[place]->turning() : nullptr;
-            const bool modulo = turning && turning->winding == LatheCommon::Winding::modulo;
-            for (const TurningTableRange& range : turning_table_ranges(o.program, o.path)) {
-                paths.push_back(folder / turning_table_name(place + 1, o.name, range.pass));
-                write_turning_table(o.program, *turned, range,
-                                    modulo ? AngleWinding::modulo : AngleWinding::unwound,
-                                    files.add(paths.back()), part);
+        for (const ProgramWriter& writer : program_writers()) {
+            const std::vector<std::string> endings = writer.files(program);
+            for (std::size_t k = 0; k < endings.size(); ++k) {
+                paths.push_back(folder / (stem + endings[k] + writer.extension));
+                writer.write(program, k, files.add(paths.back()), part);
             }
         }
     }

@@ -202,7 +202,7 @@ void Sheet::operations() {
     std::size_t changes = 0;
     for (std::size_t i = 0; i < plan_.operations.size(); ++i) {
         const OperationResult& o = *plan_.operations[i];
-        const ClProgram& p = o.program;
+        const ClSection& p = o.program;
         if (tool != -1 && tool != p.tool_number) ++changes;
         tool = p.tool_number;
         cut += o.totals.cut_length;

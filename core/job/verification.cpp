@@ -108,51 +108,61 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
     return programs;
 }
 
-ClFileProgram read_verify_program(const Project& project, const fs::path& path, const Progress& progress) {
-    const std::string file = printable(path.string(), 400);
-    AptReadResult read = read_apt(path, project.unit, progress);
+/// The tool of a section of a CL file; appends to `remarks` what is not known of it.
+static VerifyTool tool_of(const Project& project, const ClSection& section, const AptReadResult::Tool& said,
+                          const std::string& file, const std::string& name,
+                          std::vector<std::string>& remarks) {
     // A cutter that is assumed would make the verdict worth nothing.
-    if (!read.had_cutter)
+    if (!said.cutter)
         throw Error(ErrorCode::missing_key, file, "there is no CUTTER statement",
                     "add CUTTER/d,r,e,f,alpha,beta,h before the first GOTO");
     const auto cutter = [&]() -> VerifyTool {
         try {
-            return VerifyTool(read.program.cutter);
+            return VerifyTool(section.cutter);
         } catch (const Error& e) {
             throw Error(e.code(), file + ": CUTTER", e.message(), e.remedy());
         }
     };
-    const std::string name = printable(path.filename().string());
-    const std::string number = std::to_string(read.program.tool_number);
+    const std::string number = std::to_string(section.tool_number);
     auto tool = std::find_if(project.tools.begin(), project.tools.end(),
-                             [&](const Tool& t) { return t.number == read.program.tool_number; });
-    std::string remark;
+                             [&](const Tool& t) { return t.number == section.tool_number; });
     if (tool == project.tools.end()) {
-        remark = "'" + name + "': the project has no tool " + number
-                 + ", so shank and holder are not known and were not judged.";
-    } else if (!read.had_tool && same_shape(tool->cutter(), read.program.cutter)) {
-        remark = "'" + name + "' names no tool (LOADTL): its cutter is that of tool " + number
-                 + ", so shank and holder of that were judged.";
-    } else if (!read.had_tool) {
+        remarks.push_back("'" + name + "': the project has no tool " + number
+                          + ", so shank and holder are not known and were not judged.");
+    } else if (!said.number && same_shape(tool->cutter(), section.cutter)) {
+        remarks.push_back("'" + name + "' names no tool (LOADTL): its cutter is that of tool " + number
+                          + ", so shank and holder of that were judged.");
+    } else if (!said.number) {
         tool = project.tools.end();
-        remark = "'" + name + "' names no tool (LOADTL), and its cutter is not that of tool " + number
-                 + ": shank and holder are not known and were not judged.";
+        remarks.push_back("'" + name + "' names no tool (LOADTL), and its cutter is not that of tool "
+                          + number + ": shank and holder are not known and were not judged.");
     }
-    VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : cutter();
-    if (tool != project.tools.end()) {
-        // Shank and holder stand on the cutter that the file has.
-        VerifyTool own = cutter();
-        const double longer = own.cutter.height() - used.cutter.height();
-        for (ToolSection& s : used.sections) {
-            s.from += longer;
-            s.to += longer;
-        }
-        used.cutter = std::move(own.cutter);
+    if (tool == project.tools.end()) return cutter();
+    // Shank and holder stand on the cutter that the file has.
+    VerifyTool used(*tool), own = cutter();
+    const double longer = own.cutter.height() - used.cutter.height();
+    for (ToolSection& s : used.sections) {
+        s.from += longer;
+        s.to += longer;
     }
-    return {{path.filename().string(), std::move(used),
-             std::make_shared<const ToolMotions>(std::move(read.program.motions)), std::nullopt},
-            std::move(read.ignored),
-            std::move(remark)};
+    used.cutter = std::move(own.cutter);
+    return used;
+}
+
+ClFilePrograms read_verify_programs(const Project& project, const fs::path& path, const Progress& progress) {
+    const std::string file = printable(path.string(), 400);
+    AptReadResult read = read_apt(path, project.unit, progress);
+    ClFilePrograms result;
+    result.ignored = std::move(read.ignored);
+    for (std::size_t i = 0; i < read.program.sections.size(); ++i) {
+        const auto& section = read.program.sections[i];
+        std::string name = path.filename().string();
+        if (read.program.sections.size() > 1) name += ", operation " + std::to_string(i + 1);
+        VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
+        result.programs.push_back(
+            {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt});
+    }
+    return result;
 }
 
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {

@@ -15,17 +15,17 @@ namespace facetmill {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan);
 
-/// A CL file as a program to verify.
-struct ClFileProgram {
-    VerifyProgram program;
+/// A CL file as programs to verify: one per operation and tool in it.
+struct ClFilePrograms {
+    std::vector<VerifyProgram> programs;
     std::vector<std::string> ignored; ///< statements that were read over
-    std::string remark; ///< one sentence: shank and holder are not known, or were guessed; else empty
+    std::vector<std::string> remarks; ///< one sentence each: shank and holder are not known, or were guessed
 };
-/// Cutter of the file's CUTTER; shank and holder of the project's tool of the file's number, if there is one.
-/// A file that names no tool is one of tool 1 only if that has its cutter. Throws what read_apt does, and
-/// Error(missing_key) without CUTTER.
-ClFileProgram read_verify_program(const Project& project, const std::filesystem::path& path,
-                                  const Progress& progress);
+/// Cutters of the file's CUTTER statements; shank and holder of the project's tool of the file's number, if
+/// there is one. A file that names no tool is one of tool 1 only if that has its cutter. Throws what read_apt
+/// does, and Error(missing_key) without CUTTER.
+ClFilePrograms read_verify_programs(const Project& project, const std::filesystem::path& path,
+                                    const Progress& progress);
 
 /// Tolerance and allowance of the last operation planned, or without a plan (null) of the project's last; the
 /// gouge limit is the chord tolerance that the operations keep, at least 1e-4 mm.

@@ -3,11 +3,12 @@
 // worse than none.
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
+#include "core/output/apt_sections.h"
+#include "core/output/apt_text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -15,43 +16,11 @@ namespace facetmill {
 
 namespace {
 
+using namespace detail;
+
 constexpr std::size_t lines_per_check = 4096;
 constexpr std::size_t max_ignored = 1000;
 constexpr std::size_t max_fields = 16;
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && is_blank(s.front()))
-        s.remove_prefix(1);
-    while (!s.empty() && is_blank(s.back()))
-        s.remove_suffix(1);
-    return s;
-}
-
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
-}
-
-std::string upper(std::string_view s) {
-    std::string out(s);
-    for (char& c : out)
-        c = upper(c);
-    return out;
-}
-
-bool starts_with_word(std::string_view line, std::string_view word) {
-    if (line.size() < word.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i)
-        if (upper(line[i]) != word[i]) return false;
-    return line.size() == word.size() || !std::isalnum(static_cast<unsigned char>(line[word.size()]));
-}
-
-/// The rest of these is text, in which '$' and '/' mean nothing.
-constexpr std::array<std::string_view, 7> text_words = {"PARTNO", "PPRINT", "TPRINT", "INSERT",
-                                                        "LETTER", "REMARK", "NOTE"};
 
 /// Words that move the tool along more than a straight line, move the coordinates, or run the program out of
 /// order.
@@ -67,7 +36,8 @@ static_assert(std::is_sorted(refused_words.begin(), refused_words.end()));
 class Reader {
 public:
     Reader(std::string_view bytes, std::string name, LengthUnit unit)
-        : bytes_(bytes), name_(std::move(name)), unit_(unit) {
+        : text_(bytes, std::move(name)), unit_(unit),
+          sections_([this](const std::string& what, long line) { ignore(what, line); }) {
         result_.program.unit = unit;
     }
 
@@ -75,16 +45,14 @@ public:
 
 private:
     [[noreturn]] void fail(ErrorCode code, const std::string& what, const std::string& remedy) const {
-        throw Error(code, name_ + ":" + std::to_string(statement_line_), what, remedy);
+        text_.fail(code, what, remedy);
     }
     [[noreturn]] void syntax(const std::string& what, const std::string& remedy) const {
         fail(ErrorCode::syntax, what, remedy);
     }
 
-    void check_encoding();
-    bool next_line(std::string_view& line);
-    void line(std::string_view line);
     void statement(std::string_view text);
+    void text_statement(const std::string& word, std::string_view rest);
     void comment(std::string_view text);
     void dispatch(const std::string& word, std::string_view arguments);
 
@@ -97,92 +65,47 @@ private:
         return mm_per(unit_);
     }
 
-    void ignore(const std::string& word);
+    void ignore(const std::string& word) { ignore(word, text_.statement_line()); }
+    void ignore(const std::string& word, long line);
+    void go_to(const std::string& word);
+    void go_delta();
     void units();
     void cutter();
     void load_tool(const std::string& word);
     void feed();
     void spindle();
-    void move_to(const Vec3& tip, const Vec3& axis, bool rapid);
+    void coolant();
+    void move_to(const Vec3& tip, bool rapid);
     void finish();
 
-    std::string_view bytes_;
-    std::string name_;
+    AptText text_;
     LengthUnit unit_;
-    std::size_t at_ = 0;
-    long line_number_ = 0, statement_line_ = 1;
-    std::string pending_; ///< a statement that '$' continues
-    bool continues_ = false, complete_last_line_ = true;
+    AptSections sections_;
 
     AptReadResult result_;
     std::vector<std::string_view> fields_;
     std::unordered_map<std::string, bool> ignored_;
     Vec3 axis_ = Vec3::UnitZ();
-    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false, cut_ = false;
-    std::optional<double> feed_per_turn_;
-    bool feed_seen_ = false, spindle_seen_ = false;
+    bool rapid_ = false, ended_ = false, fini_ = false, lengths_seen_ = false;
 };
-
-void Reader::check_encoding() {
-    const auto starts = [&](std::string_view bom) { return bytes_.substr(0, bom.size()) == bom; };
-    if (starts("\xFF\xFE") || starts("\xFE\xFF")
-        || bytes_.substr(0, 4096).find('\0') != std::string_view::npos)
-        fail(ErrorCode::encoding, "the file is not plain text (UTF-16 or binary)",
-             "save it as ASCII or UTF-8");
-    if (starts("\xEF\xBB\xBF")) at_ = 3;
-}
-
-bool Reader::next_line(std::string_view& line) {
-    if (at_ >= bytes_.size()) return false;
-    const std::size_t end = bytes_.find_first_of("\r\n", at_);
-    ++line_number_;
-    complete_last_line_ = end != std::string_view::npos;
-    line = bytes_.substr(at_, complete_last_line_ ? end - at_ : std::string_view::npos);
-    at_ = complete_last_line_ ? end + 1 : bytes_.size();
-    if (complete_last_line_ && bytes_[end] == '\r' && at_ < bytes_.size() && bytes_[at_] == '\n') ++at_;
-    return true;
-}
-
-void Reader::line(std::string_view text) {
-    if (!continues_) statement_line_ = line_number_;
-    const std::string_view body = trimmed(text);
-    const auto joined = [&](std::string_view part) -> std::string_view {
-        if (!continues_) return part;
-        pending_.append(part);
-        return pending_;
-    };
-    const bool literal =
-        continues_ ? false : std::any_of(text_words.begin(), text_words.end(), [&](std::string_view w) {
-            return starts_with_word(body, w);
-        });
-    // '$$' starts a comment; a single '$' ends the line and continues the statement. In a text only a last
-    // '$' does.
-    std::size_t dollar = literal ? std::string_view::npos : body.find('$');
-    if (literal && !body.empty() && body.back() == '$' && !body.ends_with("$$")) dollar = body.size() - 1;
-    if (dollar == std::string_view::npos) {
-        statement(joined(body));
-    } else if (dollar + 1 < body.size() && body[dollar + 1] == '$') {
-        comment(body.substr(dollar + 2));
-        const std::string_view before = trimmed(body.substr(0, dollar));
-        if (continues_ && before.empty()) return; // a comment between the lines of a statement
-        statement(joined(before));
-    } else {
-        if (!continues_) pending_.clear();
-        pending_.append(body.substr(0, dollar));
-        continues_ = true;
-        return;
-    }
-    pending_.clear();
-    continues_ = false;
-}
 
 void Reader::comment(std::string_view text) {
     constexpr std::string_view key = "OPERATION NAME";
     text = trimmed(text);
-    if (!result_.program.motions.motions.empty() || !starts_with_word(text, key)) return;
+    if (!starts_with_word(text, key)) return;
     const std::size_t colon = text.find(':');
-    if (colon != std::string_view::npos)
-        result_.program.operation_name = printable(trimmed(text.substr(colon + 1)), 200);
+    if (colon != std::string_view::npos) sections_.operation(printable(trimmed(text.substr(colon + 1)), 200));
+}
+
+void Reader::text_statement(const std::string& word, std::string_view rest) {
+    if (!rest.empty() && rest.front() == '/') rest.remove_prefix(1);
+    rest = trimmed(rest);
+    if (word == "PARTNO")
+        result_.program.part_name = printable(rest, 200);
+    else if (word == "TPRINT")
+        sections_.tool_name(printable(rest, 200));
+    else
+        ignore(word);
 }
 
 void Reader::statement(std::string_view text) {
@@ -201,19 +124,7 @@ void Reader::statement(std::string_view text) {
     }
     if (text.empty()) return;
     const std::string word = upper(text.substr(0, n));
-    for (std::string_view w : text_words) {
-        if (word != w) continue;
-        std::string_view rest = text.substr(n);
-        if (!rest.empty() && rest.front() == '/') rest.remove_prefix(1);
-        rest = trimmed(rest);
-        if (w == "PARTNO")
-            result_.program.part_name = printable(rest, 200);
-        else if (w == "TPRINT")
-            result_.program.tool_name = printable(rest, 200);
-        else
-            ignore(word);
-        return;
-    }
+    if (is_text_word(word)) return text_statement(word, text.substr(n));
     const std::string_view rest = trimmed(text.substr(n));
     if (rest.find('=') != std::string_view::npos)
         fail(ErrorCode::unsupported_format, "'" + printable(text, 30) + "' defines geometry or a variable",
@@ -273,9 +184,9 @@ Vec3 Reader::axis_fields(std::size_t first, const std::string& word) const {
     return (v / largest).normalized();
 }
 
-void Reader::ignore(const std::string& word) {
+void Reader::ignore(const std::string& word, long line) {
     if (ignored_.size() >= max_ignored || !ignored_.emplace(word, true).second) return;
-    result_.ignored.push_back(word + " (line " + std::to_string(statement_line_) + ")");
+    result_.ignored.push_back(word + " (line " + std::to_string(line) + ")");
 }
 
 void Reader::units() {
@@ -312,14 +223,7 @@ void Reader::cutter() {
     } catch (const Error& e) {
         fail(ErrorCode::out_of_range, "CUTTER is not a convex cutter: " + e.message(), e.remedy());
     }
-    const AptCutter& old = result_.program.cutter;
-    const bool same = c.d == old.d && c.r == old.r && c.e == old.e && c.f == old.f && c.alpha == old.alpha
-                      && c.beta == old.beta && c.h == old.h;
-    if (result_.had_cutter && !same && !result_.program.motions.motions.empty())
-        fail(ErrorCode::unsupported_format, "the cutter changes within the program",
-             "split the file: one tool each");
-    result_.program.cutter = c;
-    result_.had_cutter = true;
+    sections_.cutter(c);
 }
 
 void Reader::load_tool(const std::string& word) {
@@ -331,12 +235,7 @@ void Reader::load_tool(const std::string& word) {
     }
     if (n != std::floor(n) || n < 0 || n > 1e9)
         syntax("'" + printable(fields_[0], 20) + "' is not a tool number", "write a whole number");
-    if (result_.had_tool && long(n) != result_.program.tool_number
-        && !result_.program.motions.motions.empty())
-        fail(ErrorCode::unsupported_format, "the tool changes within the program",
-             "split the file: one tool each");
-    result_.program.tool_number = long(n);
-    result_.had_tool = true;
+    sections_.tool_number(long(n));
 }
 
 void Reader::feed() {
@@ -366,19 +265,7 @@ void Reader::feed() {
     if (!(*value > 0) || *value * per > tolerance::largest_program_coordinate)
         fail(ErrorCode::out_of_range, "the feed " + format_number(*value) + " is out of range",
              "give a positive feed");
-    if (cut_ && feed_seen_) {
-        // A program has one feed here: the first that cuts. Later ones change times, not the path.
-        if (per_turn != feed_per_turn_.has_value()
-            || (per_turn ? *feed_per_turn_ : result_.program.feed_mm_per_min) != *value * per)
-            ignore("change of FEDRAT");
-        return;
-    }
-    feed_seen_ = true;
-    feed_per_turn_.reset();
-    if (per_turn)
-        feed_per_turn_ = *value * per;
-    else
-        result_.program.feed_mm_per_min = *value * per;
+    sections_.feed({*value * per, per_turn});
 }
 
 void Reader::spindle() {
@@ -395,53 +282,60 @@ void Reader::spindle() {
         if (!(v >= 0) || v > 1e7)
             fail(ErrorCode::out_of_range, "the spindle speed is out of range", "give turns per minute");
         if (v == 0) return;
-        if (cut_ && spindle_seen_) {
-            if (v != result_.program.spindle_rpm) ignore("change of SPINDL");
-            return;
-        }
-        result_.program.spindle_rpm = v;
-        spindle_seen_ = true;
+        sections_.spindle(v, text_.statement_line());
         return;
     }
 }
 
-void Reader::move_to(const Vec3& tip, const Vec3& axis, bool rapid) {
+void Reader::coolant() {
+    static constexpr std::array<std::pair<std::string_view, Coolant>, 4> words = {
+        {{"OFF", Coolant::off}, {"ON", Coolant::on}, {"MIST", Coolant::mist}, {"FLOOD", Coolant::flood}}};
+    const std::string word = fields_.empty() ? std::string() : upper(fields_[0]);
+    for (const auto& [name, coolant] : words)
+        if (word == name) return sections_.coolant(coolant, text_.statement_line());
+    ignore("COOLNT/" + printable(word, 20));
+}
+
+void Reader::move_to(const Vec3& tip, bool rapid) {
     if (ended_) syntax("there is motion after END", "split the file: one program each");
-    auto& motions = result_.program.motions.motions;
-    // The first motion comes from nobody knows where, whatever the file calls it (see ToolMotions).
-    const bool first = motions.empty();
-    motions.push_back({.kind = rapid || first ? MotionKind::rapid : MotionKind::cut, .to = {tip, axis}});
-    cut_ = cut_ || motions.back().kind == MotionKind::cut;
-    result_.program.multi_axis = result_.program.multi_axis || axis != Vec3::UnitZ();
+    sections_.move(tip, axis_, rapid, text_.statement_line());
     rapid_ = false;
 }
 
+void Reader::go_to(const std::string& word) {
+    if (fields_.size() != 3 && fields_.size() != 6)
+        syntax(word + " has " + std::to_string(fields_.size()) + " values",
+               "write " + word + "/x,y,z or " + word + "/x,y,z,i,j,k");
+    const Vec3 tip = lengths(0, word);
+    if (fields_.size() == 6) axis_ = axis_fields(3, word);
+    move_to(tip, rapid_ || word == "FROM");
+}
+
+void Reader::go_delta() {
+    const CutterLocation* from = sections_.position();
+    if (!from) syntax("GODLTA has no place to start from", "put GOTO or FROM before it");
+    Vec3 step;
+    if (fields_.size() == 1)
+        step = axis_ * (field_number(0, "GODLTA") * scale());
+    else if (fields_.size() == 3)
+        step = lengths(0, "GODLTA");
+    else
+        syntax("GODLTA has " + std::to_string(fields_.size()) + " values",
+               "write GODLTA/dx,dy,dz or GODLTA/d");
+    const Vec3 tip = from->tip + step;
+    if (!(tip.cwiseAbs().maxCoeff() <= tolerance::largest_program_coordinate))
+        fail(ErrorCode::coordinate_range, "GODLTA leaves the range of coordinates",
+             "check the file and its units");
+    move_to(tip, rapid_);
+}
+
 void Reader::dispatch(const std::string& word, std::string_view arguments) {
-    auto& motions = result_.program.motions.motions;
     if (word == "GOTO" || word == "FROM") {
         split(arguments);
-        if (fields_.size() != 3 && fields_.size() != 6)
-            syntax(word + " has " + std::to_string(fields_.size()) + " values",
-                   "write " + word + "/x,y,z or " + word + "/x,y,z,i,j,k");
-        const Vec3 tip = lengths(0, word);
-        if (fields_.size() == 6) axis_ = axis_fields(3, word);
-        move_to(tip, axis_, rapid_ || word == "FROM");
+        go_to(word);
     } else if (word == "GODLTA") {
         split(arguments);
-        if (motions.empty()) syntax("GODLTA has no place to start from", "put GOTO or FROM before it");
-        Vec3 step;
-        if (fields_.size() == 1)
-            step = axis_ * (field_number(0, word) * scale());
-        else if (fields_.size() == 3)
-            step = lengths(0, word);
-        else
-            syntax("GODLTA has " + std::to_string(fields_.size()) + " values",
-                   "write GODLTA/dx,dy,dz or GODLTA/d");
-        const Vec3 tip = motions.back().to.tip + step;
-        if (!(tip.cwiseAbs().maxCoeff() <= tolerance::largest_program_coordinate))
-            fail(ErrorCode::coordinate_range, "GODLTA leaves the range of coordinates",
-                 "check the file and its units");
-        move_to(tip, axis_, rapid_);
+        go_delta();
     } else if (word == "RAPID") {
         rapid_ = true;
     } else if (word == "TLAXIS") {
@@ -465,6 +359,9 @@ void Reader::dispatch(const std::string& word, std::string_view arguments) {
     } else if (word == "SPINDL") {
         split(arguments);
         spindle();
+    } else if (word == "COOLNT") {
+        split(arguments);
+        coolant();
     } else if (word == "END") {
         ended_ = true;
     } else if (word == "FINI") {
@@ -486,38 +383,27 @@ void Reader::dispatch(const std::string& word, std::string_view arguments) {
 }
 
 void Reader::finish() {
-    statement_line_ = std::max(line_number_, 1L);
-    if (continues_) fail(ErrorCode::truncated, "the file ends within a statement", "export it again");
+    text_.end();
     if (!ended_) {
         // Without FINI a cut at a line's end cannot be told from a file that never had one; within a line it
         // can.
-        if (!complete_last_line_)
+        if (!text_.complete_last_line())
             fail(ErrorCode::truncated, "the file ends within a line, without FINI or END",
                  "export it again, or end it with FINI");
         ignore("no FINI or END: the file may be cut short");
     }
-    ClProgram& p = result_.program;
-    if (!cut_)
-        throw Error(ErrorCode::empty_result, name_, "there is no motion at feed in the file",
+    if (!sections_.cuts())
+        throw Error(ErrorCode::empty_result, text_.name(), "there is no motion at feed in the file",
                     "check that it is an APT CL file");
-    if (feed_per_turn_) {
-        if (spindle_seen_)
-            p.feed_mm_per_min = *feed_per_turn_ * p.spindle_rpm;
-        else
-            ignore("feed per turn without SPINDL");
-    }
-    double top = -infinity;
-    for (const Motion& m : p.motions.motions)
-        top = std::max(top, m.to.tip.z());
-    p.motions.clearance_z = top;
+    sections_.finish(result_, text_.statement_line());
 }
 
 AptReadResult Reader::run(const Progress& progress) {
-    check_encoding();
-    std::string_view text;
-    while (next_line(text)) {
-        if (line_number_ % long(lines_per_check) == 0) progress.set(double(at_) / double(bytes_.size()));
-        line(text);
+    AptLine line;
+    while (text_.next(line)) {
+        if (text_.line_number() % long(lines_per_check) == 0) progress.set(text_.fraction());
+        if (!line.comment.empty()) comment(line.comment);
+        statement(line.statement);
     }
     finish();
     progress.set(1.0);

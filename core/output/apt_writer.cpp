@@ -7,6 +7,7 @@
 // mm).
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
+#include "core/output/program_writer.h"
 
 #include <cctype>
 #include <charconv>
@@ -112,98 +113,102 @@ private:
     std::size_t column_ = 0;
 };
 
-std::string place(const ClProgram& p) {
-    return "program '" + printable(p.operation_name) + "'";
-}
-
-void check_positive(double value, const ClProgram& p, const char* what) {
-    if (!std::isfinite(value))
-        throw Error(ErrorCode::non_finite, place(p), std::string("the ") + what + " is not a finite number",
-                    "set the " + std::string(what));
-    if (!(value * power_of_ten(coordinate_decimals) >= 1.0) || value > tolerance::largest_program_coordinate)
-        throw Error(ErrorCode::out_of_range, place(p),
-                    std::string("the ") + what + " " + format_number(value) + " cannot be written",
-                    "change it");
-}
-
-void check_motions(const ClProgram& p) {
-    bool cuts = false;
-    for (std::size_t i = 0; i < p.motions.motions.size(); ++i) {
-        const Motion& m = p.motions.motions[i];
-        cuts = cuts || m.kind != MotionKind::rapid;
-        const auto where = [&] { return place(p) + ": motion " + std::to_string(i + 1); };
-        if (!m.to.tip.allFinite() || !m.to.axis.allFinite())
-            throw Error(ErrorCode::non_finite, where(), "a coordinate is not a finite number",
-                        "plan again; report the project");
-        if (m.to.tip.cwiseAbs().maxCoeff() > tolerance::largest_program_coordinate)
-            throw Error(ErrorCode::coordinate_range, where(), "a coordinate is too large",
-                        "check the part's units");
-        const Vec3 off =
-            p.multi_axis ? Vec3(m.to.axis * (m.to.axis.norm() - 1.0)) : Vec3(m.to.axis - Vec3::UnitZ());
-        if (!(off.norm() <= tolerance::unit_axis))
-            throw Error(ErrorCode::internal, where(),
-                        p.multi_axis ? "the tool axis has not length 1"
-                                     : "the tool axis of a 3-axis program is not +Z",
-                        "plan again; report the project");
+std::string_view coolant_word(Coolant coolant) {
+    switch (coolant) {
+    case Coolant::off:
+        return "OFF";
+    case Coolant::on:
+        return "ON";
+    case Coolant::mist:
+        return "MIST";
+    case Coolant::flood:
+        return "FLOOD";
     }
-    if (!cuts)
-        throw Error(ErrorCode::empty_result, place(p), "there is no motion that cuts",
-                    "check part, tool and tolerance");
+    return "OFF";
 }
 
-} // namespace
-
-void write_apt(const ClProgram& p, OutputFile& file, const Progress& progress) {
-    check_motions(p);
-    const double per = mm_per(p.unit);
-    const double feed = p.feed_mm_per_min / per;
-    check_positive(feed, p, "feed");
-    check_positive(p.spindle_rpm, p, "spindle speed");
-    const AptCutter& c = p.cutter;
-    for (double v : {c.d, c.r, c.e, c.f, c.alpha, c.beta, c.h})
-        if (!std::isfinite(v) || std::abs(v) > tolerance::largest_program_coordinate)
-            throw Error(ErrorCode::non_finite, place(p), "a dimension of the cutter is not a usable number",
-                        "check the tool");
-
-    const bool inch = p.unit == LengthUnit::inch;
-    const std::string tool = std::to_string(p.tool_number);
-    Lines out(file);
-    out.text("$$ -----------------------------------------------------------------");
-    out.text("$$ FACETMILL CL FILE, TOOL TIP IN PART COORDINATES");
-    out.text("$$ OPERATION NAME : " + plain_text(p.operation_name, 52));
-    out.text("$$ -----------------------------------------------------------------");
-    out.text("PARTNO " + plain_text(p.part_name, 65));
-    out.text(inch ? "UNITS/INCHES" : "UNITS/MM");
+void write_cutter(Lines& out, const AptCutter& c, double per) {
     out.statement("CUTTER", {number(c.d / per), number(c.r / per), number(c.e / per), number(c.f / per),
                              number(degrees(c.alpha)), number(degrees(c.beta)), number(c.h / per)});
-    if (p.multi_axis)
-        out.text("MULTAX/ON");
-    else
-        out.statement("TLAXIS", {number(0), number(0), number(1)});
-    if (!p.tool_name.empty()) out.text("TPRINT/" + plain_text(p.tool_name, 65));
-    out.text("LOADTL/" + tool);
-    out.statement("SPINDL", {number(p.spindle_rpm), "RPM", "CLW"});
-    out.text("COOLNT/ON");
-    out.statement("FEDRAT", {number(feed), inch ? "IPM" : "MMPM"});
+}
 
-    const auto& motions = p.motions.motions;
+/// What stands before the motions of a section, and ends the one `before` it (null: this one is the first).
+void write_head(Lines& out, const ClProgram& program, const ClSection& s, const ClSection* before) {
+    const double per = mm_per(program.unit);
+    const bool inch = program.unit == LengthUnit::inch;
+    const bool load = !before || !same_tool(*before, s);
+    if (before) {
+        out.text("COOLNT/OFF");
+        out.text("SPINDL/OFF");
+    }
+    out.text("$$ -----------------------------------------------------------------");
+    if (!before) out.text("$$ FACETMILL CL FILE, TOOL TIP IN PART COORDINATES");
+    out.text("$$ OPERATION NAME : " + plain_text(s.operation_name, 52));
+    out.text("$$ -----------------------------------------------------------------");
+    if (!before) {
+        out.text("PARTNO " + plain_text(program.part_name, 65));
+        out.text(inch ? "UNITS/INCHES" : "UNITS/MM");
+    }
+    if (load) write_cutter(out, s.cutter, per);
+    if (s.multi_axis) {
+        out.text("MULTAX/ON");
+    } else {
+        if (before && before->multi_axis) out.text("MULTAX/OFF");
+        out.statement("TLAXIS", {number(0), number(0), number(1)});
+    }
+    if (load) {
+        if (!s.tool_name.empty()) out.text("TPRINT/" + plain_text(s.tool_name, 65));
+        out.text("LOADTL/" + std::to_string(s.tool_number));
+    }
+    out.statement("SPINDL", {number(s.spindle_rpm), "RPM", "CLW"});
+    out.statement("COOLNT", {coolant_word(s.coolant)});
+}
+
+void write_motions(Lines& out, const ClSection& s, LengthUnit unit, const Progress& progress) {
+    const double per = mm_per(unit);
+    const std::string_view feed_word = unit == LengthUnit::inch ? "IPM" : "MMPM";
+    std::string feed = number(s.feed_mm_per_min / per);
+    out.statement("FEDRAT", {feed, feed_word});
+
+    const auto& motions = s.motions.motions;
     const double scale = power_of_ten(coordinate_decimals);
     std::string field;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) progress.set(double(i) / double(motions.size()));
         const Motion& m = motions[i];
-        if (m.kind == MotionKind::rapid) out.text("RAPID");
+        if (m.kind == MotionKind::rapid) {
+            out.text("RAPID");
+        } else if (!s.motion_feeds.empty()) {
+            field = number(s.feed(i) / per);
+            if (field != feed) out.statement("FEDRAT", {field, feed_word});
+            feed = field;
+        }
         out.begin("GOTO");
         for (int k = 0; k < 3; ++k) {
             const double v = m.to.tip[k] / per * scale;
-            const bool up = k == 2 && !p.multi_axis;
+            const bool up = k == 2 && !s.multi_axis;
             field.clear();
             append_digits(field, up ? (long long)(std::ceil(v - tolerance::cl_digit_noise)) : std::llround(v),
                           coordinate_decimals);
-            out.field(field, k == 2 && !p.multi_axis);
+            out.field(field, k == 2 && !s.multi_axis);
         }
-        for (int k = 0; p.multi_axis && k < 3; ++k)
+        for (int k = 0; s.multi_axis && k < 3; ++k)
             out.field(number(m.to.axis[k], axis_decimals), k == 2);
+    }
+}
+
+} // namespace
+
+void write_apt(const ClProgram& program, OutputFile& file, const Progress& progress) {
+    check_writable(program);
+    Lines out(file);
+    const ClSection* before = nullptr;
+    const double n = double(program.sections.size());
+    for (std::size_t i = 0; i < program.sections.size(); ++i) {
+        const ClSection& section = *program.sections[i];
+        write_head(out, program, section, before);
+        write_motions(out, section, program.unit, progress.part(double(i) / n, double(i + 1) / n));
+        before = &section;
     }
     out.text("COOLNT/OFF");
     out.text("SPINDL/OFF");
@@ -212,5 +217,21 @@ void write_apt(const ClProgram& p, OutputFile& file, const Progress& progress) {
     out.flush();
     progress.set(1.0);
 }
+
+const ProgramWriter& apt_writer() {
+    return program_writer("apt");
+}
+
+namespace {
+
+const ProgramWriterRegistration
+    registration({.name = "apt",
+                  .label = "APT",
+                  .extension = ".apt",
+                  .files = [](const ClProgram&) { return std::vector<std::string>{""}; },
+                  .write = [](const ClProgram& program, std::size_t, OutputFile& file,
+                              const Progress& progress) { write_apt(program, file, progress); }});
+
+} // namespace
 
 } // namespace facetmill

@@ -40,7 +40,7 @@ bool same_rotary(const Joints& a, const Joints& b) {
 
 class Course {
 public:
-    Course(const ClProgram& program, const Kinematics& kinematics, double largest_swing)
+    Course(const ClSection& program, const Kinematics& kinematics, double largest_swing)
         : program_(program), motions_(program.motions.motions), kinematics_(kinematics),
           largest_swing_(largest_swing) {
         found_.at.resize(motions_.size());
@@ -137,7 +137,7 @@ private:
     /// order of their time the first without one is it.
     void relax(std::size_t i, Stop& to) const {
         const bool rapid = motions_[i].kind == MotionKind::rapid;
-        const double feed = rapid ? 0.0 : feed_time(program_, motions_[i].to.tip - motions_[i - 1].to.tip);
+        const double feed = rapid ? 0.0 : feed_time(program_, i, motions_[i].to.tip - motions_[i - 1].to.tip);
         std::array<std::pair<double, std::uint32_t>, max_stops> routes;
         for (std::size_t k = 0; k < last_.size(); ++k) {
             const double joints = kinematics_.time(last_[k].at, to.at);
@@ -182,7 +182,7 @@ private:
         last_.front().cost = 0;
     }
 
-    const ClProgram& program_;
+    const ClSection& program_;
     const std::vector<Motion>& motions_;
     const Kinematics& kinematics_;
     double largest_swing_;
@@ -193,7 +193,7 @@ private:
 
 } // namespace
 
-JointCourse find_joint_course(const ClProgram& program, const Kinematics& kinematics, double largest_swing,
+JointCourse find_joint_course(const ClSection& program, const Kinematics& kinematics, double largest_swing,
                               const Progress& progress) {
     return Course(program, kinematics, largest_swing).run(progress);
 }
@@ -221,8 +221,8 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
     return most - middle;
 }
 
-double feed_time(const ClProgram& program, const Vec3& step) {
-    return step.norm() / program.feed_mm_per_min * 60.0;
+double feed_time(const ClSection& program, std::size_t motion, const Vec3& step) {
+    return step.norm() / program.feed(motion) * 60.0;
 }
 
 } // namespace facetmill

@@ -22,7 +22,7 @@ struct JointCourse {
 
 /// Of two courses that take the same time, the one whose joints move less. `largest_swing` as in
 /// MotionTimeOptions. Looks 16 384 motions ahead at most. Throws Cancelled within 20 ms.
-JointCourse find_joint_course(const ClProgram& program, const Kinematics& kinematics, double largest_swing,
+JointCourse find_joint_course(const ClSection& program, const Kinematics& kinematics, double largest_swing,
                               const Progress& progress);
 
 /// How far the tool axis strays from the middle between its ends while the joints move evenly, beyond half
@@ -31,6 +31,6 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
                      const Vec3& axis_from, const Vec3& axis_to, double enough = infinity);
 
 /// What the length asks for at feed, s.
-double feed_time(const ClProgram& program, const Vec3& step);
+double feed_time(const ClSection& program, std::size_t motion, const Vec3& step);
 
 } // namespace facetmill

@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-Vec3 part_origin(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options) {
+Vec3 part_origin(const ClSection& program, const Machine& machine, const MotionTimeOptions& options) {
     if (options.part_origin) return *options.part_origin;
     Box3 box = program.part_box;
     if (box.empty())
@@ -28,7 +28,7 @@ int turns_max(const Kinematics& kinematics, const Joints& from, const Joints& to
 }
 
 /// The joints of all motions, findings about what cannot be held, and no times yet.
-MachineMotion follow(const ClProgram& program, const Kinematics& kinematics, const MotionTimeOptions& options,
+MachineMotion follow(const ClSection& program, const Kinematics& kinematics, const MotionTimeOptions& options,
                      const Progress& progress) {
     using Limit = Kinematics::Reach::Limit;
     const JointCourse course = find_joint_course(program, kinematics, options.largest_swing, progress);
@@ -62,7 +62,7 @@ double rapid_time(const Vec3& step, const Machine& machine) {
     return step.cwiseAbs().cwiseQuotient(machine.rapid_mm_per_s).maxCoeff();
 }
 
-void set_times(MachineMotion& result, const ClProgram& program, const Kinematics& kinematics) {
+void set_times(MachineMotion& result, const ClSection& program, const Kinematics& kinematics) {
     const auto& motions = program.motions.motions;
     const Machine& machine = kinematics.machine();
     for (std::size_t i = 1; i < motions.size(); ++i) {
@@ -71,9 +71,9 @@ void set_times(MachineMotion& result, const ClProgram& program, const Kinematics
         const bool rapid = motions[i].kind == MotionKind::rapid;
         const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
         if (!program.multi_axis || !m.held)
-            m.seconds = rapid ? rapid_time(step, machine) : feed_time(program, step);
+            m.seconds = rapid ? rapid_time(step, machine) : feed_time(program, i, step);
         else
-            m.seconds = std::max(rapid ? 0.0 : feed_time(program, step), kinematics.time(from, m.at));
+            m.seconds = std::max(rapid ? 0.0 : feed_time(program, i, step), kinematics.time(from, m.at));
         if (m.seconds > 0)
             for (int k = 0; k < machine.joints(); ++k)
                 m.rates[std::size_t(k)] = (m.at[k] - from[k]) / m.seconds;
@@ -111,7 +111,7 @@ void add_accelerations(MachineMotion& result, const Machine& machine) {
     }
 }
 
-void add_quality(MachineMotion& result, const ClProgram& program, const Machine& machine) {
+void add_quality(MachineMotion& result, const ClSection& program, const Machine& machine) {
     std::array<int, 5> route{};
     for (std::size_t i = 1; i < result.motions.size(); ++i) {
         const MotionJoints& m = result.motions[i];
@@ -137,7 +137,7 @@ void add_quality(MachineMotion& result, const ClProgram& program, const Machine&
 
 } // namespace
 
-MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
+MachineMotion machine_motion(const ClSection& program, const Machine& machine,
                              const MotionTimeOptions& options, const Progress& progress) {
     const auto& motions = program.motions.motions;
     if (motions.empty()) return {};
@@ -149,7 +149,7 @@ MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
     return result;
 }
 
-std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,
+std::vector<double> motion_seconds(const ClSection& program, const Machine& machine,
                                    const MotionTimeOptions& options, const Progress& progress) {
     const auto& motions = program.motions.motions;
     std::vector<double> seconds(motions.size(), 0);
@@ -162,15 +162,15 @@ std::vector<double> motion_seconds(const ClProgram& program, const Machine& mach
     for (std::size_t i = 1; i < motions.size(); ++i) {
         const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
         seconds[i] =
-            motions[i].kind == MotionKind::rapid ? rapid_time(step, machine) : feed_time(program, step);
+            motions[i].kind == MotionKind::rapid ? rapid_time(step, machine) : feed_time(program, i, step);
     }
     return seconds;
 }
 
-MotionTotals motion_totals(const ClProgram& program, const Machine& machine, const MotionTimeOptions& options,
+MotionTotals motion_totals(const ClSection& program, const Machine& machine, const MotionTimeOptions& options,
                            const Progress& progress, MachineMotion* followed) {
     MotionTotals totals;
-    double rapid_seconds = 0;
+    double rapid_seconds = 0, feed_seconds = 0;
     const auto& motions = program.motions.motions;
     // The first motion comes from nobody knows where: it has no length.
     for (std::size_t i = 1; i < motions.size(); ++i) {
@@ -180,6 +180,7 @@ MotionTotals motion_totals(const ClProgram& program, const Machine& machine, con
             rapid_seconds += rapid_time(step, machine);
         } else {
             totals.cut_length += step.norm();
+            feed_seconds += feed_time(program, i, step);
         }
     }
     if (program.multi_axis || options.accelerations) {
@@ -187,7 +188,9 @@ MotionTotals motion_totals(const ClProgram& program, const Machine& machine, con
         totals.time_seconds = all.time_seconds;
         if (followed) *followed = std::move(all);
     } else {
-        totals.time_seconds = rapid_seconds + totals.cut_length / program.feed_mm_per_min * 60.0;
+        // One feed: the length at once, not its many roundings.
+        if (program.motion_feeds.empty()) feed_seconds = totals.cut_length / program.feed_mm_per_min * 60.0;
+        totals.time_seconds = rapid_seconds + feed_seconds;
     }
     return totals;
 }

@@ -45,12 +45,12 @@ struct MachineMotion;
 
 /// `followed`, if given, becomes what machine_motion finds where the totals come from it: in programs of
 /// several axes, and with accelerations. Otherwise it is left alone.
-MotionTotals motion_totals(const ClProgram& program, const Machine& machine,
+MotionTotals motion_totals(const ClSection& program, const Machine& machine,
                            const MotionTimeOptions& options = {}, const Progress& progress = {},
                            MachineMotion* followed = nullptr);
 
 /// Of every motion; the first comes from nobody knows where and takes no time. Their sum is the total's time.
-std::vector<double> motion_seconds(const ClProgram& program, const Machine& machine,
+std::vector<double> motion_seconds(const ClSection& program, const Machine& machine,
                                    const MotionTimeOptions& options = {}, const Progress& progress = {});
 
 /// One motion as the machine makes it.
@@ -91,7 +91,7 @@ struct MachineMotion {
 
 /// The program on the machine, motion by motion; for programs of three axes with the axis +Z. Throws
 /// Error(out_of_range) as Kinematics does, Cancelled within 20 ms.
-MachineMotion machine_motion(const ClProgram& program, const Machine& machine,
+MachineMotion machine_motion(const ClSection& program, const Machine& machine,
                              const MotionTimeOptions& options = {}, const Progress& progress = {});
 
 } // namespace facetmill

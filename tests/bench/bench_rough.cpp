@@ -94,13 +94,13 @@ double within_reach(const Verification& v, const PlanContext& context, double al
 }
 
 /// Gives what it cut.
-ClProgram row(const char* name, const PlanContext& context, bool ball, RoughSettings::Offset offset,
-              double resolution, const ClProgram* before = nullptr) {
+ClSection row(const char* name, const PlanContext& context, bool ball, RoughSettings::Offset offset,
+              double resolution, const ClSection* before = nullptr) {
     const Rough op = the_operation(ball, offset);
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t busy = std::clock();
     const StrategyResult path = op.plan(context, Progress());
-    ClProgram program;
+    ClSection program;
     program.cutter = context.tool.cutter();
     program.motions = link_operation(op, path, context, Progress());
     const double seconds = seconds_since(start), cpu = double(std::clock() - busy) / CLOCKS_PER_SEC;
@@ -158,7 +158,7 @@ void rows(const char* name, double resolution) {
     const std::shared_ptr<const Mesh> mesh = make_sample(name, default_sample_tolerance, Progress());
     const PlanContext ball = context_of(mesh, the_tool(true));
     PlanContext flat = context_of(mesh, the_tool(false));
-    const ClProgram first = row(name, ball, true, Offset::contact, resolution);
+    const ClSection first = row(name, ball, true, Offset::contact, resolution);
     row(name, ball, true, Offset::vertices, resolution);
     row(name, flat, false, Offset::contact, resolution);
     row(name, flat, false, Offset::vertices, resolution);

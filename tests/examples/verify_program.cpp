@@ -47,9 +47,9 @@ int main() {
     try {
         const Progress progress;
         const AptReadResult read = parse_apt(foreign, "plate.apt", LengthUnit::mm, progress);
-        const VerifyProgram program{.name = "Plate",
-                                    .tool = VerifyTool(read.program.cutter),
-                                    .motions = std::make_shared<const ToolMotions>(read.program.motions)};
+        const auto& section = read.program.sections.front(); // one operation, one tool
+        const VerifyProgram program{
+            .name = "Plate", .tool = VerifyTool(section->cutter), .motions = {section, &section->motions}};
         StockSolid stock; // the plate with 2 mm on top
         stock.box.add(Vec3(0, 0, 0));
         stock.box.add(Vec3(40, 20, 12));

@@ -33,7 +33,7 @@ std::shared_ptr<const OperationResult> hill_operation(int passes, int points, bo
     auto result = std::make_shared<OperationResult>();
     result->name = "Hill";
     result->path = *source.contacts;
-    ClProgram& program = result->program;
+    ClSection& program = result->program;
     program.motions = *source.motions;
     program.feed_mm_per_min = feed;
     program.multi_axis = five_axes;

@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(written, QStringList({QStringLiteral("01-Finish.apt"), QStringLiteral("report.json")}));
         const auto read =
             read_apt((folder + QStringLiteral("/out/01-Finish.apt")).toStdString(), LengthUnit::inch, {});
-        QCOMPARE(read.program.motions.motions.size(),
+        QCOMPARE(read.program.sections.at(0)->motions.motions.size(),
                  w().document().result(0)->program.motions.motions.size());
 
         // Exported after a change, a program would not be that of the project.

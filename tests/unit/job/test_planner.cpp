@@ -91,7 +91,9 @@ std::string apt_of(const OperationResult& o) {
     QTemporaryDir dir;
     const fs::path path = fs::path(dir.path().toStdString()) / "p.apt";
     OutputFile file(path);
-    write_apt(o.program, file, {});
+    ClProgram program;
+    program.sections.push_back(std::make_shared<const ClSection>(o.program));
+    write_apt(program, file, {});
     file.commit();
     return std::string(InputFile(path).bytes());
 }
@@ -513,8 +515,8 @@ private slots:
         QCOMPARE(paths.size(), std::size_t(3));
         QCOMPARE(std::string(InputFile(out / "report.json").bytes()), report_json(w.project, *plan));
         const AptReadResult back = read_apt(out / "02-Second.apt", LengthUnit::mm, {});
-        QCOMPARE(back.program.operation_name, std::string("Second"));
-        QCOMPARE(back.program.motions.motions.size(), plan->operations[1]->program.motions.motions.size());
+        QCOMPARE(back.program.sections.at(0)->operation_name, std::string("Second"));
+        QCOMPARE(back.program.sections.at(0)->motions.motions.size(), plan->operations[1]->program.motions.motions.size());
         const std::string bytes(InputFile(out / "01-First.apt").bytes());
 
         // A part of a project keeps its place in the name.

@@ -19,13 +19,11 @@ using facetmill::test::code_of;
 
 namespace {
 
-ClProgram sample_program(std::size_t motions, bool multi_axis, LengthUnit unit, unsigned seed) {
+ClSection sample_section(std::size_t motions, bool multi_axis, unsigned seed) {
     std::mt19937_64 rng(seed);
     std::uniform_real_distribution<double> xy(-500, 500), z(-50, 50), tilt(-0.4, 0.4);
-    ClProgram p;
-    p.part_name = "bracket";
+    ClSection p;
     p.operation_name = "Finish";
-    p.unit = unit;
     p.tool_number = 7;
     p.tool_name = "Ball 12";
     p.cutter = AptCutter::ball(12, 40);
@@ -42,6 +40,16 @@ ClProgram sample_program(std::size_t motions, bool multi_axis, LengthUnit unit, 
     return p;
 }
 
+/// A program of these sections.
+ClProgram program_of(const std::vector<ClSection>& sections, LengthUnit unit = LengthUnit::mm) {
+    ClProgram program;
+    program.part_name = "bracket";
+    program.unit = unit;
+    for (const ClSection& s : sections)
+        program.sections.push_back(std::make_shared<const ClSection>(s));
+    return program;
+}
+
 std::string written(const ClProgram& program) {
     QTemporaryDir dir;
     const std::filesystem::path path = std::filesystem::path(dir.path().toStdString()) / "p.apt";
@@ -49,6 +57,16 @@ std::string written(const ClProgram& program) {
     write_apt(program, file, {});
     file.commit();
     return std::string(InputFile(path).bytes());
+}
+
+std::string written(const ClSection& section, LengthUnit unit = LengthUnit::mm) {
+    return written(program_of({section}, unit));
+}
+
+/// The section of a file that has one.
+const ClSection& only(const AptReadResult& read) {
+    if (read.program.sections.size() != 1) qFatal("not one section");
+    return *read.program.sections.front();
 }
 
 AptReadResult parsed(std::string_view text, LengthUnit unit = LengthUnit::mm) {
@@ -129,29 +147,29 @@ private slots:
         QFETCH(bool, multi);
         QFETCH(bool, inch);
         const LengthUnit unit = inch ? LengthUnit::inch : LengthUnit::mm;
-        const ClProgram p = sample_program(500, multi, unit, 3);
-        const std::string text = written(p);
+        const ClSection p = sample_section(500, multi, 3);
+        const std::string text = written(p, unit);
         // Read with the other unit as default: the file states its own.
         const AptReadResult back = parsed(text, inch ? LengthUnit::mm : LengthUnit::inch);
         QCOMPARE(back.program.unit, unit);
-        QCOMPARE(back.program.multi_axis, multi);
-        QCOMPARE(back.program.part_name, p.part_name);
-        QCOMPARE(back.program.operation_name, p.operation_name);
-        QCOMPARE(back.program.tool_name, p.tool_name);
-        QCOMPARE(back.program.tool_number, p.tool_number);
-        QVERIFY(std::abs(back.program.feed_mm_per_min - p.feed_mm_per_min) < 1e-5 * mm_per(unit));
-        QCOMPARE(back.program.spindle_rpm, p.spindle_rpm);
-        QVERIFY(back.had_cutter);
-        for (const auto& [a, b] : {std::pair(back.program.cutter.d, 12.0),
-                                   {back.program.cutter.r, 6.0},
-                                   {back.program.cutter.e, 0.0},
-                                   {back.program.cutter.f, 6.0},
-                                   {back.program.cutter.h, 40.0}})
+        QCOMPARE(only(back).multi_axis, multi);
+        QCOMPARE(back.program.part_name, std::string("bracket"));
+        QCOMPARE(only(back).operation_name, p.operation_name);
+        QCOMPARE(only(back).tool_name, p.tool_name);
+        QCOMPARE(only(back).tool_number, p.tool_number);
+        QVERIFY(std::abs(only(back).feed_mm_per_min - p.feed_mm_per_min) < 1e-5 * mm_per(unit));
+        QCOMPARE(only(back).spindle_rpm, p.spindle_rpm);
+        QVERIFY(back.tools.at(0).cutter && back.tools.at(0).number);
+        for (const auto& [a, b] : {std::pair(only(back).cutter.d, 12.0),
+                                   {only(back).cutter.r, 6.0},
+                                   {only(back).cutter.e, 0.0},
+                                   {only(back).cutter.f, 6.0},
+                                   {only(back).cutter.h, 40.0}})
             QVERIFY(std::abs(a - b) <= 1e-6 * mm_per(unit));
-        QCOMPARE(back.program.motions.motions.size(), p.motions.motions.size());
+        QCOMPARE(only(back).motions.motions.size(), p.motions.motions.size());
         const double digit = 1e-6 * mm_per(unit);
         for (std::size_t i = 0; i < p.motions.motions.size(); ++i) {
-            const Motion &a = p.motions.motions[i], &b = back.program.motions.motions[i];
+            const Motion &a = p.motions.motions[i], &b = only(back).motions.motions[i];
             QCOMPARE(b.kind, a.kind);
             const Vec3 d = b.to.tip - a.to.tip;
             QVERIFY(std::abs(d.x()) <= 0.51 * digit && std::abs(d.y()) <= 0.51 * digit);
@@ -163,18 +181,19 @@ private slots:
         }
         // What was read writes the same text again: the rounding does not creep.
         if (!multi) QCOMPARE(written(back.program), text);
-        QCOMPARE(written(p), text);
+        QCOMPARE(written(p, unit), text);
     }
 
     void the_file_is_strict() {
         for (bool multi : {false, true}) {
-            ClProgram p = sample_program(200, multi, LengthUnit::inch, 5);
+            ClSection p = sample_section(200, multi, 5);
             p.motions.motions[7].to.tip *= 1e5; // long numbers
             p.cutter = AptCutter::from_shape(25.123456, 3.2, radians(12.345678), radians(7.5), 1000);
-            p.part_name = "caf\xc3\xa9 $12\nGOTO/0,0,0 " + std::string(200, 'x');
             p.operation_name = "a$b\r\nRAPID " + std::string(200, 'y');
             p.tool_name = std::string("t\0$", 3) + std::string(200, 'z');
-            const auto lines = lines_of(written(p));
+            ClProgram program = program_of({p}, LengthUnit::inch);
+            program.part_name = "caf\xc3\xa9 $12\nGOTO/0,0,0 " + std::string(200, 'x');
+            const auto lines = lines_of(written(program));
             std::size_t rapids = 0, gotos = 0;
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 QVERIFY2(lines[i].size() <= 72, lines[i].c_str());
@@ -204,49 +223,49 @@ private slots:
             QVERIFY(has("COOLNT/ON"));
             QCOMPARE(has("MULTAX/ON"), multi);
             QCOMPARE(has("TLAXIS/0.000000,0.000000,1.000000"), !multi);
-            const AptReadResult back = parsed(written(p));
-            QCOMPARE(back.program.motions.motions.size(), p.motions.motions.size());
-            QVERIFY(std::abs(back.program.cutter.alpha - radians(12.345678)) < 1e-8);
+            const AptReadResult back = parsed(written(program));
+            QCOMPARE(only(back).motions.motions.size(), p.motions.motions.size());
+            QVERIFY(std::abs(only(back).cutter.alpha - radians(12.345678)) < 1e-8);
         }
-        const auto mm = lines_of(written(sample_program(5, false, LengthUnit::mm, 1)));
+        const auto mm = lines_of(written(sample_section(5, false, 1)));
         QVERIFY(std::find(mm.begin(), mm.end(), "FEDRAT/1270.000000,MMPM") != mm.end());
     }
 
     void nothing_unfit_is_written() {
-        const auto refused = [](const std::function<void(ClProgram&)>& change) {
-            ClProgram p = sample_program(20, false, LengthUnit::mm, 1);
+        const auto refused = [](const std::function<void(ClSection&)>& change) {
+            ClSection p = sample_section(20, false, 1);
             change(p);
             QTemporaryDir dir;
             const std::filesystem::path path = std::filesystem::path(dir.path().toStdString()) / "p.apt";
             const std::string code = code_of([&] {
                 OutputFile file(path);
-                write_apt(p, file, {});
+                write_apt(program_of({p}), file, {});
                 file.commit();
             });
             return std::filesystem::exists(path) ? "written" : code;
         };
         const double nan = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(refused([](ClProgram&) {}), std::string("written"));
-        QCOMPARE(refused([](ClProgram& p) { p.motions.motions.clear(); }), std::string("empty_result"));
-        QCOMPARE(refused([](ClProgram& p) { p.motions.motions.resize(1); }), std::string("empty_result"));
-        QCOMPARE(refused([&](ClProgram& p) { p.motions.motions[9].to.tip.y() = nan; }),
+        QCOMPARE(refused([](ClSection&) {}), std::string("written"));
+        QCOMPARE(refused([](ClSection& p) { p.motions.motions.clear(); }), std::string("empty_result"));
+        QCOMPARE(refused([](ClSection& p) { p.motions.motions.resize(1); }), std::string("empty_result"));
+        QCOMPARE(refused([&](ClSection& p) { p.motions.motions[9].to.tip.y() = nan; }),
                  std::string("non_finite"));
-        QCOMPARE(refused([&](ClProgram& p) { p.motions.motions[9].to.tip.z() = infinity; }),
+        QCOMPARE(refused([&](ClSection& p) { p.motions.motions[9].to.tip.z() = infinity; }),
                  std::string("non_finite"));
-        QCOMPARE(refused([&](ClProgram& p) { p.motions.motions[9].to.tip.x() = 1e30; }),
+        QCOMPARE(refused([&](ClSection& p) { p.motions.motions[9].to.tip.x() = 1e30; }),
                  std::string("coordinate_range"));
-        QCOMPARE(refused([&](ClProgram& p) { p.motions.motions[9].to.axis = Vec3(0.1, 0, 0.99); }),
+        QCOMPARE(refused([&](ClSection& p) { p.motions.motions[9].to.axis = Vec3(0.1, 0, 0.99); }),
                  std::string("internal"));
-        QCOMPARE(refused([&](ClProgram& p) {
+        QCOMPARE(refused([&](ClSection& p) {
                      p.multi_axis = true;
                      p.motions.motions[9].to.axis = Vec3(0, 0, 2);
                  }),
                  std::string("internal"));
-        QCOMPARE(refused([&](ClProgram& p) { p.feed_mm_per_min = nan; }), std::string("non_finite"));
-        QCOMPARE(refused([](ClProgram& p) { p.feed_mm_per_min = 0; }), std::string("out_of_range"));
-        QCOMPARE(refused([](ClProgram& p) { p.feed_mm_per_min = 1e-9; }), std::string("out_of_range"));
-        QCOMPARE(refused([](ClProgram& p) { p.spindle_rpm = -5; }), std::string("out_of_range"));
-        QCOMPARE(refused([&](ClProgram& p) { p.cutter.h = infinity; }), std::string("non_finite"));
+        QCOMPARE(refused([&](ClSection& p) { p.feed_mm_per_min = nan; }), std::string("non_finite"));
+        QCOMPARE(refused([](ClSection& p) { p.feed_mm_per_min = 0; }), std::string("out_of_range"));
+        QCOMPARE(refused([](ClSection& p) { p.feed_mm_per_min = 1e-9; }), std::string("out_of_range"));
+        QCOMPARE(refused([](ClSection& p) { p.spindle_rpm = -5; }), std::string("out_of_range"));
+        QCOMPARE(refused([&](ClSection& p) { p.cutter.h = infinity; }), std::string("non_finite"));
     }
 
     void writing_can_be_cancelled() {
@@ -254,32 +273,31 @@ private slots:
         job.cancel();
         QTemporaryDir dir;
         OutputFile file(std::filesystem::path(dir.path().toStdString()) / "p.apt");
+        QVERIFY_THROWS_EXCEPTION(Cancelled,
+                                 write_apt(program_of({sample_section(20, false, 1)}), file, Progress(job)));
         QVERIFY_THROWS_EXCEPTION(
-            Cancelled, write_apt(sample_program(20, false, LengthUnit::mm, 1), file, Progress(job)));
-        QVERIFY_THROWS_EXCEPTION(Cancelled, parse_apt(written(sample_program(20, false, LengthUnit::mm, 1)),
-                                                      "p", LengthUnit::mm, Progress(job)));
+            Cancelled, parse_apt(written(sample_section(20, false, 1)), "p", LengthUnit::mm, Progress(job)));
     }
 
     void the_sample_of_the_thesis_reads() {
         const AptReadResult r = parsed(lu_sample, LengthUnit::inch);
-        QCOMPARE(r.program.motions.motions.size(), std::size_t(4));
-        QCOMPARE(r.program.motions.motions[0].kind, MotionKind::rapid); // from nobody knows where
-        QCOMPARE(r.program.motions.motions[1].kind, MotionKind::cut);
-        QVERIFY((r.program.motions.motions[2].to.tip - 25.4 * Vec3(0.277169, -5.250357, 2.077252)).norm()
+        QCOMPARE(only(r).motions.motions.size(), std::size_t(4));
+        QCOMPARE(only(r).motions.motions[0].kind, MotionKind::rapid); // from nobody knows where
+        QCOMPARE(only(r).motions.motions[1].kind, MotionKind::cut);
+        QVERIFY((only(r).motions.motions[2].to.tip - 25.4 * Vec3(0.277169, -5.250357, 2.077252)).norm()
                 < 1e-9);
-        QCOMPARE(r.program.multi_axis, false);
-        QCOMPARE(r.program.feed_mm_per_min, 1000.0); // MPPM: millimetres, also in an inch file
-        QCOMPARE(r.program.spindle_rpm, 70.0);
-        QCOMPARE(r.program.tool_number, 1L);
-        QCOMPARE(r.program.tool_name, std::string("T1 End Mill D 0.394"));
+        QCOMPARE(only(r).multi_axis, false);
+        QCOMPARE(only(r).feed_mm_per_min, 1000.0); // MPPM: millimetres, also in an inch file
+        QCOMPARE(only(r).spindle_rpm, 70.0);
+        QCOMPARE(only(r).tool_number, 1L);
+        QCOMPARE(only(r).tool_name, std::string("T1 End Mill D 0.394"));
         QCOMPARE(r.program.part_name, std::string("PART TO BE MACHINED"));
-        QCOMPARE(r.program.operation_name, std::string("Multi-Axis Sweeping.1"));
-        QCOMPARE(r.program.cutter.d, 25.4);
-        QCOMPARE(r.program.cutter.f, 12.7);
-        QCOMPARE(r.program.cutter.h, 1.969 * 25.4);
-        QVERIFY(std::abs(r.program.motions.clearance_z - 4.115815 * 25.4) < 1e-9);
-        const std::vector<std::string> ignored = {"COOLNT (line 10)", "CUTCOM (line 11)", "..... (line 28)",
-                                                  "REWIND (line 32)"};
+        QCOMPARE(only(r).operation_name, std::string("Multi-Axis Sweeping.1"));
+        QCOMPARE(only(r).cutter.d, 25.4);
+        QCOMPARE(only(r).cutter.f, 12.7);
+        QCOMPARE(only(r).cutter.h, 1.969 * 25.4);
+        QVERIFY(std::abs(only(r).motions.clearance_z - 4.115815 * 25.4) < 1e-9);
+        const std::vector<std::string> ignored = {"CUTCOM (line 11)", "..... (line 28)", "REWIND (line 32)"};
         QCOMPARE(r.ignored, ignored);
         // Other line ends, lower case, blanks: the same.
         for (const char* end : {"\r\n", "\r"}) {
@@ -287,8 +305,8 @@ private slots:
             for (const char* c = lu_sample; *c; ++c)
                 other += *c == '\n' ? std::string(end) : std::string(1, char(std::tolower(*c)));
             const AptReadResult o = parsed(other, LengthUnit::inch);
-            QCOMPARE(o.program.motions.motions.size(), std::size_t(4));
-            QCOMPARE(o.program.cutter.h, r.program.cutter.h);
+            QCOMPARE(only(o).motions.motions.size(), std::size_t(4));
+            QCOMPARE(only(o).cutter.h, only(r).cutter.h);
             QCOMPARE(o.ignored.size(), r.ignored.size());
         }
     }
@@ -310,7 +328,7 @@ private slots:
                                        "PPRINT GOTO/9,9,9 $$ text\n"
                                        "SOME VENDOR WORD\nCYCLE/OFF\nFINI\n\n");
         QCOMPARE(r.program.part_name, std::string("x $ y"));
-        const auto& m = r.program.motions.motions;
+        const auto& m = only(r).motions.motions;
         QCOMPARE(m.size(), std::size_t(6));
         const Vec3 slanted = Vec3(0, 1, 1).normalized();
         const double in = 25.4;
@@ -322,10 +340,10 @@ private slots:
         QVERIFY(m[3].kind == MotionKind::cut && near(m[3].to.tip, in * (Vec3(1, 2, -2) + 2 * slanted)));
         QVERIFY(m[4].to.axis == Vec3::UnitZ());
         QVERIFY(m[5].to.axis == Vec3::UnitZ()); // the last axis stays
-        QVERIFY(r.program.multi_axis);
-        QCOMPARE(r.program.feed_mm_per_min, 254.0);
-        QCOMPARE(r.program.spindle_rpm, 500.0);
-        QCOMPARE(r.program.cutter.r, 0.25 * in);
+        QVERIFY(only(r).multi_axis);
+        QCOMPARE(only(r).feed_mm_per_min, 254.0);
+        QCOMPARE(only(r).spindle_rpm, 500.0);
+        QCOMPARE(only(r).cutter.r, 0.25 * in);
         const std::vector<std::string> ignored = {"INTOL (line 3)", "OUTTOL (line 4)", "PPRINT (line 20)",
                                                   "SOME (line 21)", "CYCLE (line 22)"};
         QCOMPARE(r.ignored, ignored);
@@ -334,7 +352,7 @@ private slots:
     void feeds_are_understood() {
         const std::string move = "GOTO/0,0,0\nGOTO/1,0,0\n";
         const auto feed = [&](const std::string& head, LengthUnit unit = LengthUnit::mm) {
-            return parsed(head + move + "FINI\n", unit).program.feed_mm_per_min;
+            return only(parsed(head + move + "FINI\n", unit)).feed_mm_per_min;
         };
         QCOMPARE(feed("FEDRAT/100\n"), 100.0);
         QCOMPARE(feed("FEDRAT/100\n", LengthUnit::inch), 2540.0);
@@ -344,8 +362,14 @@ private slots:
         QCOMPARE(feed("SPINDL/1000,RPM,CLW\nFEDRAT/0.01,IPR\n"), 254.0);
         QCOMPARE(feed("FEDRAT/5\nFEDRAT/7\n"), 7.0);
         const AptReadResult r = parsed("FEDRAT/5\n" + move + "FEDRAT/9\nGOTO/2,0,0\nFEDRAT/9\nFINI\n");
-        QCOMPARE(r.program.feed_mm_per_min, 5.0);
-        QCOMPARE(r.ignored, std::vector<std::string>{"change of FEDRAT (line 4)"});
+        QCOMPARE(only(r).feed_mm_per_min, 5.0);
+        QCOMPARE(only(r).motion_feeds, (std::vector<double>{5, 5, 9}));
+        QVERIFY(r.ignored.empty());
+        // Per turn, with a speed that is named later; one that changes between rapids changes nothing.
+        const AptReadResult t = parsed("FEDRAT/1,MMPR\n" + move
+                                       + "FEDRAT/2,MMPR\nRAPID\nGOTO/3,0,0\nFEDRAT/3,MMPR\nGOTO/4,0,0\n"
+                                         "SPINDL/10,RPM\nGOTO/5,0,0\nFINI\n");
+        QCOMPARE(only(t).motion_feeds, (std::vector<double>{10, 10, 10, 30, 30}));
     }
 
     void what_changes_the_path_is_refused_data() {
@@ -375,9 +399,7 @@ private slots:
                               "ORIGIN/0,0,0",
                               "goto1,2,3",
                               "INDEX/1",
-                              "UNITS/CM",
-                              "CUTTER/7",
-                              "LOADTL/9"})
+                              "UNITS/CM"})
             row(s, "unsupported_format");
         for (const char* s : {"GOTO/1,2",
                               "GOTO/1,2,3,4",
@@ -445,15 +467,15 @@ private slots:
 
     /// Cut anywhere, the file is refused or gives a shorter path of the same points.
     void truncation_never_changes_a_point() {
-        const ClProgram p = sample_program(12, true, LengthUnit::mm, 9);
+        const ClSection p = sample_section(12, true, 9);
         const std::string text = written(p);
-        const auto whole = parsed(text).program.motions.motions;
+        const auto whole = only(parsed(text)).motions.motions;
         std::size_t read = 0, refused = 0;
         for (std::size_t n = 0; n < text.size(); ++n) {
             try {
                 const auto r = parsed(text.substr(0, n));
                 ++read;
-                const auto& motions = r.program.motions.motions;
+                const auto& motions = only(r).motions.motions;
                 QVERIFY(motions.size() <= whole.size());
                 for (std::size_t i = 0; i < motions.size(); ++i) {
                     QVERIFY(motions[i].to.tip == whole[i].to.tip);
@@ -474,7 +496,7 @@ private slots:
     /// Any bytes: an Error of one line, or a program whose every number is finite.
     void mutations_are_refused_or_consistent() {
         std::mt19937_64 rng(17);
-        const std::string sources[] = {written(sample_program(8, true, LengthUnit::mm, 2)), lu_sample};
+        const std::string sources[] = {written(sample_section(8, true, 2)), lu_sample};
         static constexpr char alphabet[] = "0123456789.,-+/$=eEGOTOFINI \n\r\t\"'()";
         int ok = 0, bad = 0;
         for (int round = 0; round < 6000; ++round) {
@@ -500,15 +522,18 @@ private slots:
             try {
                 const auto r = parsed(text);
                 ++ok;
-                for (const Motion& m : r.program.motions.motions) {
-                    QVERIFY(m.to.tip.allFinite()
-                            && m.to.tip.cwiseAbs().maxCoeff() <= tolerance::largest_program_coordinate);
-                    QVERIFY(std::abs(m.to.axis.norm() - 1) < 1e-12);
+                bool fit = true;
+                for (const auto& s : r.program.sections) {
+                    for (const Motion& m : s->motions.motions) {
+                        QVERIFY(m.to.tip.allFinite()
+                                && m.to.tip.cwiseAbs().maxCoeff() <= tolerance::largest_program_coordinate);
+                        QVERIFY(std::abs(m.to.axis.norm() - 1) < 1e-12);
+                    }
+                    QVERIFY(std::isfinite(s->feed_mm_per_min) && s->feed_mm_per_min > 0);
+                    fit = fit && s->spindle_rpm >= 1e-6 && s->feed_mm_per_min >= 1e-6;
                 }
-                QVERIFY(std::isfinite(r.program.feed_mm_per_min) && r.program.feed_mm_per_min > 0);
-                // What was read can be written.
-                if (round % 20 == 0 && r.program.spindle_rpm >= 1e-6 && r.program.feed_mm_per_min >= 1e-6)
-                    written(r.program);
+                // What was read as one operation can be written.
+                if (round % 20 == 0 && fit && r.program.sections.size() == 1) written(r.program);
             } catch (const Error& e) {
                 ++bad;
                 QVERIFY2(e.code() != ErrorCode::internal, e.what());
@@ -535,14 +560,14 @@ private slots:
     }
 
     void large_programs_read_back() {
-        const ClProgram p = sample_program(200'000, false, LengthUnit::mm, 4);
+        const ClSection p = sample_section(200'000, false, 4);
         const AptReadResult back = parsed(written(p));
-        QCOMPARE(back.program.motions.motions.size(), p.motions.motions.size());
-        QVERIFY((back.program.motions.motions.back().to.tip - p.motions.motions.back().to.tip).norm() < 2e-6);
+        QCOMPARE(only(back).motions.motions.size(), p.motions.motions.size());
+        QVERIFY((only(back).motions.motions.back().to.tip - p.motions.motions.back().to.tip).norm() < 2e-6);
     }
 
     void times_and_lengths_add_up() {
-        ClProgram p;
+        ClSection p;
         p.feed_mm_per_min = 600; // 10 mm/s
         const auto add = [&](MotionKind kind, double x, double y, double z) {
             p.motions.motions.push_back({.kind = kind, .to = {Vec3(x, y, z), Vec3::UnitZ()}});
