@@ -22,7 +22,7 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
                                                const std::string& file, const std::string& only_operation,
                                                const Progress& progress);
 
-/// Of a contact point, as --point has it. Throws Error(usage).
+/// Number of a contact point, as --point has it. Throws Error(usage).
 std::size_t point_number(const std::string& text);
 
 } // namespace facetmill::cli

@@ -1,6 +1,5 @@
-// Meshes in and out. Readers of our own for STL (binary, ASCII), OBJ and PLY (ASCII, both binary orders); see
-// mesh_report.h for what is checked. Units: the files have none; `unit` says how to read them and the result
-// is mm.
+// Meshes in and out. Readers of our own for every format of mesh_format.h; see mesh_report.h for what is
+// checked. Units: the files have none; `unit` says how to read them and the result is mm.
 #pragma once
 
 #include "core/base/file.h"
@@ -25,11 +24,10 @@ struct LoadedMesh {
     MeshReport report; ///< lengths in the file's own unit numbers where the field says so
 };
 
-/// The extension names the format (.stl, .obj, .ply); a file with another content is refused. Without a known
-/// extension the content decides. Any non-finite or far-away vertex, a file that was cut, text that is not
-/// quite the format: all are errors (see ErrorCode, "files") whose place names the file and the line, facet
-/// or vertex; nothing is guessed but what a word in the report's warnings tells. The same result for every
-/// thread count. Cancellation within 20 ms.
+/// The extension names the format (mesh_format.h); a file with another content is refused. Without a known
+/// extension the content decides. A vertex that is not finite or far away, a file that was cut, text that is
+/// not quite the format: all are errors (see ErrorCode, "files") whose place names the file and the line,
+/// facet or vertex. Nothing is guessed but what a word in the report's warnings tells.
 LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
 /// The same from memory; `name` stands for the path in messages and decides by its extension where content
 /// does not.

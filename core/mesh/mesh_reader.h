@@ -97,9 +97,9 @@ std::string_view content_of(std::string_view bytes, std::string_view but);
 
 /// How a stored facet normal relates to the winding of its facet.
 enum class NormalState { agrees, opposes, zero, unusable, oblique };
-/// The stored normal counts only where the facet is fat enough for its winding normal to mean something;
-/// `oblique` is everything between `agrees` (within 45 degrees, or not to be judged) and `opposes` (more than
-/// 90 degrees away).
+/// Compares them. The stored normal counts only where the facet is fat enough for its winding normal to mean
+/// something; `oblique` is everything between `agrees` (within 45 degrees, or not to be judged) and `opposes`
+/// (more than 90 degrees away).
 NormalState compare_normal(const Vec3& stored, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Adds the triangles of a polygon (at least three corners; indices into `points`): a fan from the first

@@ -26,7 +26,7 @@ struct AptReadResult {
     struct Tool {
         bool cutter = false, number = false; ///< CUTTER; LOADTL or TOOLNO with a number
     };
-    std::vector<Tool> tools; ///< of each section
+    std::vector<Tool> tools; ///< one per section
     std::vector<std::string>
         ignored; ///< statements that were read over, once each, with their first line number
 };

@@ -19,7 +19,7 @@ enum class AngleWinding { unwound, modulo };
 
 /// Motions [first, last) of a section.
 struct ClRange {
-    int pass = -1; ///< of roughing, from 0; -1: all there is
+    int pass = -1; ///< number of the roughing pass, from 0; -1: all there is
     std::size_t first = 0, last = 0;
 };
 

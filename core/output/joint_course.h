@@ -1,10 +1,10 @@
-// Where the joints of a machine stand along a program: of the ways to hold each tool axis, those that take
-// the program through soonest.
+// Where the joints of a machine stand along a program: most tool axes can be held in several ways, and this
+// finds those that take the program through soonest.
 //
-// A shortest path over the motions. The stops of a motion are the solutions of its pose, wound near to each
-// of the stops of the motion before; the program may begin with every rotary axis a turn to either side. A
-// motion costs its time, and one on which the tool swings off its way more than all of them. Millimetres,
-// radians, seconds; part coordinates.
+// A shortest path over the motions. The stops of a motion are the solutions of its pose, each wound to the
+// turns nearest to the stops of the motion before; the program may begin with every rotary axis a turn to
+// either side. A motion costs its time; one on which the tool swings off its path costs more than all of
+// them. Millimetres, radians, seconds; part coordinates.
 #pragma once
 
 #include "core/base/progress.h"
@@ -20,8 +20,8 @@ struct JointCourse {
     std::vector<bool> held;
 };
 
-/// Of two courses that take the same time, the one whose joints move less. `largest_swing` as in
-/// MotionTimeOptions. Looks 16 384 motions ahead at most. Throws Cancelled within 20 ms.
+/// The soonest course; of two that take the same time, the one whose joints move less. `largest_swing` as in
+/// MotionTimeOptions. Looks 16 384 motions ahead at most.
 JointCourse find_joint_course(const ClSection& program, const Kinematics& kinematics, double largest_swing,
                               const Progress& progress);
 
@@ -30,7 +30,7 @@ JointCourse find_joint_course(const ClSection& program, const Kinematics& kinema
 double swing_between(const Kinematics& kinematics, const Joints& from, const Joints& to,
                      const Vec3& axis_from, const Vec3& axis_to, double enough = infinity);
 
-/// What the length asks for at feed, s.
+/// Time of a motion at its feed, by its length alone, s.
 double feed_time(const ClSection& program, std::size_t motion, const Vec3& step);
 
 } // namespace facetmill

@@ -1,11 +1,11 @@
-// How long a program takes and how far it goes, and where the axes of the machine stand on the way.
+// How long a program takes and how far it goes, and where the axes of the machine stand meanwhile.
 //
 // A program of three axes takes its lengths at feed, and rapids with every axis at its own largest speed. In
 // a program of several axes each motion at feed takes what its length asks for at feed or what the slowest
 // joint asks for, whichever is longer, and a rapid what the slowest joint asks for (Lu 3.123, with the
-// machine's own joints). Most tool axes can be held in two ways and by several turns of an axis; of all ways
-// through the program the machine is taken to follow one with the fewest findings, then the soonest, as a
-// post-processor that looks ahead makes it (joint_course.h).
+// machine's own joints). Most tool axes can be held in two ways and by several turns of an axis; the machine
+// is taken to follow the course with the fewest findings, and of these the soonest, as a post-processor that
+// looks ahead makes it (joint_course.h).
 #pragma once
 
 #include "core/base/progress.h"
@@ -49,7 +49,7 @@ MotionTotals motion_totals(const ClSection& program, const Machine& machine,
                            const MotionTimeOptions& options = {}, const Progress& progress = {},
                            MachineMotion* followed = nullptr);
 
-/// Of every motion; the first comes from nobody knows where and takes no time. Their sum is the total's time.
+/// Time of each motion; their sum is the total's. The first takes none: nothing is known of where it starts.
 std::vector<double> motion_seconds(const ClSection& program, const Machine& machine,
                                    const MotionTimeOptions& options = {}, const Progress& progress = {});
 
@@ -68,12 +68,12 @@ struct MotionFinding {
         axis,          ///< cannot hold this tool axis at all
         rotary_travel, ///< a rotary axis ends too early
         linear_travel, ///< a linear axis ends too early
-        swing,         ///< holds both ends, but between them the tool swings off its way while it cuts
+        swing,         ///< holds both ends, but between them the tool swings off its path while it cuts
     };
     Kind kind = Kind::axis;
     std::size_t motion = 0;
     int joint = -1;    ///< the axis that ends, or turns most in a swing; -1 for `axis`
-    double amount = 0; ///< how far beyond the travel, or off its way; mm or radians
+    double amount = 0; ///< how far beyond the travel, or off its path; mm or radians
 };
 /// "motion 12: A ends 5.2° too early".
 std::string finding_text(const MotionFinding& finding, const Machine& machine, LengthUnit unit);
@@ -84,13 +84,13 @@ struct MachineMotion {
     /// Motions at feed only. How often each joint turns back, by more than rounding, within runs between
     /// rapids.
     std::array<std::size_t, 5> reversals{};
-    double largest_angular_rate = 0; ///< of a rotary axis, rad/s
+    double largest_angular_rate = 0; ///< the fastest of the rotary axes, rad/s
     std::size_t fastest_turn = 0;    ///< the motion that has it
     double time_seconds = 0;         ///< the sum
 };
 
 /// The program on the machine, motion by motion; for programs of three axes with the axis +Z. Throws
-/// Error(out_of_range) as Kinematics does, Cancelled within 20 ms.
+/// Error(out_of_range) as Kinematics does.
 MachineMotion machine_motion(const ClSection& program, const Machine& machine,
                              const MotionTimeOptions& options = {}, const Progress& progress = {});
 
