@@ -57,8 +57,6 @@ const std::vector<Exception> long_functions = {
 const std::vector<Exception> large_classes = {
     {"core/gouge/axial_packet_impl.h", "facetmill::simd::PacketSearch", 548,
      "Older than this rule: to be split where it is next changed"},
-    {"core/output/apt_reader.cpp", "facetmill::Reader", 440,
-     "Older than this rule: to be split where it is next changed"},
     {"core/strategy/finish3/stepover.h", "facetmill::StepOver", 488,
      "Older than this rule: to be split where it is next changed"},
     {"core/strategy/lathe/lathe_reach.cpp", "facetmill::Search", 558,
