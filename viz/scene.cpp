@@ -1,5 +1,6 @@
 #include "viz/scene.h"
 
+#include "core/base/turn.h"
 #include "viz/poly_data.h"
 #include "viz/scene_impl.h"
 
@@ -240,7 +241,7 @@ void Scene::set_tool_pose(const std::optional<CutterLocation>& pose) {
 
 void Scene::Impl::place_tool() {
     if (pose) {
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3(0, 0, 1), pose->axis);
+        const Eigen::Quaterniond turn = turn_between(Vec3(0, 0, 1), pose->axis);
         const Mat3 r = turn.toRotationMatrix();
         vtkNew<vtkMatrix4x4> m;
         for (int i = 0; i < 3; ++i) {

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/tolerances.h"
+#include "core/base/turn.h"
 
 #include <array>
 
@@ -22,7 +23,7 @@ Mat3 to_tool_frame(const Vec3& axis) {
     // The rotation of least angle; for an axis that points straight down half a turn about x.
     if (axis.x() == 0 && axis.y() == 0)
         return axis.z() > 0 ? Mat3(Mat3::Identity()) : Mat3(Vec3(1, -1, -1).asDiagonal());
-    return Eigen::Quaterniond::FromTwoVectors(axis, Vec3::UnitZ()).toRotationMatrix();
+    return turn_between(axis, Vec3::UnitZ()).toRotationMatrix();
 }
 
 Box3 StraightMove::box(const TurnedBody& body) const {

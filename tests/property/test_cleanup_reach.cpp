@@ -1,5 +1,6 @@
 // Clean-up beyond what an upright tool reaches in valleys: inclined where its holder needs it, around contact
 // points that an operation of five axes left, and around material that the verification finds.
+#include "core/base/turn.h"
 #include "core/job/planner.h"
 #include "core/job/verification.h"
 #include "core/link/link.h"
@@ -135,7 +136,7 @@ private slots:
                                              axis, turned));
                 // Against points of the cutter: none is below the plane, one touches it.
                 double least = infinity;
-                const Eigen::Quaterniond q = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
+                const Eigen::Quaterniond q = turn_between(Vec3::UnitZ(), axis);
                 for (const ProfilePiece& piece : cutter.pieces())
                     for (int k = 0; k <= 60; ++k) {
                         Vec2 at = piece.from + (k / 60.0) * (piece.to - piece.from);

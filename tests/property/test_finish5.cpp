@@ -2,6 +2,7 @@
 // verifier, which share no code with the planner.
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/base/turn.h"
 #include "core/link/link.h"
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/five_axis/five_axis_record.h"
@@ -89,7 +90,7 @@ ToolMotions linked(const StrategyResult& path, const PlanContext& context, const
 
 /// Deepest that the cutter is in the part, along its axis, over every facet near it.
 double deepest(const BruteCutter& cutter, const Mesh& part, const CutterLocation& at) {
-    const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(at.axis, Vec3::UnitZ()).toRotationMatrix();
+    const Mat3 turn = turn_between(at.axis, Vec3::UnitZ()).toRotationMatrix();
     double most = -infinity;
     for (const auto& facet : part.facets) {
         std::array<Vec3, 3> p;
