@@ -65,7 +65,7 @@ const std::vector<Exception> large_classes = {
      "Older than this rule: to be split where it is next changed"},
     {"ui/cspace_controller.h", "facetmill::ui::CSpaceController", 458,
      "Older than this rule: to be split where it is next changed"},
-    {"ui/document.h", "facetmill::ui::Document", 412,
+    {"ui/document.h", "facetmill::ui::Document", 405,
      "Older than this rule: to be split where it is next changed"},
     {"ui/inspection_controller.h", "facetmill::ui::InspectionController", 430,
      "Older than this rule: to be split where it is next changed"},
