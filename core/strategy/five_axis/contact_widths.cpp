@@ -11,11 +11,13 @@ namespace facetmill {
 
 namespace {
 
-/// An estimated posture at yaw 0 may be lifted by this share of the tolerance.
+/// An estimated posture at yaw 0 may be lifted by this share of the tolerance: a mesh lifts by as much as its
+/// facets are coarse, and what a posture is lifted by its strip loses.
 constexpr double lifted_share = 0.1;
 /// One with a yaw by this share: a flat end that stands on both flanks of a hollow clears a wide strip.
 constexpr double yawed_share = 0.5;
-/// A strip that is as wide to either side as this share of the gap needs no other posture.
+/// A strip that is as wide to either side as this share of the gap needs no other posture: half would be
+/// enough if the neighbour's were as wide.
 constexpr double wanted_share = 0.75;
 const double yaw_step = radians(15);
 /// Largest step of the lead while the least inclined posture is sought.

@@ -9,8 +9,8 @@
 // (core/cspace/choose.h). Between contact points the motion is checked and divided until it neither gouges
 // nor leaves the configuration space (posture_path.h). Points without a free posture are left to clean-up.
 //
-// As for three axes (finish3.h), of the tolerance the part's tessellation tolerances are taken off, and the
-// inner one is kept off the part.
+// As with three axes (finish3.h), the part's tessellation tolerances are taken off the tolerance, and the
+// tool stays away from the part by the inner one.
 #pragma once
 
 #include "core/strategy/five_axis/manual_posture.h"
@@ -36,17 +36,17 @@ struct Finish5Settings : OperationCommon {
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes
     double holder_clearance = 0;     ///< mm, kept between shank or holder and the part
-    bool accelerations = false;      ///< global choice and the reported time mind those of the axes
-    /// Where they are free they are used whatever `posture` says; where not, a warning names the point.
+    bool accelerations = false;      ///< the global choice and the reported time mind those of the axes
+    /// Used whatever `posture` says where they are free; where they are not, a warning names the point.
     std::vector<ManualPosture> manual_postures;
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
 /// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. Where
-/// strips are narrow, partial passes stand between those that go all along. Places whose strips are narrower
-/// than `leave` (mm) are cut in passing only. What is left is told by `cleanup` at most, without warnings;
-/// where nothing can be cut there are no passes. Else as Finish5::plan.
+/// strips are narrow, partial passes stand between those that go all along (partial_passes.h). Places whose
+/// strips are narrower than `leave` (mm) are cut in passing only. There are no warnings about what is left,
+/// and no passes where nothing can be cut. Otherwise as Finish5::plan.
 StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
                             const Progress& progress, double leave = 0);
 
@@ -66,7 +66,6 @@ public:
 
     /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
     /// Error(out_of_range) for limits that leave nothing, Error(limit_exceeded) beyond 100 000 drive planes.
-    /// Cancelled within 100 ms.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
 

@@ -14,15 +14,20 @@ namespace {
 
 /// Lines of the surface lie on a lattice of this share of the cutter's radius.
 constexpr double lattice_share = 1.0 / 64;
-/// Of the radius: how far along the travel a contact point's own line is looked at, and lines are continued
-/// beyond the part's border.
-constexpr double own_reach = 0.25, extension_share = 1.5;
-/// Of the diameter: neighbouring contact points are no farther apart.
+/// How far along the travel a contact point's own line is looked at, in radii of the cutter. Short, for
+/// safety: a flat end lifted off a bend that is hollow along the travel may hold a far place of the line with
+/// its heel at one pose and with its toe at the next, and what lies between is left.
+constexpr double own_reach = 0.25;
+/// How far lines are continued beyond the part's border, in radii: farther than a cutter reaches.
+constexpr double extension_share = 1.5;
+/// Largest distance of neighbouring contact points, in diameters.
 constexpr double longest_share = 0.2;
-/// Of the tolerance: a line may be simplified by this.
+/// A line may be simplified by this share of the tolerance.
 constexpr double simplified_share = 0.01;
+/// Longest piece of a line, in radii.
 constexpr double raised_piece_share = 1.0 / 8;
-/// Of the turn limit: neighbouring contact points' normals are no farther apart.
+/// Normals of neighbouring contact points differ by no more than this share of the turn limit, so that the
+/// axes have room to turn on their own.
 constexpr double turn_share = 0.75;
 
 } // namespace
@@ -126,9 +131,7 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
         if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
     }
     std::vector<RaisedCurve> curves;
-    // Of its own line every pose holds a place near its contact point. Any place would not do: lifted off a
-    // bend that is hollow along the travel, a flat end may hold one with its heel at one pose and with its
-    // toe at the next, and what lies between is left.
+    // Every pose holds a place of its own line near its contact point (own_reach).
     RaisedCurve curve;
     if (own_line(place, curve)) curves.push_back(curve);
     for (const long plane : planes)

@@ -22,14 +22,13 @@ struct ContactPlace {
     double u = 0, v = 0;
     double s = 0;                              ///< along the surface's line
     double v_lo = 0, v_hi = 0;                 ///< the strip that the pass has to clear here
-    std::optional<std::array<double, 2>> kept; ///< lambda and omega that were chosen by hand
+    std::optional<std::array<double, 2>> kept; ///< lead and yaw that were chosen by hand
 };
 
 class FiveAxisField {
 public:
     /// `whole_spaces`: configuration spaces have their bottom everywhere, for showing; planning needs it only
-    /// where the top is not below 0. Throws Error(out_of_range) whose place is the key; Cancelled within 100
-    /// ms.
+    /// where the top is not below 0. Throws Error(out_of_range) whose place is the key.
     FiveAxisField(const PlanContext& context, const Finish5Settings& settings, const Progress& progress,
                   bool whole_spaces = false);
     FiveAxisField(const FiveAxisField&) = delete;
@@ -45,12 +44,12 @@ public:
                      double along = whole_reach) const;
     /// The place's own line, raised, as far as a posture there has to hold a point of it.
     bool own_line(const ContactPlace& place, RaisedCurve& curve) const;
-    /// All that a posture at this place has to clear: its own line, and those in the strip on either side.
+    /// All that a posture at this place has to clear: its own line, and lines in the strip on either side.
     std::vector<RaisedCurve> strip_curves(const ContactPlace& place) const;
 
-    /// Of the part across the travel, 1/mm; > 0 where it is hollow.
+    /// Hollowness of the part across the travel, 1/mm; > 0 where it is hollow.
     double hollowness(const ContactPlace& place) const { return hollowness(place, place.frame.left); }
-    /// Along any unit direction across the normal.
+    /// The same along any unit direction across the normal.
     double hollowness(const ContactPlace& place, const Vec3& direction) const;
     /// The lead that matches the curvature across the travel there (CM2), held to the lead limits.
     double cm2_lead(const ContactPlace& place) const;
@@ -69,7 +68,7 @@ public:
     const PostureGrid& grid() const { return grid_; }
     const Kinematics& kinematics() const { return *kinematics_; }
     const CSpaceBuilder& builder() const { return *builder_; }
-    double radius() const { return radius_; } ///< of the cutter
+    double radius() const { return radius_; } ///< the cutter's
     double cusp() const { return cusp_; }     ///< what may stay, without the tessellation's share
     double chord() const { return chord_; }
     double allowance() const { return allowance_; }

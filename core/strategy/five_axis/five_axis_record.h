@@ -18,7 +18,7 @@ struct FiveAxisRecord {
     };
     /// One line of one pass, in the order of travel.
     struct Line {
-        std::size_t begin = 0, end = 0; ///< of `points`
+        std::size_t begin = 0, end = 0; ///< its points, as indices of `points`
         int drive = 0;
     };
     PlanContext context;

@@ -12,7 +12,7 @@ namespace facetmill {
 
 class FiveAxisStudy {
 public:
-    /// Throws what FiveAxisField throws; Cancelled within 100 ms.
+    /// Throws what FiveAxisField throws.
     FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress);
 
     struct Point {
@@ -20,18 +20,18 @@ public:
         ContactPlace place;
         std::vector<RaisedCurve> curves;
         CSpace space;                        ///< with the bottom everywhere
-        double cm2_lead = 0;                 ///< the CM2 lead, before anything is repaired
+        double cm2_lead = 0;                 ///< the CM2 lead, whether it is free or not
         std::array<ChosenPosture, 3> chosen; ///< by cm2, local, global (Finish5Settings::PostureChoice)
         ChosenPosture planned;               ///< the operation's own
     };
     /// Plans the point's whole pass by every method: the global one depends on all of it. Throws
-    /// Error(out_of_range) for an index that is not a contact point's; Cancelled within 100 ms.
+    /// Error(out_of_range) for an index that is not a contact point's.
     Point point(std::size_t index, const Progress& progress) const;
-    /// The same of all points of its line, in the order of travel: not dearer than of one. The first is
-    /// number record().line_of(index).begin.
+    /// The same for all points of its line, in the order of travel, at the price of one. The first is number
+    /// record().line_of(index).begin.
     std::vector<Point> line(std::size_t index, const Progress& progress) const;
 
-    /// Why a posture is as it is, also between nodes of the grid.
+    /// Why a posture is free or blocked, also between nodes of the grid.
     CSpaceBuilder::Reason reason(const Point& point, double lead, double yaw) const {
         return field_.builder().reason(point.place.frame, lead, yaw, point.curves);
     }

@@ -62,7 +62,7 @@ std::vector<BinRange> PartialPasses::narrow_ranges(const EstimatedPass& a, const
     std::vector<BinRange> ranges;
     for (std::size_t i = within.first; i <= within.last; ++i) {
         if (stepover_.fits(&a, b, i)) continue;
-        // Two that would run into each other, or whose ends cost as much as the way between them, are one.
+        // Two that would run into each other, or whose ends cost as much as the travel between them, are one.
         if (!ranges.empty()
             && double(i - ranges.back().last) * bins_.width() <= 2 * beyond + partial_cost * r)
             ranges.back().last = i;
@@ -118,7 +118,8 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
             travelled +=
                 std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
         if (!(travelled < least * (p.v - last.v))) return false;
-        // Where most of the way asks for passes between, the last of them would come close to its neighbour.
+        // Where most of the travel asks for passes between, the last of them would come close to its
+        // neighbour.
         if (whole.satisfied && partial_share(last, p, within) > max_partial) return false;
         least = travelled / (p.v - last.v);
         best = std::move(p);
@@ -133,7 +134,7 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
     const double start = std::clamp(usual, smallest_, most);
     tried(start);
     if (whole.satisfied) better(std::move(whole.pass));
-    // What is travelled per width falls and rises several times on the way.
+    // What is travelled per width falls and rises several times as steps grow.
     int worse = 0;
     for (double step = start * step_ratio; step < most * step_ratio && worse < tries_beyond;
          step *= step_ratio)

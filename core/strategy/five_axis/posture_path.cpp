@@ -13,24 +13,25 @@ namespace {
 /// A motion between neighbouring contact points is halved this often at most.
 constexpr int max_divisions = 6;
 constexpr std::size_t places_per_block = 4;
-/// Of the cutter's radius: a run of free points shorter than this is left to clean-up with its neighbours.
+/// A run of free points shorter than this, in radii of the cutter, is left to clean-up with its neighbours.
 constexpr double shortest_run_share = 0.1;
 
-/// Of the chord tolerance: what is used of it along the axis at the places looked at, so that what lies
-/// between them keeps within it too.
+/// Share of the chord tolerance that motions may use along the axis at the places looked at, so that what
+/// lies between them stays within the tolerance too: with half of it motions are divided more often, with
+/// twice as much the tolerance is exceeded (test_posture_path).
 constexpr double chord_share = 0.6;
 
 struct Stop {
     ContactPlace place;
     PostureValue posture;
     CutterLocation cl;
-    double cusp = 0; ///< that it leaves over its strip, mm, without the chord's share
+    double cusp = 0; ///< what it leaves over its strip, mm, without the chord's share
 };
 
 /// From one contact place to the next.
 struct Gap {
     bool closed = false;
-    std::vector<Stop> route; ///< what stands between
+    std::vector<Stop> between; ///< further stops on the motion
 };
 
 class Joiner {
@@ -47,8 +48,8 @@ public:
                                    chord_share * field_.chord(), hint_);
     }
 
-    /// Appends what stands between a and b; false where the way is not free.
-    bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& route) {
+    /// Appends the stops that the motion from a to b needs; false where it cannot be made free.
+    bool between(const Stop& a, const Stop& b, int divisions, std::vector<Stop>& stops) {
         const double angle = std::acos(std::clamp(a.cl.axis.dot(b.cl.axis), -1.0, 1.0));
         const bool turns_little = angle <= field_.settings().turn_limit * (1 + tolerance::level_angle);
         const ContactPlace middle = place_between(a.place, b.place, 0.5);
@@ -61,9 +62,9 @@ public:
         if (!halfway(a, b, middle, at) || !between(a, at, divisions + 1, first)
             || !between(at, b, divisions + 1, second))
             return turns_little && clear && clears(a, b, field_.chord());
-        route.insert(route.end(), first.begin(), first.end());
-        route.push_back(at);
-        route.insert(route.end(), second.begin(), second.end());
+        stops.insert(stops.end(), first.begin(), first.end());
+        stops.push_back(at);
+        stops.insert(stops.end(), second.begin(), second.end());
         return true;
     }
 
@@ -75,7 +76,8 @@ private:
         return p;
     }
 
-    /// On the way the tool still holds a point of every line that it has to clear there, but for `slack`.
+    /// Whether the tool, on the motion too, holds a point of every line that it has to clear there, but for
+    /// `slack`.
     bool clears(const Stop& a, const Stop& b, double slack) const {
         for (const double t : {0.5, 0.25, 0.75}) {
             const CutterLocation on = location_on_route(a.cl, b.cl, t);
@@ -158,23 +160,23 @@ double looking_step(double radius, double chord) {
 bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
                          double limit, ToolLift::Hint& hint) {
     const double turned = (b.axis - a.axis).norm() * lift.cutter().max_radius();
-    const double route = (b.tip - a.tip).norm() + turned;
+    const double distance = (b.tip - a.tip).norm() + turned;
     constexpr int least = 4, most = 256, max_halvings = 6, sure_halvings = 2;
     // A lift that grows faster than this belongs to a wall, which the rim does not pass within a step unless
     // one of the step's ends is in it.
     constexpr double steepest = 2;
-    const int pieces = route < most * step ? std::max(least, int(std::ceil(route / step))) : most;
+    const int pieces = distance < most * step ? std::max(least, int(std::ceil(distance / step))) : most;
     const auto lift_at = [&](double t) {
         const CutterLocation at = location_on_route(a, b, t);
         return lift.lift({at.tip, at.axis}, hint);
     };
     const auto between = [&](const auto& self, double t0, double l0, double t1, double l1,
                              int halvings) -> bool {
-        // Alike: in touch with the same all the way, and round, or clear; but for edges between, which the
-        // rim passes within a part of a step.
+        // Alike: in touch with the same round place from end to end, or clear; but for edges between, which
+        // the rim passes within a part of a step.
         const bool alike = halvings <= max_halvings - sure_halvings && std::abs(l1 - l0) <= 0.5 * limit;
         if (halvings == 0 || alike) return true;
-        if (std::max(l0, l1) < -steepest * route * (t1 - t0)) return true;
+        if (std::max(l0, l1) < -steepest * distance * (t1 - t0)) return true;
         const double t = 0.5 * (t0 + t1), l = lift_at(t);
         return l <= limit && self(self, t0, l0, t, l, halvings - 1) && self(self, t, l, t1, l1, halvings - 1);
     };
@@ -207,8 +209,8 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         stops[i].cusp = posture_cusp(field, stops[i].place, stops[i].posture);
         if (i == 0 || !line.choices[i - 1].free) return;
         gaps[i].closed = own.between(own.stop(line.places[i - 1], line.choices[i - 1].posture), stops[i], 0,
-                                     gaps[i].route);
-        for (Stop& s : gaps[i].route)
+                                     gaps[i].between);
+        for (Stop& s : gaps[i].between)
             s.cusp = posture_cusp(field, s.place, s.posture);
     });
     std::vector<Stop> run;
@@ -263,7 +265,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
         }
         if (!run.empty()) {
             if (gaps[i].closed) {
-                run.insert(run.end(), gaps[i].route.begin(), gaps[i].route.end());
+                run.insert(run.end(), gaps[i].between.begin(), gaps[i].between.end());
             } else {
                 // What lies between the two is cut by neither.
                 CutterContact middle = on_part(run.back().place);

@@ -24,7 +24,7 @@ struct PlacedLine {
 };
 
 struct JoinedPasses {
-    std::vector<Pass> passes;                         ///< drive and offset are the caller's
+    std::vector<Pass> passes;                         ///< their drive and offset are left to the caller
     std::vector<CutterContact> uncut;                 ///< contact points left to clean-up, on the part
     double cusp = 0;                                  ///< largest to expect along the line, mm
     double lead_min = infinity, lead_max = -infinity; ///< leads used, radians
@@ -33,20 +33,21 @@ struct JoinedPasses {
 /// Tip and axis between two locations, as they move.
 CutterLocation location_on_route(const CutterLocation& a, const CutterLocation& b, double t);
 
-/// Whether the tool, on its way between two locations, cuts no deeper than `limit` along its axis; the
-/// locations themselves are the caller's. Looked at every `step` (mm) that the tip or the cutter's rim moves
-/// and at three places at least, and more closely where it comes into touch or leaves it: over the border of
-/// a part or an edge the depth grows in proportion to the way, not to its square.
+/// Whether the tool, moving between two locations, cuts no deeper than `limit` along its axis; the locations
+/// themselves are the caller's to judge. The motion is looked at every `step` (mm) that the tip or the
+/// cutter's rim moves and at three places at least, and more closely where the tool comes into touch or
+/// leaves it: over the border of a part or an edge the depth grows in proportion to the distance, not to its
+/// square.
 bool keeps_clear_between(const ToolLift& lift, const CutterLocation& a, const CutterLocation& b, double step,
                          double limit, ToolLift::Hint& hint);
-/// The step for a chord tolerance: over that way a cutter of this radius and a part as round as it part by no
-/// more than a quarter of it.
+/// The step for a chord tolerance: within it a cutter of this radius and a part as round as the cutter come
+/// apart by no more than a quarter of the tolerance.
 double looking_step(double radius, double chord);
 
-/// The height of the cusp that a posture leaves over its strip, mm, without the chord's share.
+/// Height of the cusp that a posture leaves over its strip, mm, without the chord's share.
 double posture_cusp(const FiveAxisField& field, const ContactPlace& place, const PostureValue& posture);
 
-/// Throws Cancelled within a few pairs of neighbours.
+/// Joins the chosen postures of a line to passes; what lies between two that cannot be joined is left.
 JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, const Progress& progress);
 
 } // namespace facetmill

@@ -7,10 +7,11 @@ namespace facetmill {
 
 namespace {
 constexpr std::size_t places_per_block = 8;
-/// Chord tolerances: what motions between postures may miss their strip by, and as much again.
+/// Room that postures keep to the top, in chord tolerances: what motions between them may miss their strip
+/// by, and as much again. Motions between postures on the border of their spaces leave these.
 constexpr double room_chords = 3;
 
-/// As low as nothing is cut, if that is free.
+/// The posture kept at a place, lifted as little as cuts nothing, if that is free.
 std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
                                          const std::vector<RaisedCurve>& curves) {
     if (!place.kept) return std::nullopt;

@@ -8,7 +8,8 @@
 
 namespace facetmill {
 
-/// Of a row of contact places, in the order of travel. Not copied: the points look into the other members.
+/// Studies of a row of contact places, in the order of travel. Cannot be copied: the points refer to the
+/// other members.
 struct PostureStudy {
     std::vector<std::vector<RaisedCurve>> curves;
     std::vector<CSpace> spaces;
@@ -20,8 +21,7 @@ struct PostureStudy {
     PostureStudy& operator=(PostureStudy&&) = default;
 };
 
-/// Postures kept by hand at the places are taken where they are free (PassPoint::kept). Throws Cancelled
-/// within 100 ms.
+/// Postures kept by hand at the places are taken where they are free (PassPoint::kept).
 PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
                             const Progress& progress);
 

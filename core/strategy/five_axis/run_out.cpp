@@ -9,8 +9,8 @@ namespace facetmill {
 
 namespace {
 
-/// In the cutter's radius: how finely the way is looked at, how far back and ahead, and how far apart the
-/// lines are whose ends count.
+/// In radii of the cutter: how finely the motion is looked at, how far back and ahead, and how far apart the
+/// lines are whose ends count. No pose reaches farther than two radii from its contact.
 constexpr double step_share = 1.0 / 32, back_share = 2, ahead_share = 2, line_share = 1.0 / 16;
 
 } // namespace
@@ -70,8 +70,8 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
         look(border);
     if (need == 0) return std::nullopt;
 
-    const double route = need * step_share * r;
-    ContactPlace further = field.place(line, end.s + (low ? -route : route), end.v, travel);
+    const double distance = need * step_share * r;
+    ContactPlace further = field.place(line, end.s + (low ? -distance : distance), end.v, travel);
     further.v_lo = end.v_lo;
     further.v_hi = end.v_hi;
     ToolLift::Hint hint;

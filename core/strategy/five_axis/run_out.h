@@ -1,8 +1,8 @@
 // How far a pass goes on beyond its last contact place, so that the tool has cleared its strip to the border.
 //
-// On its way a pose holds a point of every line of the strip (core/cspace/README.md, "Top"), but not the
-// point abreast of the contact: a tool that is turned aside holds a line on the far side well behind. Along
-// the pass that is no matter, since what is held moves on with the tool; at the border the tool has to go on
+// Every pose holds a point of every line of the strip (core/cspace/README.md, "Top"), but not the point
+// abreast of the contact: a tool that is turned aside holds a line on the far side well behind. Along the
+// pass that does not matter, since what is held moves on with the tool; at the border the tool has to go on
 // until the ends of all lines have been held.
 #pragma once
 

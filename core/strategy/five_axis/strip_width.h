@@ -32,7 +32,7 @@ public:
     /// `side`: -1 towards smaller v, +1 towards larger. `posture` clear of the part.
     Width operator()(const PostureValue& posture, int side);
 
-    /// Whether the posture comes close enough to the pass's own line.
+    /// Whether the posture comes close enough to the pass's own line to clear it.
     bool clears_own_line(const PostureValue& posture);
 
 private:

@@ -103,11 +103,11 @@ AssumedPath assume_path(const FiveAxisField& field, double spacing, const Progre
             ToolLift::Hint hint;
             const auto pieces = std::size_t(std::max(1.0, std::ceil(line.length() / spacing)));
             for (std::size_t k = 0; k <= pieces; ++k) {
-                const double route = line.length() * double(k) / double(pieces);
+                const double travelled = line.length() * double(k) / double(pieces);
                 const ContactPlace place =
-                    field.place(line, travel > 0 ? route : line.length() - route, v, travel);
+                    field.place(line, travel > 0 ? travelled : line.length() - travelled, v, travel);
                 t.contacts.push_back(contact_at(field, place, min_lead(field, place, guess, hint)));
-                t.contacts.back().s = route;
+                t.contacts.back().s = travelled;
             }
             found[i].push_back(std::move(t));
         }
@@ -156,7 +156,7 @@ ScreenedPath screen(const AssumedPath& path, double lead_limit, double offset, c
         const double t = (lead_limit - in.lead) / (beyond.lead - in.lead);
         return in.point + t * (beyond.point - in.point);
     };
-    std::vector<Vec3> route;
+    std::vector<Vec3> polyline;
     for (std::size_t start = 0; start < all.size(); start = all[start].end + 1) {
         progress.check();
         const std::size_t end = all[start].end;
@@ -172,14 +172,14 @@ ScreenedPath screen(const AssumedPath& path, double lead_limit, double offset, c
             pair.out_at_side = last == end;
             pair.in = pair.in_at_side ? all[i].point : crossing(all[i - 1], all[i]);
             pair.out = pair.out_at_side ? all[last].point : crossing(all[last + 1], all[last]);
-            route.assign(1, pair.in);
+            polyline.assign(1, pair.in);
             for (std::size_t k = i; k > start; --k)
-                route.push_back(all[k - 1].point);
-            pair.in_offset = offset_along(route, offset);
-            route.assign(1, pair.out);
+                polyline.push_back(all[k - 1].point);
+            pair.in_offset = offset_along(polyline, offset);
+            polyline.assign(1, pair.out);
             for (std::size_t k = last; k < end; ++k)
-                route.push_back(all[k + 1].point);
-            pair.out_offset = offset_along(route, offset);
+                polyline.push_back(all[k + 1].point);
+            pair.out_offset = offset_along(polyline, offset);
             pair.motion = motion_direction(view, machining, pair.out - pair.in);
             // A single contact at the side has no direction of its own.
             pair.regular = pair.motion == whole || pair.out == pair.in;

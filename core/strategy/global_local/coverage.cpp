@@ -135,10 +135,10 @@ Seen seen_from(const CutterLocation& at, const Vec3& place) {
 bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double height, double slack) {
     if (std::max(a.z, b.z) < slack || std::min(a.z, b.z) > height) return false;
     const double r = cutter.max_radius() - slack;
-    const Vec3 route = b.beside - a.beside;
-    // The part of the path that is beside the cutter: |a + t route| <= r, 0 <= z <= height.
+    const Vec3 move = b.beside - a.beside;
+    // The part of the path that is beside the cutter: |a + t move| <= r, 0 <= z <= height.
     double from = 0, to = 1;
-    const double square = route.squaredNorm(), half = a.beside.dot(route),
+    const double square = move.squaredNorm(), half = a.beside.dot(move),
                  rest = a.beside.squaredNorm() - r * r;
     if (square > 0) {
         const double root = half * half - square * rest;
@@ -155,7 +155,7 @@ bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double 
     }
     if (!(from <= to)) return false;
     const auto depth = [&](double t) {
-        return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * route).norm());
+        return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * move).norm());
     };
     // The cutter is convex: on a straight path the depth rises, then falls.
     if (depth(from) >= slack || depth(to) >= slack) return true;
@@ -186,10 +186,11 @@ void Coverage::add(std::span<const Pass> passes, const CutterProfile& cutter, co
         if (pass.cl.size() == 1) look(pass.cl[0], pass.cl[0]);
         for (std::size_t k = 0; k + 1 < pass.cl.size(); ++k) {
             const CutterLocation &a = pass.cl[k], &b = pass.cl[k + 1];
-            const double route = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
-            // What a turning tool sees of a straight path bends by turn (reach turn + 2 route) / 8.
-            const double pieces = std::ceil(std::max(
-                {1.0, route / (step_share * r), std::sqrt(turn * (reach * turn + 2 * route) / (8 * slack))}));
+            const double distance = (b.tip - a.tip).norm(), turn = (b.axis - a.axis).norm();
+            // What a turning tool sees of a straight path bends by turn (reach turn + 2 distance) / 8.
+            const double pieces =
+                std::ceil(std::max({1.0, distance / (step_share * r),
+                                    std::sqrt(turn * (reach * turn + 2 * distance) / (8 * slack))}));
             CutterLocation last = a;
             for (double p = 1; p <= pieces; ++p) {
                 progress.check();
