@@ -15,8 +15,8 @@ namespace {
 
 /// Directions of travel, over half a turn; each is gone both ways.
 constexpr int directions = 12;
-/// Of the cutter's radius: distance of the planes that are looked at, of the surface's samples, and how far a
-/// contact speaks for them.
+/// In radii of the cutter: distance of the planes that are looked at and of the surface's samples, and how
+/// far a contact speaks for these.
 constexpr double plane_share = 0.2, sample_share = 0.1, reach_share = 0.25;
 /// A strip is no wider on the surface than this many times what it is seen from above.
 constexpr double steepest = 0.01;
