@@ -11,11 +11,11 @@ namespace facetmill {
 struct BandFacet {
     Index facet;
     Vec3 middle;
-    double size; ///< of the corner that is farthest from the middle
+    double size; ///< distance of its farthest corner from the middle
 };
 
-/// Those no farther than `within` from a band, or a little farther, in their order. Throws Cancelled within
-/// 100 ms; the same for every thread count.
+/// All facets no farther than `within` from a band, and some a little farther, in the mesh's order. Throws
+/// Cancelled.
 std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, const RestBand& band,
                                      double within, const Progress& progress);
 

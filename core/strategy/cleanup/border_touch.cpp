@@ -12,7 +12,7 @@ namespace {
 
 /// A touched point that is no farther from an edge lies on it, mm.
 constexpr double on_edge = 1e-4;
-/// Cosine of the angle by which noise turns facets.
+/// Normals nearer to each other than this cosine differ by noise only.
 constexpr double same_normal = 0.9945;
 
 } // namespace

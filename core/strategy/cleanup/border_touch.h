@@ -7,8 +7,8 @@
 
 namespace facetmill {
 
-/// True where `touch` lies on an edge that only one facet has, and `normal`, that of the cutter there (unit,
-/// away from the part), is that of no facet beside it, but for what noise turns them.
+/// True where `touch` lies on an edge that only one facet has, and the cutter's `normal` there (unit, away
+/// from the part) is not that of a facet beside the edge, within what noise turns them.
 bool rolls_over_border(const Mesh& mesh, const FacetGrid& grid, const UpSide& side, const Vec3& touch,
                        const Vec3& normal);
 

@@ -5,16 +5,16 @@
 // length (3.125), and of type (b) at single points; both from the contact points of a 3-axis path. On a
 // faceted, noisy mesh normals turn sharply everywhere. Here the previous cutter itself is asked where it
 // touches twice (valley.h) and how much it leaves there (rest_band.h): that is the same for creases and for
-// fillets, and for any cutter. The limit of 3.125 is a curvature; where it is given, a ball of that curvature
-// is asked in the same way, and what it finds beyond the previous cutter's strips are strips of type (a).
+// fillets, and for any cutter. The limit of 3.125 is a curvature; where it is given, a ball of that
+// curvature is asked too, and what it finds beyond the previous cutter's strips are strips of type (a).
 //
-// Strips of valleys are cut by strip_passes.h. On request there are strips too around contact points that an
-// operation of five axes left without a posture, and around material that the verification finds after the
-// operations before (left_strip.h).
+// strip_passes.h cuts the strips of valleys, touch_up.h what they leave. On request there are also strips
+// around contact points that a five-axis operation left without a posture, and around material that the
+// verification finds after the operations before (left_strip.h).
 //
-// Where shank or holder would touch an upright tool, moved along the fitted vector or along Z alike, the axis
-// is inclined until they are free, up to a limit (axis_tilt.h); the program is then one of five axes. What
-// the smaller cutter cannot reach, and what its shank or holder keeps it from, is measured and reported.
+// Where shank or holder would touch an upright tool, the axis is inclined until they are free, up to a limit
+// (axis_tilt.h); the program is then one of five axes. What the smaller cutter cannot reach, and what its
+// shank or holder keeps it from, is measured and reported (uncut_strips.h).
 #pragma once
 
 #include "core/strategy/plan/operation.h"
@@ -34,26 +34,27 @@ struct CleanupSettings : OperationCommon {
     NumberOrWord overlap{0, "auto"};        ///< mm; auto: half the cutter's radius
     NumberOrWord smallest_strip{0, "auto"}; ///< mm; auto: the cutter's radius
     Pattern pattern = Pattern::zigzag;
-    bool left_points = false;   ///< strips also from contact points that operations before left
-    bool rest_material = false; ///< and from material that the verification finds after them
-    double tilt_limit = 0;      ///< largest inclination of the axis where shank or holder would touch
-    std::string switched_off;   ///< names of strips that are not cut, separated by commas
+    bool left_points = false;   ///< strips also around contact points that operations before left
+    bool rest_material = false; ///< strips also around material that the verification finds after them
+    double tilt_limit = 0;    ///< largest inclination of the axis where shank or holder would touch, radians
+    std::string switched_off; ///< names of strips that are not cut, separated by commas
 };
 
 const ParameterTable<CleanupSettings>& cleanup_parameters();
 
-/// How the previous tool stood along the strips: for looking at it.
+/// How the previous tool stood along the strips, for showing it.
 struct CleanupRecord {
     struct Touch {
-        std::size_t strip = 0;       ///< of StrategyResult::strips
-        Vec3 center, tip;            ///< the valley's centre on the part; the previous tool's tip
+        std::size_t strip = 0; ///< index in StrategyResult::strips
+        Vec3 center,
+            tip;                     ///< the valley's centre on the part; the previous tool's tip
         std::array<Vec3, 2> touch{}; ///< where it touches
-        double gap = 0;              ///< from the centre to the tool
+        double gap = 0;              ///< distance from the centre to the tool
     };
     Tool previous;
     std::vector<Touch> touches; ///< strip by strip, in order along each
 
-    /// Those of one strip: empty where the tool does not touch twice along it.
+    /// The touches of one strip; none where the tool does not touch twice along it.
     std::span<const Touch> of(std::size_t strip) const;
 };
 
@@ -72,7 +73,8 @@ public:
     std::vector<long> further_tools() const override { return {settings_.previous_tool}; }
     ReadsLeft reads_left() const override { return {settings_.left_points, settings_.rest_material}; }
 
-    /// `strips` are all that were found. `cusp_max`: the most that stays where the cutter can go.
+    /// The result's strips are all that were found, its cusp_max is the most that stays where the cutter can
+    /// go.
     ///
     /// Throws Error(missing_reference) where the previous tool is not given, Error(out_of_range) where
     /// tessellation tolerances use up the tolerance or a cutter is impossible, Error(empty_result) where the

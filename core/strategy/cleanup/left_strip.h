@@ -13,19 +13,19 @@ namespace facetmill {
 
 struct LeftStrip {
     PartPiece piece;
-    Strip strip;            ///< its band, boundaries, area and length; without a name
-    std::size_t places = 0; ///< how many of them are on it
-    double height = 0;      ///< the largest of theirs
+    Strip strip;            ///< band, boundaries, area and length; without a name
+    std::size_t places = 0; ///< number of places on it
+    double height = 0;      ///< the most that is left at one of them
 };
 
-/// `spacing`: of the places; gaps up to it are closed. `offset`: how far strips go beyond them. Strips that
-/// measure less than `smallest` across are left out. In the order of the area, the largest first. Throws
-/// Error(limit_exceeded), Cancelled within 100 ms. The same bits for every thread count.
+/// Strips around places that are about `spacing` apart: gaps up to that are closed. They go on for `offset`
+/// beyond the places; those that measure less than `smallest` without it are left out. The largest area
+/// comes first. Throws Error(limit_exceeded), Cancelled.
 std::vector<LeftStrip> left_strips(const PlanContext& context, const std::vector<LeftPlace>& places,
                                    double spacing, double offset, double smallest, const Progress& progress);
 
-/// A vertical tool's passes over a strip; none where it can stand nowhere. Nothing of the whole part is cut
-/// into. Throws Cancelled.
+/// A vertical tool's passes over a strip, held off the whole part; none where it can stand nowhere. Throws
+/// Cancelled.
 StrategyResult cut_left(const PlanContext& context, const OperationCommon& common, bool one_way,
                         const LeftStrip& strip, const Progress& progress);
 

@@ -6,9 +6,9 @@ namespace facetmill {
 
 namespace {
 
-/// First steps of a search, in radii of the cutter, and its ways.
+/// The first steps of a search, in radii of the cutter, and the number of directions that it tries.
 constexpr double first_step = 0.2;
-constexpr int search_routes = 8;
+constexpr int directions = 8;
 
 } // namespace
 
@@ -33,8 +33,8 @@ RestSample nearest_about(const ValleyInput& input, RestSample from, double enoug
                          LiftHint& hint) {
     for (double step = first_step * input.cover->radius(); step > finest && from.gap > enough;) {
         bool better = false;
-        for (int k = 0; k < search_routes && from.gap > enough; ++k) {
-            const double angle = 2 * pi * k / search_routes;
+        for (int k = 0; k < directions && from.gap > enough; ++k) {
+            const double angle = 2 * pi * k / directions;
             Vec3 tip = from.tip + step * Vec3(std::cos(angle), std::sin(angle), 0);
             tip.z() = input.lift->tip_z(tip.x(), tip.y(), hint);
             if (!(tip.z() > -infinity)) continue;

@@ -6,12 +6,12 @@
 
 namespace facetmill {
 
-/// Where a cutter with vertical axis comes nearest to touching the part at p, whose unit normal is n; and how
-/// far from p it stays. n.z must not be below -tolerance::vertical_normal_z.
+/// Where a cutter with vertical axis comes nearest to touching the part at p, whose unit normal is n, and
+/// how far from p it stays. n.z must not be below -tolerance::vertical_normal_z.
 RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint);
-/// The same with its tip at `tip`, moved to where it is nearer, in ever smaller steps down to `finest`, until
-/// it is not farther than `enough`. Noise turns a facet's normal, and a flank beside it holds the cutter up:
-/// so the place that the normal asks for may not be the nearest.
+/// The cutter moved from there to where it is nearer to the same place, in ever smaller steps down to
+/// `finest`, until it is no farther away than `enough`. Noise turns a facet's normal, and a flank beside it
+/// holds the cutter up: so the position that the normal asks for may not be the nearest.
 RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
                          LiftHint& hint);
 

@@ -7,11 +7,20 @@ namespace facetmill {
 
 namespace {
 
-/// Puts in what straight moves need to stay clear of the part, out of the valley where that helps, else up.
-class Clearing {
+/// A move is divided so often, and no further once it is shorter than this share of the chord tolerance:
+/// what is left then is an upright move.
+constexpr int max_divisions = 30;
+constexpr double shortest_share = 0.1;
+/// A point is moved out of what it would cut sideways, along the normal, by so many chord tolerances,
+/// doubled from the first to the last; if none is enough, up.
+constexpr double first_aside = 0.25, last_aside = 4;
+
+/// Puts points into passes.
+class Clearer {
 public:
-    Clearing(const StripCutting& with)
-        : with_(with), spacing_(safe_spacing(with.cover->profile(), 0.5 * with.chord)) {}
+    Clearer(const StripCutting& with, const Clearing& clearing)
+        : with_(with), dip_(clearing.dip_share * with.chord),
+          spacing_(safe_spacing(with.cover->profile(), dip_)) {}
 
     void apply(Pass& pass, const Progress& progress) const {
         Pass result = pass;
@@ -28,6 +37,7 @@ public:
     }
 
 private:
+    /// How deep the cutter is in the part.
     double below(const Vec3& tip, LiftHint& hint) const {
         return with_.lift->tip_z(tip.x(), tip.y(), hint) - tip.z();
     }
@@ -35,7 +45,7 @@ private:
                  int depth) const {
         const double length = (b - a).norm();
         const auto parts = std::max<std::size_t>(2, std::size_t(std::ceil(length / spacing_)));
-        double worst = 0.5 * with_.chord;
+        double worst = dip_;
         std::size_t where = 0;
         for (std::size_t k = 1; k < parts; ++k) {
             const double x = double(k) / double(parts);
@@ -44,13 +54,13 @@ private:
                 where = k;
             }
         }
-        if (where == 0 || depth > 30 || length < 0.1 * with_.chord) return;
+        if (where == 0 || depth > max_divisions || length < shortest_share * with_.chord) return;
         Vec3 mid = a + (double(where) / double(parts)) * (b - a);
         // Away from what it would cut: a little sideways is enough on steep flanks.
         Vec3 out_of = cc.normal;
         out_of.z() = std::max(out_of.z(), 0.0);
         bool free = false;
-        for (double x = 0.25 * with_.chord; x <= 4 * with_.chord && !free; x *= 2) {
+        for (double x = first_aside * with_.chord; x <= last_aside * with_.chord && !free; x *= 2) {
             const Vec3 aside = mid + x * out_of;
             if (below(aside, hint) > 0) continue;
             mid = aside;
@@ -64,14 +74,16 @@ private:
     }
 
     const StripCutting& with_;
-    double spacing_;
+    double dip_;     ///< how far a move may run into the part where it is looked at
+    double spacing_; ///< distance of the places where it is
 };
 
 } // namespace
 
-void clear_passes(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress) {
-    const Clearing clearing(with);
-    parallel_for(passes.size(), 1, progress, [&](std::size_t i) { clearing.apply(passes[i], progress); });
+void clear_passes(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress,
+                  const Clearing& clearing) {
+    const Clearer clearer(with, clearing);
+    parallel_for(passes.size(), 1, progress, [&](std::size_t i) { clearer.apply(passes[i], progress); });
 }
 
 } // namespace facetmill

@@ -4,17 +4,22 @@ namespace facetmill {
 
 namespace {
 
+/// Points of an arc, and its radius, in radii of the cutter. Moves between them are looked at with those of
+/// the pass (pass_clearing.h).
 constexpr int lead_points = 6;
-constexpr double lead_share = 0.5; ///< radius of leads, in radii of the cutter
+constexpr double lead_share = 0.5;
+/// Sine of the angle to the vertical: a pass steeper than this is left straight.
+constexpr double too_steep = 0.1;
 
-std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& route, const Vec3& up) {
+/// The points of a lead that leaves the pass at `tip` in the direction `along`.
+std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& along, const Vec3& up) {
     const double r = lead_share * with.cover->radius();
-    Vec3 ahead(route.x(), route.y(), std::max(route.z(), 0.0));
+    Vec3 ahead(along.x(), along.y(), std::max(along.z(), 0.0));
     std::vector<Vec3> points;
     if (ahead.norm() > 0) {
         ahead.normalize();
         Vec3 over = Vec3::UnitZ() - ahead.z() * ahead;
-        if (over.norm() > 0.1) {
+        if (over.norm() > too_steep) {
             over.normalize();
             bool free = true;
             for (int k = 1; k <= lead_points && free; ++k) {

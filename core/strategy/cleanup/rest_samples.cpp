@@ -15,13 +15,12 @@ constexpr std::size_t check_every = 8192;
 constexpr double max_samples = 4e6;
 /// Facets with edges shorter than this share of the samples' spacing are small.
 constexpr double small_share = 0.6;
-/// Samples are this share of the half width of the narrowest band apart that a ball leaves on a plane, and no
-/// less and no more than these, in radii: a valley that leaves more than the tolerance holds several of them.
-constexpr double width_share = 0.7, min_spacing = 0.05, max_spacing = 0.25;
+/// Samples are no less and no more than this apart, in radii.
+constexpr double min_spacing = 0.05, max_spacing = 0.25;
 
 double spacing_of(const ValleyInput& in) {
     const double radius = in.cover->radius();
-    const double spacing = std::clamp(width_share * std::sqrt(2 * radius * in.tolerance),
+    const double spacing = std::clamp(in.sample_share * std::sqrt(2 * radius * in.tolerance),
                                       min_spacing * radius, max_spacing * radius);
     double area = 0;
     for (std::size_t f = 0; f < in.mesh->facet_count(); ++f)

@@ -9,26 +9,25 @@
 #include "core/strategy/surface/point_grid.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace facetmill {
 
 namespace {
 
 constexpr std::size_t check_every = 4096;
-/// Samples are so far apart, of half the way between two passes over a plane.
-constexpr double sample_share = 0.22;
-/// ... and in hollows that the cutter does not fill so far, of its radius.
+/// In hollows that the cutter does not fill samples are so far apart, in radii.
 constexpr double deep_share = 0.25;
 constexpr double max_samples = 2e6;
-/// Of what may be left: so much a pass leaves between two places that are asked about.
-constexpr double stand_share = 0.02;
-/// ... and in steps down to this the least that the cutter can leave is looked for, unless it is less than
-/// enough.
+/// The least that the cutter can leave is looked for in steps down to this share of what may be left, unless
+/// it is less than enough.
 constexpr double finest_share = 0.1, enough_share = 0.25;
-/// Of the radius: places of the cutter are looked for by cells of this size; next on a pass is one within a
+/// Places of the cutter are looked for by cells of this size, in radii; those over a sample are within a
 /// reach.
-constexpr double cell_share = 0.25, near_share = 0.2, next_share = 0.5, gap_share = 4;
-/// Cosine: a pass turns by no more from one place to the next.
+constexpr double cell_share = 0.25, near_share = 0.2;
+/// The next place on a pass is within this many radii, or else the first after a gap of up to this many.
+constexpr double next_share = 0.5, gap_share = 4;
+/// A pass turns by no more than this cosine from one place to the next.
 constexpr double max_turn = 0.5, max_turn_after_gap = 0.95;
 /// A pass goes on over its ends in so many steps of this share of the radius.
 constexpr int end_steps = 3;
@@ -43,10 +42,11 @@ struct Left {
 
 class TouchUp {
 public:
-    TouchUp(const StripCutting& with, std::span<const BandCut> bands)
-        : with_(with), bands_(bands), in_(reach_of(with)), radius_(with.cover->radius()), allowed_(with.cusp),
-          enough_(enough_share * with.cusp), ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
-          spacing_(std::sqrt(8 * ball_ * stand_share * with.cusp)), stands_(cell_share * radius_),
+    TouchUp(const StripCutting& with, std::span<const BandCut> bands, const TouchUpSampling& sampling)
+        : with_(with), bands_(bands), sampling_(sampling), in_(reach_of(with)), radius_(with.cover->radius()),
+          allowed_(with.cusp), enough_(enough_share * with.cusp),
+          ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
+          spacing_(std::sqrt(8 * ball_ * sampling.stand_share * with.cusp)), stands_(cell_share * radius_),
           tips_(cell_share * radius_) {}
 
     void run(const Progress& progress) {
@@ -62,7 +62,7 @@ public:
 
 private:
     struct Stand {
-        Vec3 tip, route;
+        Vec3 tip, along;
     };
 
     void stand_along(const Vec3& from, const Vec3& to) {
@@ -108,8 +108,8 @@ private:
         double area = 0;
         for (const BandCut& b : bands_)
             area += b.band->area;
-        const double apart =
-            std::max(sample_share * std::sqrt(2 * ball_ * with_.cusp), std::sqrt(area / max_samples));
+        const double apart = std::max(sampling_.sample_share * std::sqrt(2 * ball_ * with_.cusp),
+                                      std::sqrt(area / max_samples));
         std::vector<Place> all;
         PointGrid seen(apart);
         std::size_t count = 0;
@@ -184,65 +184,70 @@ private:
             tips.add(level(l.sample.tip));
             points.add(level(l.sample.point));
         }
-        const auto cover = [&](std::size_t first) {
-            for (std::size_t s = first; s < stand_.size(); ++s)
-                points.near(level(stand_[s].tip), 1.1 * radius_, [&](std::size_t i) {
-                    left_[i].rest =
-                        std::min(left_[i].rest, with_.cover->distance(left_[i].sample.point - stand_[s].tip));
-                });
-        };
         std::vector<std::size_t> order(left_.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            order[i] = i;
+        std::iota(order.begin(), order.end(), std::size_t(0));
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return excess(a) > excess(b); });
         std::vector<std::vector<Pass>> more(bands_.size());
         for (const std::size_t seed : order) {
             progress.check();
-            if (!too_much(left_[seed])) continue;
-            const Vec3 start = left_[seed].sample.tip;
-            const Vec3 along = route_near(start);
-            std::array<std::vector<Vec3>, 2> halves;
-            std::size_t known = stand_.size();
-            stand_along(start, start);
-            cover(known);
-            for (const std::size_t half : {0, 1}) {
-                Vec3 at = start, ahead = half == 0 ? along : Vec3(-along);
-                if (half == 1 && !halves[0].empty()) ahead = (start - halves[0].front()).normalized();
-                for (;;) {
-                    const std::size_t next = next_on(at, ahead, tips);
-                    if (next == left_.size()) break;
-                    const Vec3 tip = left_[next].sample.tip;
-                    known = stand_.size();
-                    stand_along(at, tip);
-                    cover(known);
-                    // Where it cannot be bettered it is not asked again.
-                    left_[next].rest = std::min(left_[next].rest, left_[next].sample.gap);
-                    if (const double route = (tip - at).norm(); route > 0) ahead = (tip - at) / route;
-                    at = tip;
-                    halves[half].push_back(tip);
-                }
-                extend(at, ahead, halves[half]);
-            }
-            if (halves[0].empty() && halves[1].empty()) {
-                // A single place on a steep flank: level along it, or else straight down.
-                const Vec3 level_route = Vec3::UnitZ().cross(left_[seed].sample.normal);
-                if (level_route.norm() > tolerance::level_angle) {
-                    extend(start, level_route.normalized(), halves[0]);
-                    extend(start, -level_route.normalized(), halves[1]);
-                }
-                if (halves[0].empty() && halves[1].empty())
-                    halves[1].push_back(start + end_share * radius_ * Vec3::UnitZ());
-            }
-            std::reverse(halves[1].begin(), halves[1].end());
-            halves[1].push_back(start);
-            halves[1].insert(halves[1].end(), halves[0].begin(), halves[0].end());
-            more[left_[seed].band].push_back(pass_over(halves[1]));
+            if (too_much(left_[seed]))
+                more[left_[seed].band].push_back(pass_over(tips_from(seed, tips, points)));
         }
         for (std::size_t b = 0; b < bands_.size(); ++b) {
             clear_passes(with_, more[b], progress.part(0, 0));
             add_nearest_first(more[b], bands_[b].cut->passes);
         }
+    }
+
+    /// The cutter's places from one on to both sides along the ridge that it stands on.
+    std::vector<Vec3> tips_from(std::size_t seed, const PointGrid& tips, const PointGrid& points) {
+        const Vec3 start = left_[seed].sample.tip;
+        const Vec3 along = along_near(start);
+        std::array<std::vector<Vec3>, 2> halves;
+        cover(start, start, points);
+        for (const std::size_t half : {0, 1}) {
+            Vec3 at = start, ahead = half == 0 ? along : Vec3(-along);
+            if (half == 1 && !halves[0].empty()) ahead = (start - halves[0].front()).normalized();
+            for (std::size_t next = next_on(at, ahead, tips); next != left_.size();
+                 next = next_on(at, ahead, tips)) {
+                const Vec3 tip = left_[next].sample.tip;
+                cover(at, tip, points);
+                // Where it cannot be bettered it is not asked again.
+                left_[next].rest = std::min(left_[next].rest, left_[next].sample.gap);
+                if (const double length = (tip - at).norm(); length > 0) ahead = (tip - at) / length;
+                at = tip;
+                halves[half].push_back(tip);
+            }
+            extend(at, ahead, halves[half]);
+        }
+        if (halves[0].empty() && halves[1].empty()) lengthen(left_[seed].sample, halves);
+        std::vector<Vec3> all(halves[1].rbegin(), halves[1].rend());
+        all.push_back(start);
+        all.insert(all.end(), halves[0].begin(), halves[0].end());
+        return all;
+    }
+
+    /// A single place on a steep flank: level along it, or else straight down on to it.
+    void lengthen(const RestSample& place, std::array<std::vector<Vec3>, 2>& halves) const {
+        const Vec3 along = Vec3::UnitZ().cross(place.normal);
+        if (along.norm() > tolerance::level_angle) {
+            extend(place.tip, along.normalized(), halves[0]);
+            extend(place.tip, -along.normalized(), halves[1]);
+        }
+        if (halves[0].empty() && halves[1].empty())
+            halves[1].push_back(place.tip + end_share * radius_ * Vec3::UnitZ());
+    }
+
+    /// The cutter moves from one tip to another: less is left then.
+    void cover(const Vec3& from, const Vec3& to, const PointGrid& points) {
+        const std::size_t first = stand_.size();
+        stand_along(from, to);
+        for (std::size_t s = first; s < stand_.size(); ++s)
+            points.near(level(stand_[s].tip), 1.1 * radius_, [&](std::size_t i) {
+                left_[i].rest =
+                    std::min(left_[i].rest, with_.cover->distance(left_[i].sample.point - stand_[s].tip));
+            });
     }
 
     double excess(std::size_t i) const { return left_[i].rest - at_best(left_[i]); }
@@ -254,10 +259,10 @@ private:
             std::size_t next = left_.size();
             double least = infinity;
             tips.near(level(at), reach, [&](std::size_t i) {
-                const Vec3 route = left_[i].sample.tip - at;
-                const double length = route.norm();
+                const Vec3 step = left_[i].sample.tip - at;
+                const double length = step.norm();
                 const double cosine = reach == next_share * radius_ ? max_turn : max_turn_after_gap;
-                if (!too_much(left_[i]) || length > reach || route.dot(ahead) < cosine * length) return;
+                if (!too_much(left_[i]) || length > reach || step.dot(ahead) < cosine * length) return;
                 const double rank = reach == next_share * radius_ ? -excess(i) : length;
                 if (rank > least || (rank == least && i > next)) return;
                 least = rank;
@@ -269,17 +274,17 @@ private:
     }
 
     /// Unit vector along the pass that comes nearest to a tip.
-    Vec3 route_near(const Vec3& tip) const {
-        Vec3 route = Vec3::UnitX();
+    Vec3 along_near(const Vec3& tip) const {
+        Vec3 along = Vec3::UnitX();
         double least = infinity;
         for (double reach = cell_share * radius_; least == infinity && reach < 4 * radius_; reach *= 2)
             stands_.near(level(tip), reach, [&](std::size_t i) {
                 const double d = (stand_[i].tip - tip).squaredNorm();
-                if (!(d < least) || !(stand_[i].route.norm() > 0)) return;
+                if (!(d < least) || !(stand_[i].along.norm() > 0)) return;
                 least = d;
-                route = stand_[i].route.normalized();
+                along = stand_[i].along.normalized();
             });
-        return route;
+        return along;
     }
 
     /// A little farther, as far as the part goes on.
@@ -322,6 +327,7 @@ private:
 
     const StripCutting& with_;
     std::span<const BandCut> bands_;
+    TouchUpSampling sampling_;
     ValleyInput in_;
     double radius_, allowed_;
     double enough_;    ///< where the cutter leaves no more, no better place is looked for
@@ -335,8 +341,9 @@ private:
 
 } // namespace
 
-void touch_up(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress) {
-    TouchUp(with, bands).run(progress);
+void touch_up(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress,
+              const TouchUpSampling& sampling) {
+    TouchUp(with, bands, sampling).run(progress);
 }
 
 } // namespace facetmill

@@ -62,7 +62,10 @@ struct ValleyInput {
     const AxialLift* lift = nullptr; ///< lift of the cutter
     const CutterCover* cover = nullptr;
     double tolerance = 0.05; ///< thickness of material that may be left
-    double ripple = 0.5;     ///< shorter valleys are left out, shorter interruptions are bridged
+    /// Samples are this share of sqrt(2 R tolerance) apart, the half width of what a ball of radius R touches
+    /// within the tolerance: several lie across every valley that leaves more.
+    double sample_share = 0.7;
+    double ripple = 0.5; ///< shorter valleys are left out, shorter interruptions are bridged
 };
 
 struct Valleys {

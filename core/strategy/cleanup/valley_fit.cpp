@@ -9,24 +9,25 @@ namespace facetmill {
 
 namespace {
 
-/// Cosine, and share of the way, by which a centre runs back against the tip.
+/// A centre runs back if it moves against the tip: by this cosine, and by this share of the tip's movement.
 constexpr double back_share = 0.1;
 
-/// use(point, way) for the points up to `window` along the tip's way from point i to one side (1, -1).
+/// use(point, length) for the points up to a length of `window` along the tips' path, from point i to one
+/// side (1, -1).
 template <class Use>
 void within(const ValleyCurve& curve, std::size_t i, std::ptrdiff_t side, double window, Use&& use) {
     const auto& p = curve.points;
     const auto n = std::ptrdiff_t(p.size());
-    double route = 0;
+    double length = 0;
     auto k = std::ptrdiff_t(i);
     for (std::ptrdiff_t moved = 1; moved < n; ++moved) {
         std::ptrdiff_t next = k + side;
         if (curve.closed) next = (next + n) % n;
         if (next < 0 || next >= n) break;
-        route += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
-        if (route > window) break;
+        length += (p[std::size_t(next)].tip - p[std::size_t(k)].tip).norm();
+        if (length > window) break;
         k = next;
-        use(std::size_t(k), route);
+        use(std::size_t(k), length);
     }
 }
 
@@ -70,8 +71,8 @@ void fit_up(ValleyCurve& curve, double window, const std::vector<Rolls>& rolls) 
     std::vector<Vec3> sums(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) {
         Vec3 sum = Vec3::Zero();
-        const auto add = [&](std::size_t k, double route) {
-            const double weight = window > 0 ? 1 - route / window : 1;
+        const auto add = [&](std::size_t k, double length) {
+            const double weight = window > 0 ? 1 - length / window : 1;
             if (rolls[k] == Rolls::no) sum += weight * (p[k].normal[0] + p[k].normal[1]);
         };
         add(i, 0);

@@ -1,0 +1,193 @@
+// The constants by which clean-up keeps clear of the part and sees what is left, at half and at double: at
+// half nothing is worse; at double it stays within what the constants promise, and beyond that the checks see
+// it.
+#include "core/strategy/cleanup/axis_tilt.h"
+#include "core/strategy/cleanup/pass_clearing.h"
+#include "core/strategy/cleanup/valley.h"
+#include "core/strategy/five_axis/posture_path.h"
+#include "tests/property/shapes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+/// A floor and a tall wall that leans back and winds along X.
+Mesh winding_wall() {
+    const double high = 30, back = high * std::tan(radians(10));
+    const std::vector<Vec2> profile{{-30, 0},     {-8, 0},   {0, 0}, {0.2 * back, 0.2 * high},
+                                    {back, high}, {30, high}};
+    Mesh m;
+    const int columns = 160;
+    for (const Vec2& p : profile)
+        for (int i = 0; i <= columns; ++i) {
+            const double x = -16 + 32.0 * i / columns;
+            m.vertices.emplace_back(x, p.x() + 2 * std::sin(x / 3), p.y());
+        }
+    const auto at = [&](int i, int j) { return Index(j * (columns + 1) + i); };
+    for (int j = 0; j + 1 < int(profile.size()); ++j)
+        for (int i = 0; i < columns; ++i) {
+            m.facets.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            m.facets.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return m;
+}
+
+QString told(double share, double found) {
+    return QString("at %1: %2").arg(share).arg(found);
+}
+
+} // namespace
+
+class TestCleanupLimits : public QObject {
+    Q_OBJECT
+private slots:
+    /// Straight moves over waves, from tip to tip far apart.
+    void moves_keep_clear_of_the_part() {
+        const Mesh part =
+            height_field([](double x, double y) { return 0.4 * std::sin(1.3 * x) * std::cos(y); },
+                         Vec2(-15, -10), Vec2(15, 10), 120, 80);
+        const PlanContext context = context_of(part, ball_tool(4));
+        const FacetGrid grid(part, Progress());
+        const UpSide side(part, Progress());
+        const CutterProfile profile(context.tool.cutter());
+        const AxialLift lift(context.contact, profile);
+        const CutterCover cover(profile, 0.001);
+        StripCutting with;
+        with.mesh = context.part;
+        with.grid = &grid;
+        with.side = &side;
+        with.lift = &lift;
+        with.cover = &cover;
+        std::vector<Pass> passes;
+        for (int line = -4; line <= 4; ++line) {
+            Pass pass;
+            for (double x = -13; x <= 13; x += 2.6) {
+                const AxialContact c = lift.contact(x, 1.7 * line + 0.1 * x);
+                const Vec3 tip(x, 1.7 * line + 0.1 * x, c.tip_z);
+                pass.cl.push_back({tip, Vec3::UnitZ()});
+                pass.cc.push_back({c.point, cover.contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
+            }
+            passes.push_back(pass);
+        }
+        const auto deepest = [&](double share) {
+            std::vector<Pass> cleared = passes;
+            clear_passes(with, cleared, Progress(), {share});
+            double most = 0;
+            for (const Pass& pass : cleared)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+                    const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
+                    const int parts = 2 + int((b - a).norm() / 0.003);
+                    for (int k = 1; k < parts; ++k) {
+                        const Vec3 tip = a + double(k) / parts * (b - a);
+                        most = std::max(most, lift.tip_z(tip.x(), tip.y()) - tip.z());
+                    }
+                }
+            return most;
+        };
+        const double usual = Clearing().dip_share;
+        for (const auto& [factor, allowed] : {std::pair(0.5, 1.0), {1.0, 1.0}, {2.0, 2.0}}) {
+            const double most = deepest(factor * usual);
+            qInfo("%s", qPrintable(told(factor, most)));
+            QVERIFY2(most <= allowed * with.chord, qPrintable(told(factor, most)));
+        }
+        QVERIFY(deepest(4 * usual) > with.chord);
+    }
+
+    /// A holder that would touch a winding wall makes the axis turn all along it.
+    void inclined_motions_keep_clear_of_the_part() {
+        const Mesh part = winding_wall();
+        Tool tool = ball_tool(4);
+        tool.flute_length = 12;
+        tool.shank_length = 6;
+        tool.holder = {{24, 30}};
+        const PlanContext context = context_of(part, tool);
+        const AxialLift lift(context.contact, CutterProfile(tool.cutter()));
+        const CutterCover cover(CutterProfile(tool.cutter()), 0.001);
+        const ToolLift whole(context.contact, tool, {0, 0, 0});
+        Pass pass;
+        for (double x = -12; x <= 12; x += 1.5) {
+            const double y = 2 * std::sin(x / 3) - 1.8;
+            const AxialContact c = lift.contact(x, y);
+            const Vec3 tip(x, y, c.tip_z);
+            pass.cl.push_back({tip, Vec3::UnitZ()});
+            pass.cc.push_back({c.point, cover.contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
+        }
+        TiltInput input;
+        input.whole = &whole;
+        input.limit = radians(50);
+        input.chord = 0.005;
+        input.raise = 0.1;
+        const auto deepest = [&](double share, double& length) {
+            input.looked_share = share;
+            double most = 0;
+            length = 0;
+            ToolLift::Hint hint;
+            for (const Pass& p : tilted_where_held(input, pass, Progress()).passes)
+                for (std::size_t i = 1; i < p.cl.size(); ++i) {
+                    length += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+                    for (int k = 0; k <= 100; ++k) {
+                        const CutterLocation at = location_on_route(p.cl[i - 1], p.cl[i], k / 100.0);
+                        most = std::max(most, whole.lift({at.tip, at.axis}, hint));
+                    }
+                }
+            return most;
+        };
+        const double usual = TiltInput().looked_share;
+        double length = 0;
+        for (const auto& [factor, allowed] : {std::pair(0.5, 1.0), {1.0, 1.0}, {2.0, 1.5}}) {
+            const double most = deepest(factor * usual, length);
+            qInfo("%s, %g mm", qPrintable(told(factor, most)), length);
+            QVERIFY2(most <= allowed * input.chord, qPrintable(told(factor, most)));
+            QVERIFY(length > 15);
+        }
+        QVERIFY(deepest(4 * usual, length) > input.chord);
+    }
+
+    /// Grooves in which a ball leaves little more than the tolerance, each turned another way.
+    void narrow_valleys_are_seen() {
+        const double r = 5, tolerance = 0.05;
+        const double slope = std::tan(std::acos(r / (r + 1.3 * tolerance)));
+        for (const double turn : {0.0, 0.3, 1.1}) {
+            Mesh part = height_field([&](double, double y) { return slope * std::abs(y); }, Vec2(-20, -20),
+                                     Vec2(20, 20), 80, 80);
+            for (Vec3& v : part.vertices)
+                v = Vec3(std::cos(turn) * v.x() - std::sin(turn) * v.y(),
+                         std::sin(turn) * v.x() + std::cos(turn) * v.y(), v.z());
+            const PlanContext context = context_of(part, ball_tool(2 * r));
+            const FacetGrid grid(part, Progress());
+            const UpSide side(part, Progress());
+            const CutterProfile profile(context.tool.cutter());
+            const AxialLift lift(context.contact, profile);
+            const CutterCover cover(profile, 0.001);
+            ValleyInput in;
+            in.mesh = &part;
+            in.grid = &grid;
+            in.side = &side;
+            in.lift = &lift;
+            in.cover = &cover;
+            in.tolerance = tolerance;
+            in.ripple = 1;
+            const double usual = in.sample_share;
+            const auto length = [&](double share) {
+                in.sample_share = share;
+                double sum = 0;
+                for (const ValleyCurve& c : find_valleys(in, Progress()).curves)
+                    for (std::size_t i = 1; i < c.points.size(); ++i)
+                        sum += (c.points[i].center - c.points[i - 1].center).norm();
+                return sum;
+            };
+            for (const double factor : {0.5, 1.0, 2.0}) {
+                const double found = length(factor * usual);
+                qInfo("turned by %g, %s", turn, qPrintable(told(factor, found)));
+                QVERIFY2(found > 32, qPrintable(told(factor, found)));
+            }
+        }
+    }
+};
+
+FACETMILL_TEST(TestCleanupLimits)
+#include "test_cleanup_limits.moc"
