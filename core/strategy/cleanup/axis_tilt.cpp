@@ -91,7 +91,7 @@ private:
 
     /// The cheapest sequence of free axes along a run of knots, as far as it is known.
     struct Search {
-        std::vector<double> cost;           ///< of the cheapest that ends with each axis
+        std::vector<double> cost;           ///< cost of the cheapest that ends with each axis
         std::vector<std::vector<int>> from; ///< the axis before, for each knot and axis
         std::size_t begin = 0;              ///< first knot of the run
     };

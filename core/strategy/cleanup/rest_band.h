@@ -21,7 +21,7 @@
 namespace facetmill {
 
 struct RestBand {
-    int curve = -1;                        ///< of Valleys::curves; -1: a hollow without a valley
+    int curve = -1;                        ///< index in Valleys::curves; -1: a hollow without a valley
     std::vector<std::array<Vec3, 3>> band; ///< triangles, cut along the boundaries, oriented as the part's
     std::vector<std::vector<Vec3>> boundaries;
     double area = 0;

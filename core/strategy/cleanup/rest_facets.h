@@ -7,7 +7,7 @@ namespace facetmill {
 
 /// A piece of a facet of the part.
 struct RestFacet {
-    std::array<Index, 3> corner; ///< of RestFacets::points
+    std::array<Index, 3> corner; ///< indices in RestFacets::points
     Index facet;
 };
 

@@ -7,10 +7,9 @@ namespace facetmill {
 
 namespace {
 
-/// A curve that is found twice is one: more than this share of its points lie beside those of the other.
-constexpr double same_share = 0.5;
-/// ... within so many steps.
-constexpr double same_steps = 2;
+/// A curve that is found twice is one: more than this share of its points lie beside those of the other,
+/// within so many steps.
+constexpr double same_share = 0.5, same_steps = 2;
 /// Gaps between places that were left are closed up to this length at least, in radii.
 constexpr double smallest_spacing = 0.25;
 

@@ -88,7 +88,7 @@ private:
         });
         return least;
     }
-    /// ... in all its places.
+    /// What the cutter leaves over p in all its places, or any that is not more than `enough`.
     double rest(const Vec3& p, double enough) const {
         double least = infinity;
         stands_.near_until(level(p), 1.1 * radius_ + enough, [&](std::size_t i) {
@@ -332,9 +332,9 @@ private:
     double radius_, allowed_;
     double enough_;    ///< where the cutter leaves no more, no better place is looked for
     double ball_;      ///< radius of the cutter's corner
-    double spacing_;   ///< of places along passes
+    double spacing_;   ///< distance of places along passes
     PointGrid stands_; ///< places of the cutter: tips seen from above
-    PointGrid tips_;   ///< ... and as they are
+    PointGrid tips_;   ///< the same tips as they are
     std::vector<Stand> stand_;
     std::vector<Left> left_;
 };

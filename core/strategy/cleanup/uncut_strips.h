@@ -8,7 +8,7 @@
 namespace facetmill {
 
 struct UncutStrips {
-    double area = 0;    ///< of the strips, as they are measured
+    double area = 0;    ///< area of the strips, as they are measured
     double reached = 0; ///< the most that stays where the cutter can go
     /// The most that stays where the cutter is too large to go deeper, and where.
     double hollow = 0;

@@ -217,7 +217,7 @@ private:
     PencilProbe probe_;
     ValleyScale scale_;
     std::vector<TracedValley> valleys_;
-    std::vector<PencilPoint> all_; ///< of all finished curves
+    std::vector<PencilPoint> all_; ///< points of all finished curves
     PointGrid done_;               ///< their tips
 };
 

@@ -188,7 +188,7 @@ private slots:
         QVERIFY(std::abs(bands[0].area / bands[0].length / (2 * half) - 1) < 0.05);
     }
 
-    /// Of the passes over a crease whole ones are taken away: as little is left as with them.
+    /// Whole passes over a crease are taken away: as little is left as with them.
     void what_passes_leave_is_touched_up() {
         const Mesh part =
             height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
