@@ -43,6 +43,9 @@ inline constexpr double flat_volume = 1e-9;
 /// Facets whose unit normal has a smaller z than this count as vertical: a 3-axis cutter passes them, but
 /// they ask for no pass of their own.
 inline constexpr double vertical_normal_z = 1e-3;
+/// Where the unit normal of a touched facet has a larger z than this, a cutter with a flat bottom stands on
+/// its bottom: all places of it touch alike.
+inline constexpr double level_normal_z = 0.98;
 /// Tool axes with a smaller z are not planned: the tool could not be drawn out of the part along them.
 inline constexpr double lowest_axis_z = 0.15;
 /// Radians: directions closer than this are the same.

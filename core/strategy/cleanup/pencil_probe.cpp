@@ -17,7 +17,6 @@ constexpr double fall_share = 0.02;
 /// Strides of the tip on its way to the other flank, and how far it goes, in radii.
 constexpr double stride_share = 0.15, farthest_share = 2.2;
 constexpr int seed_halvings = 30;
-constexpr double level_normal_z = 0.98;
 
 /// Moves the tip from a sample's until another flank holds it.
 std::optional<PencilPoint> seed_from(const PencilProbe& probe, double radius, const RestSample& s) {
@@ -59,7 +58,7 @@ CutterTouch PencilProbe::touch_at(const Vec2& at) const {
     t.feature = rel / radius_;
     // All places of a flat bottom are one.
     if (in_.cover->has_flat_bottom() && rel.z() <= in_.tolerance
-        && (t.normal.z() > level_normal_z || facet.z() > level_normal_z))
+        && (t.normal.z() > tolerance::level_normal_z || facet.z() > tolerance::level_normal_z))
         t.feature = Vec3::Zero();
     return t;
 }
