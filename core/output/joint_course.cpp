@@ -14,9 +14,10 @@ namespace {
 constexpr std::size_t check_every = 512;
 /// Motions that are decided together.
 constexpr std::size_t block_size = 16384;
-/// Of one motion: both solutions, a few turns apart.
+/// Stops of one motion: both solutions, a few turns apart.
 constexpr std::size_t max_stops = 12;
-/// Of the joint time: a little, so that of courses that take as long the calmer one is found.
+/// Share of the joint time that counts: a little, so that of courses that take as long the calmer one is
+/// found.
 constexpr double calm_share = 1e-3;
 /// What a swing costs, s: more than any program takes without.
 constexpr double swing_seconds = 1e9;
@@ -110,7 +111,8 @@ private:
         last_ = std::move(here);
     }
 
-    /// Of stops that differ by whole turns of an axis that goes round and round, the cheapest is enough.
+    /// The cheapest of those stops that differ by whole turns of an axis that goes round and round: it is
+    /// enough.
     void drop_turns(std::vector<Stop>& stops) const {
         const auto& rotary = kinematics_.machine().rotary;
         const auto same = [&](const Stop& a, const Stop& b) {
