@@ -122,6 +122,17 @@ inline constexpr double plane_trust = 1e-3;
 /// and corners are asked as well.
 inline constexpr double edge_on = 1e-6;
 
+/// Two figures that differ by less than this share differ by their rounding: one exceeds no limit by that.
+inline constexpr double figure_rounding = 1e-9;
+/// Points of a route that lie this near, as a share of the tool's size, to the straight line between their
+/// neighbours are on it.
+inline constexpr double route_rounding = 1e-9;
+/// Square of the sine of the angle to the vertical below which a line runs straight up.
+inline constexpr double upright_sine_square = 1e-24;
+/// Sine or cosine of a direction of travel below which it means a coordinate axis: the rounding of multiples
+/// of 90 degrees.
+inline constexpr double axis_rounding = 1e-15;
+
 /// Verification. Share of a tool's size within which a line that meets two parts of its surface at their
 /// joint meets both; and below which a motion, or the sine of its angle to a line, is none.
 inline constexpr double sweep_roundings = 1e-11;

@@ -15,4 +15,7 @@ struct PlanText {
     std::string operator()(const Vec3& p) const;
 };
 
+/// "12 %": how much of the whole a part is; never 0 of what is there.
+std::string share_text(double part, double whole);
+
 } // namespace facetmill
