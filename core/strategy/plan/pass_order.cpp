@@ -7,7 +7,7 @@ namespace facetmill {
 
 namespace {
 
-/// Of passes in their order: moves of runs to another place are tried until none helps, or so often.
+/// Moves of runs of passes to another place in the order are tried until none helps, or so often.
 constexpr int max_rounds = 8;
 constexpr std::size_t longest_run = 24;
 /// Beyond so many passes that, or any order, would take longer than it saves.
@@ -40,12 +40,12 @@ public:
     }
 
 private:
-    double route(const Piece& a, const Piece& b) const { return travel_between(a.end, b.start, clear_z_); }
+    double travel(const Piece& a, const Piece& b) const { return travel_between(a.end, b.start, clear_z_); }
 
     double length(const std::vector<Piece>& order) const {
         double sum = 0;
         for (std::size_t i = 1; i < order.size(); ++i)
-            sum += route(order[i - 1], order[i]);
+            sum += travel(order[i - 1], order[i]);
         return sum;
     }
 
@@ -62,7 +62,7 @@ private:
             for (std::size_t k = 0; k < left.size(); ++k) {
                 Piece p = left[k];
                 const auto look = [&](bool round) {
-                    const double d = route(order.back(), p);
+                    const double d = travel(order.back(), p);
                     if (!(d < least)) return;
                     least = d;
                     best = k;
@@ -94,7 +94,7 @@ private:
                 const Piece &before = order[i - 1], &first = order[i], &last = order[i + count - 1];
                 const Piece* after = i + count < order.size() ? &order[i + count] : nullptr;
                 const double gain =
-                    route(before, first) + (after ? route(last, *after) - route(before, *after) : 0);
+                    travel(before, first) + (after ? travel(last, *after) - travel(before, *after) : 0);
                 if (!(gain > min_gain)) continue;
                 double best = gain - min_gain;
                 std::size_t to = 0;
@@ -102,7 +102,7 @@ private:
                     if (k + 1 >= i && k < i + count) continue;
                     const Piece* next = k + 1 < order.size() ? &order[k + 1] : nullptr;
                     const double cost =
-                        route(order[k], first) + (next ? route(last, *next) - route(order[k], *next) : 0);
+                        travel(order[k], first) + (next ? travel(last, *next) - travel(order[k], *next) : 0);
                     if (!(cost < best)) continue;
                     best = cost;
                     to = k + 1;

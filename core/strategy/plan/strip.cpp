@@ -5,7 +5,7 @@
 namespace facetmill {
 
 namespace {
-/// Of the part's size: a place that is no farther from a strip's facets lies on it.
+/// A place that is no farther from a strip's facets than this share of the part's size lies on it.
 constexpr double on_strip = 1e-4;
 } // namespace
 

@@ -31,10 +31,9 @@ struct Strip {
     /// What it covers of the surface, cut along its boundaries; oriented as the part's facets.
     std::vector<std::array<Vec3, 3>> band;
     std::vector<std::vector<Vec3>> boundaries; ///< closed curves on the surface, first point not repeated
-    std::vector<std::vector<Vec3>>
-        centers;                  ///< of valleys: the curves along them; a closed one ends where it began
-    double area = 0;              ///< of the band, mm^2
-    double length = 0, width = 0; ///< along the centre and the largest across it; 0: unknown; mm
+    std::vector<std::vector<Vec3>> centers;    ///< curves along valleys; a closed one ends where it began
+    double area = 0;                           ///< of the band, mm^2
+    double length = 0, width = 0;              ///< along the centre and the largest across it; 0: unknown; mm
 };
 
 /// The strip a point of the part's surface lies on; none where it lies on none. The part's size (mm, its

@@ -61,7 +61,7 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
         for (const Index v : mesh.facets[f])
             fan_[next[v]++] = std::uint32_t(f);
     }
-    // Of a large fan only the outermost moves count; they are put first and the rest is cut off by an end
+    // Only the outermost moves of a large fan count; they are put first and the rest is cut off by an end
     // marker, so that the facets of a fan do not each look at all the others.
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (v % check_every == 0) progress.check();

@@ -68,7 +68,7 @@ CutterCover::CutterCover(const CutterProfile& profile, double slack)
         if (rise > 0 && std::atan2(rise, run) > tolerance::level_angle) flat_radius_ = 0;
     }
     for (const ProfilePiece& p : pieces)
-        if (p.to.x() >= radius_ * (1 - 1e-12)) {
+        if (p.to.x() >= radius_ * (1 - tolerance::cutter_angle)) {
             shoulder_ = p.to.y();
             break;
         }
@@ -85,7 +85,7 @@ Vec2 CutterCover::support(const Vec3& n) const {
     }
     const ProfilePiece& first = profile_.pieces().front();
     if (first.kind == ProfilePiece::Kind::line && first.from.x() == 0) {
-        // Of the points on the bottom line that are within the slack of touching, the one nearest to the
+        // Among the points on the bottom line within the slack of touching, the one nearest to the
         // axis.
         const double lack = value(best) - slack_ * cosine;
         const double end = value(first.to);
@@ -107,7 +107,7 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
     const double a = n.x() * n.x() + n.y() * n.y();
     const double b = d.x() * n.x() + d.y() * n.y();
     const double c = d.x() * d.x() + d.y() * d.y() - radius_ * radius_;
-    if (a < 1e-24) { // straight up
+    if (a < tolerance::upright_sine_square) { // straight up
         if (c > 0) return infinity;
         const double t = profile_.height_at(std::sqrt(c + radius_ * radius_)) - d.z();
         return t <= limit ? t : infinity;

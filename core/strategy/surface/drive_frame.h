@@ -7,6 +7,7 @@
 // A drive plane is v = const. Right-handed; the origin is that of the part.
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/base/vec.h"
 
 #include <cmath>
@@ -14,15 +15,15 @@
 namespace facetmill {
 
 struct DriveFrame {
-    double angle = 0; ///< of u from X, radians
+    double angle = 0; ///< from X to u, radians
     Vec2 along = Vec2(1, 0), across = Vec2(0, 1);
 
     DriveFrame() = default;
     /// Multiples of 90 degrees give exact unit axes, so that planes parallel to x and y hit vertices exactly.
     explicit DriveFrame(double radians_from_x) : angle(radians_from_x) {
         double c = std::cos(radians_from_x), s = std::sin(radians_from_x);
-        if (std::abs(c) < 1e-15) c = 0;
-        if (std::abs(s) < 1e-15) s = 0;
+        if (std::abs(c) < tolerance::axis_rounding) c = 0;
+        if (std::abs(s) < tolerance::axis_rounding) s = 0;
         if (s == 0) c = c < 0 ? -1 : 1;
         if (c == 0) s = s < 0 ? -1 : 1;
         along = Vec2(c, s);

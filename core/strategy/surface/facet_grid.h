@@ -13,7 +13,7 @@ namespace facetmill {
 
 class FacetGrid {
 public:
-    /// `mesh` must outlive the grid. Throws Cancelled within 20 ms.
+    /// `mesh` must outlive the grid.
     FacetGrid(const Mesh& mesh, const Progress& progress);
 
     struct Hit {

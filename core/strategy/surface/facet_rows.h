@@ -34,7 +34,7 @@ public:
         const double s = (double(column) + 0.5) / double(columns(row));
         return origin_ + t(row) * up_ + s * (1 - t(row)) * along_;
     }
-    /// Of one sample of a row.
+    /// Area that one sample of a row stands for.
     double weight(std::size_t row) const {
         const double row_area = rows_ == 1 ? area_ : 2 * area_ * (1 - t(row)) / double(rows_);
         return row_area / double(columns(row));

@@ -18,7 +18,7 @@ namespace facetmill {
 class IntervalIndex {
 public:
     /// interval(i) gives {lo, hi} of item i; items with lo > hi (or NaN) are left out. Linear time; about 16
-    /// bytes an item. Throws Cancelled within 20 000 items.
+    /// bytes an item.
     template <class Interval>
     IntervalIndex(std::size_t n, const Interval& interval, const Progress& progress);
 

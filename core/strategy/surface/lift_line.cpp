@@ -44,8 +44,8 @@ public:
     }
 
 private:
-    /// Whether quarters of a way are all near its chord, and short. The middle alone does not tell: down a
-    /// steep wall the way bends over the wall's edge and back at its foot, and what the one bend lifts the
+    /// Whether quarters of a piece are all near its chord, and short. The middle alone does not tell: down a
+    /// steep wall the path bends over the wall's edge and back at its foot, and what the one bend lifts the
     /// middle over the chord the other may lower it. Of the height of a single kink, wherever it is, the
     /// nearest quarter shows four fifths; half of what is allowed leaves room for a second one beside it.
     bool is_straight(const LinePoint& a, const LinePoint& before, const LinePoint& mid,
@@ -54,7 +54,7 @@ private:
         const LinePoint* const quarter[] = {&a, &before, &mid, &after, &b};
         for (std::size_t k = 1; k < 5; ++k) {
             const LinePoint &p = *quarter[k - 1], &q = *quarter[k];
-            // Along the way itself, not as seen from above: that is what the cutter may pass unseen.
+            // Along the path itself, not as seen from above: that is what the cutter may pass unseen.
             if (std::hypot(q.s - p.s, q.z - p.z) > tolerance_.spacing) return false;
             const double off = (q.z - a.z - 0.25 * double(k) * dz) * across;
             if (off > 0.5 * tolerance_.below || off < -0.5 * tolerance_.above) return false;
@@ -75,7 +75,7 @@ double safe_spacing(const CutterProfile& profile, double below) {
     double spacing = 0.25 * profile.max_radius(), slope = 0; // slopes as angles
     for (const ProfilePiece& p : profile.lower_pieces()) {
         if (p.kind == ProfilePiece::Kind::arc) {
-            // Of a sharp corner it is the roundness of its rim, sideways, that counts.
+            // At a sharp corner it is the roundness of its rim, sideways, that counts.
             spacing = std::min(spacing, round(std::max(p.radius, 0.5 * (p.center.x() + p.radius))));
         } else if (p.angle_at_start() > slope + tolerance::cutter_angle) {
             // A cone is as round as its inner rim. Of a peak too thin to be seen at the ends and the middle

@@ -24,7 +24,7 @@ struct LinePoint {
 };
 
 struct LineTolerance {
-    double spacing = 1;  ///< along the tip's way the lift is looked at at least this often
+    double spacing = 1;  ///< the lift is looked at at least this often along the line
     double below = 0.01; ///< how far the polyline may run below the lift, measured across it (gouge)
     double above = 0.01; ///< how far above
     /// Shorter pieces are not divided; a jump that is left over becomes an upright move on its low side.
@@ -41,7 +41,7 @@ double safe_spacing(const CutterProfile& profile, double below);
 
 /// Points on the line origin + s * direction for s0 <= s <= s1, both ends included, s never falling. All of
 /// them are on the lift (but for corners of upright moves, which are above it), close enough that between
-/// neighbours the tolerances hold. Throws Cancelled within 20 ms. The same bits for every thread count.
+/// neighbours the tolerances hold.
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
                                  double s1, const LineTolerance& tolerance, const Progress& progress);
 

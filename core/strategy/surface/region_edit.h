@@ -24,7 +24,7 @@ struct BoundaryDrag {
     bool operator==(const BoundaryDrag&) const = default;
 };
 
-/// Of one of them: in files the members of the lists `region_edits` and `boundary_drags` of an operation.
+/// One of them: in files the members of the lists `region_edits` and `boundary_drags` of an operation.
 const ParameterTable<RegionEdit>& region_edit_parameters();
 const ParameterTable<BoundaryDrag>& boundary_drag_parameters();
 

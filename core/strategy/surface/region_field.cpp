@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::size_t max_facets = 4'000'000;
 constexpr std::size_t vertices_per_block = 2000;
-/// Of the spacing: edges of the fine mesh; nearer to a vertex than this share of an edge nothing is cut.
+/// Edges of the fine mesh, as a share of the spacing; nearer to a vertex than a share of an edge nothing is
+/// cut.
 constexpr double edge_share = 0.5, inset_share = 0.03;
 /// Rounds of smoothing: over about one spacing.
 constexpr int smoothing_rounds = 6;
-/// Of a drag's length: how far around it the boundary goes along, and the smallest such distance in spacings.
+/// How far around a drag the boundary goes along, in lengths of the drag, and at least, in spacings.
 constexpr double drag_reach = 4, min_drag_reach = 3;
 
 Vec3 vec(const std::array<double, 3>& p) {
@@ -370,15 +371,15 @@ private:
     const Progress& progress_;
     UpSide up_;
     Known fine_;
-    std::optional<PointGrid> grid_; ///< of the uncut places
+    std::optional<PointGrid> grid_; ///< holds the uncut places
     double far_ = 0, level_ = 0;
     std::vector<double> field_;  ///< smoothed distance, per vertex; `far_` and more is one
     std::vector<Index> nearest_; ///< uncut place
     std::vector<double> out_, grow_;
     std::vector<bool> enabled_;
     std::vector<std::size_t>
-        unedited_; ///< of each uncut place: its region without edits; empty: there are none
-    std::vector<std::size_t> edited_; ///< of each edit: the uncut place nearest to it
+        unedited_;                    ///< the region of each uncut place without edits; empty: there are none
+    std::vector<std::size_t> edited_; ///< the uncut place nearest to each edit
     std::map<const BoundaryDrag*, double> drag_length_;
     ReworkRegions result_;
 };

@@ -27,8 +27,8 @@ struct UncutPlace {
 struct RegionInput {
     std::shared_ptr<const Mesh> part;
     std::shared_ptr<const MeshGeometry> geometry;
-    std::shared_ptr<const std::vector<VertexCurvature>> curvatures; ///< of the part's vertices
-    double spacing = 1; ///< of the trajectories: gaps between uncut places up to this are closed; mm
+    std::shared_ptr<const std::vector<VertexCurvature>> curvatures; ///< at the part's vertices
+    double spacing = 1; ///< between trajectories: gaps of uncut places up to this are closed; mm
     double offset = 0;  ///< outward, mm
     std::vector<RegionEdit> edits;
     std::vector<BoundaryDrag> drags;
@@ -44,7 +44,7 @@ struct PartPiece {
 struct ReworkRegion {
     Strip strip;               ///< its band, boundaries, area, enabled; name by place: "Region 1" ...
     double lead_largest = 0;   ///< that its uncut places need; +inf: more than was looked for
-    double grow = 0;           ///< of its edit
+    double grow = 0;           ///< what its edit asks for
     Vec3 place = Vec3::Zero(); ///< an uncut place in it, by which edits name it
     /// Numbers of the edits that are about it, and one uncut place of each region that has grown together in
     /// it: an edit of all of it is one edit for each.

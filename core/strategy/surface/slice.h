@@ -29,7 +29,7 @@ struct SliceChain {
 /// Slices one mesh by many parallel planes. Safe from many threads at once.
 class MeshSlicer {
 public:
-    /// `mesh` and `geometry` must outlive the slicer. Throws Cancelled within 20 000 facets.
+    /// `mesh` and `geometry` must outlive the slicer.
     MeshSlicer(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
                const Progress& progress);
 

@@ -10,7 +10,7 @@ namespace facetmill {
 
 namespace {
 
-/// Pieces of a way are this many radii long: their boxes hold little that the cutter does not reach.
+/// Pieces of a motion are this many radii long: their boxes hold little that the cutter does not reach.
 constexpr double piece_radii = 2;
 
 } // namespace
@@ -114,13 +114,13 @@ void StockField::find_run_tops() {
 }
 
 template <class Field, class Wanted, class Visit>
-void StockField::near_route(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                            Wanted&& wanted, Visit&& visit) {
+void StockField::near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                           Wanted&& wanted, Visit&& visit) {
     if (field.cells_.empty()) return;
     const double cell_ = field.cell_;
     const Box3& box_ = field.box_;
-    const Vec2 route = b - a;
-    const double square = route.squaredNorm();
+    const Vec2 motion = b - a;
+    const double square = motion.squaredNorm();
     const auto first = [&](double x, double lo) {
         return int(std::clamp(std::floor((x - reach - lo) / cell_ - 0.5), 0.0, 2e9));
     };
@@ -141,8 +141,8 @@ void StockField::near_route(Field& field, const Vec2& a, const Vec2& b, double r
                     auto& cell = cells[column];
                     if (!wanted(cell)) continue;
                     const Vec2 p = field.center(column, row) - a;
-                    const double t = square > 0 ? std::clamp(p.dot(route) / square, 0.0, 1.0) : 0;
-                    const double d2 = (p - t * route).squaredNorm();
+                    const double t = square > 0 ? std::clamp(p.dot(motion) / square, 0.0, 1.0) : 0;
+                    const double d2 = (p - t * motion).squaredNorm();
                     if (d2 > reach_square) continue;
                     if (!visit(cell, d2, t)) return;
                 }
@@ -160,7 +160,7 @@ void StockField::near_route(Field& field, const Vec2& a, const Vec2& b, double r
 
 namespace {
 
-/// Calls piece(from, to) for short pieces of a way, as shares of it; ends when it returns false.
+/// Calls piece(from, to) for short pieces of a motion, as shares of it; ends when it returns false.
 template <class Piece>
 void short_pieces(double length, double longest, Piece&& piece) {
     const double n = std::max(1.0, std::ceil(length / longest));
@@ -171,9 +171,9 @@ void short_pieces(double length, double longest, Piece&& piece) {
 } // namespace
 
 void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
-    const Vec2 route = b - a;
-    const double length = route.norm();
-    const Vec2 side = length > 0 ? Vec2(Vec2(-route.y(), route.x()) * (radius / length)) : Vec2(0, radius);
+    const Vec2 motion = b - a;
+    const double length = motion.norm();
+    const Vec2 side = length > 0 ? Vec2(Vec2(-motion.y(), motion.x()) * (radius / length)) : Vec2(0, radius);
     const double low = std::min(a.y(), b.y()) - radius, high = std::max(a.y(), b.y()) + radius;
     const int row0 = std::max(0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)));
     const int row1 = std::min(rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)));
@@ -216,9 +216,9 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
 }
 
 void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
-    const Vec3 route = b - a;
-    short_pieces(route.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        const Vec3 p = a + from * route, q = a + to * route;
+    const Vec3 motion = b - a;
+    short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        const Vec3 p = a + from * motion, q = a + to * motion;
         // Any place of the piece gives a height that is not too low; the nearest is the best on a level one,
         // the lower end where it goes down steeply.
         const Vec3& low = p.z() < q.z() ? p : q;
@@ -226,40 +226,40 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
             cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
                       p.z() + cutter.height());
         const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
-        near_route(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
-                   [&](Cell& cell, double square, double t) {
-                       const double d = std::sqrt(square);
-                       const double z = p.z() + t * (q.z() - p.z());
-                       const auto lower = [&](double& height, double slack) {
-                           if (height <= low.z() || height > z + cutter.height()) return;
-                           height = std::min(height, z + cutter.above(d + slack));
-                       };
-                       lower(cell.middle, 0);
-                       lower(cell.top, half_diagonal_);
-                       return true;
-                   });
+        near_line(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
+                  [&](Cell& cell, double square, double t) {
+                      const double d = std::sqrt(square);
+                      const double z = p.z() + t * (q.z() - p.z());
+                      const auto lower = [&](double& height, double slack) {
+                          if (height <= low.z() || height > z + cutter.height()) return;
+                          height = std::min(height, z + cutter.above(d + slack));
+                      };
+                      lower(cell.middle, 0);
+                      lower(cell.top, half_diagonal_);
+                      return true;
+                  });
         if (p.z() != q.z())
-            near_route(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
-                       [&](Cell& cell, double square, double) {
-                           const double d = std::sqrt(square);
-                           const auto lower = [&](double& height, double slack) {
-                               if (height <= low.z() || height > low.z() + cutter.height()) return;
-                               height = std::min(height, low.z() + cutter.above(d + slack));
-                           };
-                           lower(cell.middle, 0);
-                           lower(cell.top, half_diagonal_);
-                           return true;
-                       });
+            near_line(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
+                      [&](Cell& cell, double square, double) {
+                          const double d = std::sqrt(square);
+                          const auto lower = [&](double& height, double slack) {
+                              if (height <= low.z() || height > low.z() + cutter.height()) return;
+                              height = std::min(height, low.z() + cutter.above(d + slack));
+                          };
+                          lower(cell.middle, 0);
+                          lower(cell.top, half_diagonal_);
+                          return true;
+                      });
         return true;
     });
 }
 
 double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {
     double height = -infinity;
-    const Vec2 route = b - a;
-    short_pieces(route.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_route(
-            *this, a + from * route, a + to * route, cutter.radius() + half_diagonal_, height,
+    const Vec2 motion = b - a;
+    short_pieces(motion.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        near_line(
+            *this, a + from * motion, a + to * motion, cutter.radius() + half_diagonal_, height,
             [&](const Cell& cell) { return cell.top > height; },
             [&](const Cell& cell, double square, double) {
                 const double d = std::sqrt(square);
@@ -273,10 +273,10 @@ double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const 
 
 double StockField::stand_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {
     double height = -infinity;
-    const Vec2 route = b - a;
-    short_pieces(route.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_route(
-            *this, a + from * route, a + to * route, cutter.radius(), height,
+    const Vec2 motion = b - a;
+    short_pieces(motion.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        near_line(
+            *this, a + from * motion, a + to * motion, cutter.radius(), height,
             [&](const Cell& cell) { return cell.middle > height; },
             [&](const Cell& cell, double square, double) {
                 const double d = std::sqrt(square);
@@ -290,10 +290,10 @@ double StockField::stand_height(const StockCutter& cutter, const Vec2& a, const 
 
 double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, double floor) const {
     double height = floor;
-    const Vec2 route = b - a;
-    short_pieces(route.norm(), piece_radii * std::max(radius, cell_), [&](double from, double to) {
-        near_route(
-            *this, a + from * route, a + to * route, radius + half_diagonal_, height,
+    const Vec2 motion = b - a;
+    short_pieces(motion.norm(), piece_radii * std::max(radius, cell_), [&](double from, double to) {
+        near_line(
+            *this, a + from * motion, a + to * motion, radius + half_diagonal_, height,
             [&](const Cell& cell) { return cell.top > height; },
             [&](const Cell& cell, double, double) {
                 height = std::max(height, cell.top);
@@ -307,22 +307,22 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
 std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a, const Vec3& b,
                                        double least) const {
     std::vector<Interval> all;
-    const Vec3 route = b - a;
-    const double length = route.head<2>().norm();
+    const Vec3 motion = b - a;
+    const double length = motion.head<2>().norm();
     // In bins of a cell's length, so that what comes out is in order.
     const auto bins = std::size_t(std::max(1.0, std::ceil(length / cell_)));
     std::vector<char> busy(bins, 0);
     short_pieces(length, piece_radii * cutter.radius(), [&](double from, double to) {
-        const Vec3 p = a + from * route, q = a + to * route;
+        const Vec3 p = a + from * motion, q = a + to * motion;
         const double floor = std::min(p.z(), q.z()) + least;
-        near_route(
+        near_line(
             *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
             [&](const Cell& cell) { return cell.middle > floor; },
             [&](const Cell& cell, double square, double t) {
                 const double share = from + t * (to - from);
                 char& bin = busy[std::min(bins - 1, std::size_t(share * double(bins)))];
                 if (bin) return true;
-                // Of an upright way the lower end says it.
+                // The lower end of an upright motion says it.
                 const double z = length > 0 ? p.z() + t * (q.z() - p.z()) : std::min(a.z(), b.z());
                 if (cell.middle - (z + cutter.above(std::sqrt(square))) > least) bin = 1;
                 return true;
@@ -342,10 +342,10 @@ std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a,
 
 bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const {
     bool found = false;
-    const Vec3 route = b - a;
+    const Vec3 motion = b - a;
     const auto look = [&](const Vec3& p, const Vec3& q) {
         const double floor = std::min(p.z(), q.z()) + least;
-        near_route(
+        near_line(
             *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
             [&](const Cell& cell) { return cell.middle > floor; },
             [&](const Cell& cell, double square, double t) {
@@ -355,9 +355,9 @@ bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& 
             });
         return !found;
     };
-    short_pieces(route.head<2>().norm(), piece_radii * cutter.radius(),
-                 [&](double from, double to) { return look(a + from * route, a + to * route); });
-    // Of an upright way the lower end says it.
+    short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(),
+                 [&](double from, double to) { return look(a + from * motion, a + to * motion); });
+    // The lower end of an upright motion says it.
     const Vec3& low = a.z() < b.z() ? a : b;
     if (!found && a.z() != b.z()) look(low, low);
     return found;

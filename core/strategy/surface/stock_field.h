@@ -48,13 +48,13 @@ private:
 class StockField {
 public:
     /// Cells of about `cell`, coarser where they would be more than `max_cells`. Throws
-    /// Error(out_of_range) for a cell that is not above 0; Cancelled within 20 ms.
+    /// Error(out_of_range) for a cell that is not above 0.
     StockField(const StockSolid& solid, double cell, const Progress& progress);
 
     static constexpr double max_cells = 2e6;
 
     double cell() const { return cell_; }
-    const Box3& box() const { return box_; } ///< of the solid
+    const Box3& box() const { return box_; } ///< around the solid
     /// Cells in x and y, and the centre and the heights of one; -inf where there is no material.
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -63,7 +63,7 @@ public:
     }
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
-    double highest() const; ///< of all tops
+    double highest() const; ///< top of all
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
     /// The lowest tip height at which the cutter, moved level and straight from a to b, touches nothing; -inf
@@ -71,11 +71,11 @@ public:
     double clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const;
     /// The same by the heights over the cells' centres: what it touches lower is narrower than a cell.
     double stand_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const;
-    /// The highest top within `radius` of the way from a to b, if that is above `floor`; else any height not
+    /// The highest top within `radius` of the line from a to b, if that is above `floor`; else any height not
     /// above it.
     double highest_near(const Vec2& a, const Vec2& b, double radius, double floor = -infinity) const;
-    /// Where on the way from a to b (shares 0 to 1 of it, level) the cutter takes away more than `least` of
-    /// height. Cells beside the way count where the axis passes them.
+    /// Where on the line from a to b (shares 0 to 1 of it, level) the cutter takes away more than `least` of
+    /// height. Cells beside the line count where the axis passes them.
     std::vector<Interval> work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;
     bool has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;
 
@@ -87,18 +87,18 @@ private:
         return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
     }
     void find_run_tops();
-    /// What stands over cells whose centre is within `radius` of the way from a to b, but not above `top`, is
-    /// cut down to z.
+    /// What stands over cells whose centre is within `radius` of the line from a to b, but not above `top`,
+    /// is cut down to z.
     void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top);
     void fill_round(const StockSolid& solid);
     void fill_mesh(const StockSolid& solid, const Progress& progress);
-    /// visit(cell, square of its centre's distance from the way, share of the way nearest to it) for cells
+    /// visit(cell, square of its centre's distance from the line, share of the line nearest to it) for cells
     /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
-    /// `floor`; ends when visit returns false. Most cells near a way are cut already: `wanted` is asked
+    /// `floor`; ends when visit returns false. Most cells near a line are cut already: `wanted` is asked
     /// first.
     template <class Field, class Wanted, class Visit>
-    static void near_route(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                           Wanted&& wanted, Visit&& visit);
+    static void near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
+                          Wanted&& wanted, Visit&& visit);
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;

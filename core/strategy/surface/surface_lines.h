@@ -30,7 +30,7 @@ struct SurfaceLine {
     Vec3 direction(double s) const;
 };
 
-/// Of p from the segment a b, mm.
+/// Distance of p from the segment a b, mm.
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 
 /// One slice, thinned, so that lines can be looked at near a place.
@@ -38,7 +38,7 @@ class SurfaceSlice {
 public:
     struct Options {
         double deviation = 0.001; ///< points may be left out as long as the line stays this near, mm
-        double longest = 1;       ///< of pieces, mm
+        double longest = 1;       ///< pieces are no longer than this, mm
         double extension = 0;     ///< open ends are continued straight by this, mm
     };
 
@@ -75,7 +75,7 @@ private:
 /// Lines of drive planes on a lattice: plane k lies at lo() + k * spacing(). Safe from many threads at once.
 class SurfaceLines {
 public:
-    /// `mesh` and `geometry` must outlive this. Throws Cancelled within 20 000 facets.
+    /// `mesh` and `geometry` must outlive this.
     SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame, double spacing,
                  const SurfaceSlice::Options& options, const Progress& progress);
 

@@ -9,7 +9,6 @@ namespace facetmill {
 
 class UpSide {
 public:
-    /// Throws Cancelled within 8192 facets.
     UpSide(const Mesh& mesh, const Progress& progress);
 
     bool closed() const { return out_ != 0; }
