@@ -34,6 +34,7 @@ public:
 
 private:
     void add_line(double v, double back, double ahead, const Progress& progress);
+    void plan_parallel();
     void plan_constant(double step);
     void plan_adaptive();
     void check_size() const;
@@ -44,7 +45,7 @@ private:
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
-    /// Of placing drive planes, as a share of the whole.
+    /// Share of the whole plan that is done when this share of the drive planes is placed.
     static double placed(double share) { return 0.02 + 0.9 * share; }
 
     const Finish3Settings& settings_;
@@ -103,10 +104,10 @@ StrategyResult Planner::run() {
     check_size();
 
     progress_.part(placed(0), 1, "Placing drive planes").set(0);
-    if (settings_.stepover.is_number())
-        plan_constant(settings_.stepover.number);
-    else
-        plan_adaptive();
+    switch (settings_.topology) {
+    case Finish3Settings::Topology::parallel:
+        plan_parallel();
+    }
     if (result_.passes.empty())
         throw Error(ErrorCode::empty_result, settings_.name, "no drive plane meets the part",
                     "check part and direction");
@@ -129,6 +130,13 @@ void Planner::check_size() const {
                 "a part of " + text_(size.x()) + " by " + text_(size.y()) + " asks for more than "
                     + format_number(max_places) + " places of this tool",
                 "check the part's units, or take a larger tool, tolerance or step-over");
+}
+
+void Planner::plan_parallel() {
+    if (settings_.stepover.is_number())
+        plan_constant(settings_.stepover.number);
+    else
+        plan_adaptive();
 }
 
 void Planner::plan_constant(double step) {
@@ -360,7 +368,7 @@ void Planner::add_warnings() {
             + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
             + text_(result_.cusp_max) + " stay there, " + text_(cusp_allowed_) + " are allowed");
     const auto share = [&](const UncutPlaces& places) {
-        return format_number(std::max(100 * places.area / uncut_.area, 1e-3), 2) + " % of the surface";
+        return share_text(places.area, uncut_.area) + " of the surface";
     };
     if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
         warnings.push_back("the cutter is too large for hollows of the part: " + share(u)

@@ -29,7 +29,7 @@
 namespace facetmill {
 
 struct Finish3Settings : OperationCommon {
-    enum class Topology { parallel };
+    enum class Topology { parallel }; ///< course of the passes; another gets a case in the planner
     enum class Pattern { zigzag, oneway };
 
     Finish3Settings() { name = "Finish"; }

@@ -12,41 +12,16 @@
 // contact jumps from one flank of a hollow to the other, both flanks are looked at a little way into it, as
 // far as the cutter that touches both would leave a quarter of what is allowed.
 //
+// (cusp_field.h: what lines leave over a place; gap_cusp.h: the largest in a gap.)
+//
 // A wall, upright or nearly so, is met by a jump of the lift between neighbouring tips; a point halfway down
 // the jump stands for it. So a wall along the passes gets one pass within the tolerance of it, and a round
 // wall passes as close together as its cusps need.
 #pragma once
 
-#include "core/mesh/geometry.h"
-#include "core/strategy/surface/contact_domain.h"
-#include "core/strategy/surface/lift_line.h"
-
-#include <memory>
-#include <vector>
+#include "core/strategy/finish3/cusp_field.h"
 
 namespace facetmill {
-
-/// The tip's way in one drive plane.
-struct DriveLine {
-    double v = 0;
-    /// How far before and behind the plane places are that it is to cut: its ends lie where the domain ends
-    /// in this strip (a slanted border is met by each plane at another u).
-    double back = 0, ahead = 0;
-    std::vector<std::vector<LinePoint>> runs; ///< s is u; one per piece of the domain, in order
-};
-
-struct StepOverInput {
-    const Mesh* mesh = nullptr;
-    ContactIndexPtr contact;
-    const AxialLift* lift = nullptr;
-    const CutterCover* cover = nullptr;
-    const ContactDomain* domain = nullptr;
-    DriveFrame frame;
-    double allowance = 0; ///< all that is left along the normal, as in `lift`
-    double floor = 0;     ///< of tip heights
-    double cusp = 0.05;   ///< largest allowed
-    double merge = 0;     ///< gaps of the domain up to this are passed over
-};
 
 class StepOver {
 public:
@@ -56,8 +31,8 @@ public:
     /// two overlap where a slanted border lies half-way between them.
     static constexpr double reach_share = 0.55;
 
-    /// The tip's way at v, roughly (to an eighth of the cusp), over all of the domain from `back` before v to
-    /// `ahead` behind it.
+    /// The tip's path at v, roughly (to an eighth of the cusp), over all of the domain from `back` before v
+    /// to `ahead` behind it.
     DriveLine line(double v, double back, double ahead, const Progress& progress) const;
     /// Ranges of u of a line.
     std::vector<Interval> ranges(double v, double back, double ahead) const;
@@ -80,29 +55,9 @@ public:
     double largest_step() const { return largest_; }
 
 private:
-    struct Sample {
-        Vec3 point, normal;
-        double tip_z = 0;
-        bool valid = false;
-    };
-    Sample sample(double u, double v) const;
-    double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
-    double height_on(const DriveLine& line, double u) const;
-    double left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const;
-    /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
-    double between(const DriveLine* a, const DriveLine* b, double u, double v0, const Sample& s0, double v1,
-                   const Sample& s1, double gap, int depth) const;
-    /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
-    /// both: no tip touches there, but it would leave less.
-    double hollow(const DriveLine* a, const DriveLine* b, const Sample& s0, const Sample& s1, double u,
-                  double v) const;
-    double wall(const DriveLine* a, const DriveLine* b, Vec2 from, Vec2 to, double z_from, double z_to) const;
-
     StepOverInput in_;
-    LiftField field_;
-    std::unique_ptr<AxialLift> surface_; ///< of a needle: the part seen from above
-    bool sharp_ = false;                 ///< the corner of the profile is sharp, or nearly so
-    double grid_ = 1, level_ = 1, smallest_ = 0, largest_ = 0, guess_ = 0;
+    CuspField field_;
+    double smallest_ = 0, largest_ = 0, guess_ = 0;
 };
 
 } // namespace facetmill

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t block_facets = 64;
 constexpr std::size_t check_every = 8192;
 constexpr double max_samples = 4e6;
-/// Of the allowed height: where the part holds the cutter up by more, that is why too much stays.
+/// Where the part holds the cutter up by more than this share of the allowed height, that is why too much
+/// stays.
 constexpr double reach_share = 0.25;
 /// Samples of a row between two looks at the cancel flag.
 constexpr std::size_t row_part = 512;

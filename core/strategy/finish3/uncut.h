@@ -24,7 +24,7 @@ namespace facetmill {
 struct UncutInput {
     const Mesh* mesh = nullptr;
     ContactIndexPtr contact;
-    const AxialLift* lift = nullptr; ///< of the cutter, with the allowance
+    const AxialLift* lift = nullptr; ///< the cutter's, with the allowance
     const CutterCover* cover = nullptr;
     DriveFrame frame;
     double allowance = 0; ///< all that is to stay along the normal, as in `lift`
@@ -40,13 +40,13 @@ struct UncutPlaces {
 };
 
 struct UncutReport {
-    double area = 0; ///< of all facets that were looked at
+    double area = 0; ///< all facets that were looked at, mm^2
     UncutPlaces out_of_reach, passed_by, covered;
     std::size_t samples = 0;
 };
 
 /// Cost: below a microsecond a sample where the path is good, some ten where it is not; at least one sample a
-/// facet, at most about four million beyond that. Throws Cancelled within 20 ms. The same bits for every
+/// facet, at most about four million beyond that.
 /// thread count.
 UncutReport find_uncut(const UncutInput& input, const Progress& progress);
 

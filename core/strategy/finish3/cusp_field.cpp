@@ -1,0 +1,144 @@
+#include "core/strategy/finish3/cusp_field.h"
+
+#include "core/base/golden_section.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/plan/budget.h"
+
+namespace facetmill {
+
+namespace {
+
+/// Places along a line are this share of the cutter's radius apart.
+constexpr double spacing_share = 0.08;
+/// A corner of the profile with a radius below this share of the cutter's leaves what grows with the
+/// distance, not with its square.
+constexpr double sharp_share = 0.25;
+
+/// On a level plane, the step-over that leaves the cusp with a ball of radius r.
+double level_step_of(const StepOverInput& in) {
+    const double r = std::max(in.cover->profile().cutter().r, in.cusp);
+    return 2 * std::sqrt(std::max(2 * r * in.cusp - in.cusp * in.cusp, 0.0));
+}
+
+/// The first point of a run behind u.
+auto first_behind(const std::vector<LinePoint>& run, double u) {
+    return std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
+}
+
+} // namespace
+
+CuspField::CuspField(const StepOverInput& input)
+    : in_(input), field_{input.lift, input.floor},
+      surface_(input.contact, CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
+      grid_(spacing_share * input.cover->radius()), level_(level_step_of(input)),
+      sharp_(input.cover->profile().cutter().r < sharp_share * input.cover->radius()) {}
+
+CuspField::Sample CuspField::sample(double u, double v) const {
+    Sample s;
+    const Vec2 xy = in_.frame.xy(u, v);
+    const AxialContact c = in_.lift->contact(xy.x(), xy.y());
+    s.tip_z = std::max(c.tip_z, in_.floor);
+    if (!(c.tip_z >= in_.floor) || c.facet == no_index) return s;
+    const Vec3 tip(xy.x(), xy.y(), c.tip_z);
+    s.valid = true;
+    s.point = c.point;
+    if (in_.cover->has_flat_bottom()) {
+        const double z = surface_.tip_z(xy.x(), xy.y());
+        if (c.tip_z - in_.allowance - z <= cusp_detail(in_.cusp)) {
+            s.normal = Vec3(0, 0, 1);
+            s.point = Vec3(xy.x(), xy.y(), z + in_.allowance);
+            return s;
+        }
+    }
+    if (const auto n = in_.cover->contact_normal(c.point - tip))
+        s.normal = *n;
+    else
+        s.normal = in_.contact->mesh().facet_normal(c.facet);
+    if (s.normal.z() < 0) s.normal = -s.normal;
+    s.point += in_.allowance * s.normal;
+    return s;
+}
+
+/// The smallest entry along one piece of a run: convex, because a swept convex body is convex.
+double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k,
+                              const Vec3& p, const Vec3& n) const {
+    const double limit = 2 * in_.cover->radius();
+    const Vec3 a = in_.frame.point(run[k].s, line.v, run[k].z),
+               b = in_.frame.point(run[k + 1].s, line.v, run[k + 1].z);
+    const auto f = [&](double x) { return in_.cover->ray_entry(p, n, a + x * (b - a), limit); };
+    const double f0 = f(0), f1 = f(0.5), f2 = f(1);
+    double least = std::min({f0, f1, f2});
+    if (least == infinity) return least;
+    if (f0 < infinity && f1 < infinity && f2 < infinity) {
+        const double bend = f0 - 2 * f1 + f2;
+        if (bend > 0) {
+            const double x = 0.5 + 0.25 * (f0 - f2) / bend;
+            if (x > 0 && x < 1) least = std::min(least, f(x));
+        }
+        return least;
+    }
+    return std::min(least, min_where_finite(f, 0, 1, f0 < f2));
+}
+
+double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
+                            const Vec3& n) const {
+    const double limit = 2 * in_.cover->radius();
+    const auto at_point = [&](const LinePoint& q) {
+        return in_.cover->ray_entry(p, n, in_.frame.point(q.s, line.v, q.z), limit);
+    };
+    if (run.size() == 1) return at_point(run[0]);
+    const auto piece = [&](std::size_t k) { return piece_entry(line, run, k, p, n); };
+    const auto after = first_behind(run, u);
+    const std::size_t last = run.size() - 2;
+    std::size_t k = after == run.begin() ? 0 : std::min(std::size_t(after - run.begin()) - 1, last);
+    double here = piece(k);
+    if (here == infinity) {
+        // Not met near u: look at all of the run that can reach p.
+        std::size_t found = no_index;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            if (std::abs(run[i].s - u) > limit) continue;
+            const double t = at_point(run[i]);
+            if (t < here) {
+                here = t;
+                found = i;
+            }
+        }
+        if (found == no_index) return infinity;
+        k = std::min(found, last);
+        here = std::min(here, piece(k));
+    }
+    std::size_t left = k, right = k;
+    for (double t; left > 0 && (t = piece(left - 1)) < here; --left)
+        here = t;
+    for (double t; right < last && (t = piece(right + 1)) < here; ++right)
+        here = t;
+    return here;
+}
+
+double CuspField::entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
+    if (!line) return infinity;
+    const double limit = 2 * in_.cover->radius();
+    double best = infinity;
+    for (const auto& run : line->runs) {
+        if (run.empty() || run.front().s > u + limit || run.back().s < u - limit) continue;
+        best = std::min(best, run_entry(*line, run, u, p, n));
+    }
+    return std::max(best, 0.0);
+}
+
+double CuspField::left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const {
+    return std::min(entry(a, u, s.point, s.normal), entry(b, u, s.point, s.normal));
+}
+
+double CuspField::height_on(const DriveLine& line, double u) const {
+    for (const auto& run : line.runs) {
+        if (run.empty() || u < run.front().s || u > run.back().s) continue;
+        const auto after = first_behind(run, u);
+        if (after == run.end()) return run.back().z;
+        const LinePoint &p = *(after - 1), &q = *after;
+        return p.z + (q.z - p.z) * (u - p.s) / (q.s - p.s);
+    }
+    return field_.tip_z(in_.frame.xy(u, line.v));
+}
+
+} // namespace facetmill

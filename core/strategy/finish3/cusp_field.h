@@ -1,0 +1,79 @@
+// What lines of a plan leave over places of the part: the contact of a tip, and the distance from there along
+// the normal to the swept cutter of a line (CutterCover::ray_entry).
+#pragma once
+
+#include "core/mesh/geometry.h"
+#include "core/strategy/surface/contact_domain.h"
+#include "core/strategy/surface/lift_line.h"
+
+#include <memory>
+#include <vector>
+
+namespace facetmill {
+
+/// The tip's path in one drive plane.
+struct DriveLine {
+    double v = 0;
+    /// How far before and behind the plane places are that it is to cut: its ends lie where the domain ends
+    /// in this strip (a slanted border is met by each plane at another u).
+    double back = 0, ahead = 0;
+    std::vector<std::vector<LinePoint>> runs; ///< s is u; one per piece of the domain, in order
+};
+
+struct StepOverInput {
+    const Mesh* mesh = nullptr;
+    ContactIndexPtr contact;
+    const AxialLift* lift = nullptr;
+    const CutterCover* cover = nullptr;
+    const ContactDomain* domain = nullptr;
+    DriveFrame frame;
+    double allowance = 0; ///< all that is left along the normal, as in `lift`
+    double floor = 0;     ///< lowest height of the tip
+    double cusp = 0.05;   ///< largest allowed
+    double merge = 0;     ///< gaps of the domain up to this are passed over
+};
+
+class CuspField {
+public:
+    explicit CuspField(const StepOverInput& input);
+
+    /// Where a tip at (u, v) touches the part.
+    struct Sample {
+        Vec3 point, normal;
+        double tip_z = 0;
+        bool valid = false;
+    };
+    Sample sample(double u, double v) const;
+    /// Height along n over p, near u, that a line leaves; infinite without a line or where it does not come
+    /// by.
+    double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
+    /// Height that two lines leave over a sample.
+    double left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const;
+    /// Height of a line's tip at u.
+    double height_on(const DriveLine& line, double u) const;
+    /// Height of the part, seen from above.
+    double surface_z(double x, double y) const { return surface_.tip_z(x, y); }
+
+    const StepOverInput& input() const { return in_; }
+    const LiftField& lift() const { return field_; }
+    /// Distance of places that are looked at along a line.
+    double spacing() const { return grid_; }
+    /// Step-over that leaves the allowed cusp on a level plane.
+    double level_step() const { return level_; }
+    /// True where the corner of the cutter's profile is sharp, or nearly so.
+    bool sharp() const { return sharp_; }
+
+private:
+    double piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, const Vec3& p,
+                       const Vec3& n) const;
+    double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
+                     const Vec3& n) const;
+
+    StepOverInput in_;
+    LiftField field_;
+    AxialLift surface_; ///< a needle's: the part seen from above
+    double grid_, level_;
+    bool sharp_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,299 @@
+#include "core/strategy/finish3/gap_cusp.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/strategy/plan/budget.h"
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t block_columns = 8;
+/// A lift that changes by more than this per unit sideways is looked at as a wall.
+constexpr double wall_slope = 5;
+/// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
+/// or nearly.
+constexpr double still_share = 0.5;
+/// Contacts are looked for between two that are farther apart than this share of the step on a level plane;
+/// beside an edge, where what is left rises steeply, finely.
+constexpr double jump_gap = 0.4, edge_gap = 0.05;
+/// Share of the allowed cusp; more than a line leaves on one flank a quarter of the step beside it.
+constexpr double jump_share = 0.3;
+/// Beside the place where the contact jumps from flank to flank the part is to be cut as far into the hollow
+/// as the cutter that touches both leaves this share of the allowed cusp, as find_uncut has it.
+constexpr double hollow_share = 0.25;
+constexpr int hollow_halvings = 14;
+/// A flank whose normal rises by less has no surface that is known from above.
+constexpr double steepest_hollow = 0.05;
+/// Halvings between two such tips.
+constexpr int deepest_between = 5;
+bool inside(const std::vector<Interval>& intervals, double u, double slack) {
+    for (const Interval& i : intervals)
+        if (u >= i.lo - slack && u <= i.hi + slack) return true;
+    return false;
+}
+
+/// What two lines leave where both leave the same, as far as two places tell: the first line leaves xa and xb
+/// there, the second one ya and yb.
+double crossing(double xa, double xb, double ya, double yb) {
+    const double da = ya - xa, db = xb - yb;
+    return da > 0 && db > 0 && da + db < infinity ? xa + (xb - xa) * da / (da + db) : 0;
+}
+
+/// Just inside the ends of a range, so that there is something below.
+double inset(const Interval& r) {
+    return std::min(tolerance::border_inset, 0.1 * r.length());
+}
+
+} // namespace
+
+GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge)
+    : field_(field), in_(field.input()), a_(a), b_(b), v0_(a ? a->v : edge), v1_(b ? b->v : edge) {
+    if (!(v1_ > v0_)) return;
+    std::vector<Interval> all;
+    for (int i = 0; i < rows; ++i) {
+        v_[i] = v0_ + 0.25 * (i + 1) * (v1_ - v0_);
+        // At a border the outermost row lies on it, but for the rounding of the domain's ends.
+        const double from_border = std::min(tolerance::border_inset, 0.01 * (v1_ - v0_));
+        if (!a && i == 0) v_[i] = v0_ + from_border;
+        if (!b && i == rows - 1) v_[i] = v1_ - from_border;
+        domain_[i] = in_.domain->line(v_[i], in_.merge);
+        all.insert(all.end(), domain_[i].begin(), domain_[i].end());
+    }
+    if (a) domain_a_ = in_.domain->line(a->v, in_.merge);
+    if (b) domain_b_ = in_.domain->line(b->v, in_.merge);
+    place_columns(std::move(all));
+}
+
+void GapCusp::place_columns(std::vector<Interval> all) {
+    // The ends of every row, because a corner of the part may be narrower than the grid.
+    for (const Interval& r : all)
+        for (const double u : {r.lo + inset(r), r.hi - inset(r)})
+            columns_.push_back({u, false});
+    for (const Interval& r : joined(std::move(all), in_.merge)) {
+        const auto n = std::size_t(std::ceil(r.length() / field_.spacing())) + 1;
+        const double from = r.lo + inset(r), length = r.length() - 2 * inset(r);
+        for (std::size_t i = 0; i < n; ++i)
+            columns_.push_back({n == 1 ? from : from + length * (double(i) / double(n - 1)), i + 1 < n});
+    }
+}
+
+double GapCusp::largest(const Progress& progress) const {
+    if (!(v1_ > v0_)) return 0;
+    return parallel_reduce(
+        columns_.size(), block_columns, 0.0, progress,
+        [&](std::size_t begin, std::size_t end) {
+            double worst = 0;
+            Ahead ahead;
+            for (std::size_t c = begin; c < end && worst < infinity; ++c)
+                look(c, ahead, worst);
+            return worst;
+        },
+        [](double x, double y) { return std::max(x, y); });
+}
+
+void GapCusp::look(std::size_t column, Ahead& ahead, double& worst) const {
+    Found found;
+    found.u = columns_[column].u;
+    if (!look_at_rows(found, column, ahead, worst)) return;
+    look_between_rows(found, worst);
+    if (a_ && b_) look_at_ridges(found, worst);
+    look_at_walls(found, worst);
+    look_at_wall_ahead(found, column, ahead, worst);
+}
+
+bool GapCusp::look_at_rows(Found& found, std::size_t column, const Ahead& ahead, double& worst) const {
+    const double u = found.u;
+    for (int i = 0; i < rows; ++i) {
+        if (!inside(domain_[i], u, tolerance::contact_distance)) continue;
+        Sample& s = found.s[i];
+        s = i == 1 && ahead.column == column ? ahead.sample : field_.sample(u, v_[i]);
+        if (!s.valid) continue;
+        const double ta = entry(a_, u, s.point, s.normal);
+        const double tb = entry(b_, u, s.point, s.normal);
+        worst = std::max(worst, std::min(ta, tb));
+        found.x[i] = std::sqrt(ta);
+        found.y[i] = std::sqrt(tb);
+    }
+    for (int i = 0; i + 1 < rows; ++i)
+        found.still |=
+            found.s[i].valid && found.s[i + 1].valid
+            && (found.s[i + 1].point - found.s[i].point).norm() < still_share * (v_[i + 1] - v_[i]);
+    return worst < infinity;
+}
+
+/// The contact jumps in a hollow hardly wider than the cutter, and stands still on a convex edge; then the
+/// surface lies between the outermost rows and the lines.
+void GapCusp::look_between_rows(const Found& found, double& worst) const {
+    const double u = found.u;
+    const auto& s = found.s;
+    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb) {
+        // A sharp rim's contact jumps from side to side on any hollow surface.
+        if (worst > in_.cusp || (field_.sharp() && !found.still)) return;
+        const double gap = (found.still ? edge_gap : jump_gap) * field_.level_step();
+        worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between));
+    };
+    for (int i = 0; i + 1 < rows; ++i)
+        look_between(v_[i], s[i], v_[i + 1], s[i + 1]);
+    // So it does where the contact jumps between them, and the line leaves more than on a flank.
+    const auto beside_line = [&](double root) { return found.still || root * root > jump_share * in_.cusp; };
+    if (a_ && beside_line(found.x[0]) && inside(domain_a_, u, tolerance::contact_distance))
+        look_between(v0_, field_.sample(u, v0_), v_[0], s[0]);
+    if (b_ && beside_line(found.y[rows - 1]) && inside(domain_b_, u, tolerance::contact_distance))
+        look_between(v_[rows - 1], s[rows - 1], v1_, field_.sample(u, v1_));
+}
+
+double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
+                      const std::array<double, rows>& y) const {
+    const auto& s = found.s;
+    double highest = 0;
+    for (int i = 0; i + 1 < rows; ++i)
+        if (s[i].valid && s[i + 1].valid)
+            highest = std::max(highest, crossing(x[i], x[i + 1], y[i], y[i + 1]));
+    if (s[0].valid && s[1].valid)
+        highest = std::max(highest, crossing(0, x[0], std::max(2 * y[0] - y[1], y[0]), y[0]));
+    constexpr int l = rows - 1;
+    if (s[l].valid && s[l - 1].valid)
+        highest = std::max(highest, crossing(x[l], std::max(2 * x[l] - x[l - 1], x[l]), y[l], 0));
+    return highest;
+}
+
+/// The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left grows with the
+/// square of the distance, so roots run linearly; beside a sharp rim it grows with the distance.
+void GapCusp::look_at_ridges(const Found& found, double& worst) const {
+    const double root = ridge(found, found.x, found.y);
+    worst = std::max(worst, root * root);
+    if (!field_.sharp()) return;
+    std::array<double, rows> x = found.x, y = found.y;
+    for (int i = 0; i < rows; ++i) {
+        x[i] *= x[i];
+        y[i] *= y[i];
+    }
+    worst = std::max(worst, ridge(found, x, y));
+}
+
+void GapCusp::look_at_walls(const Found& found, double& worst) const {
+    const double u = found.u;
+    const auto& s = found.s;
+    for (int i = 0; i + 1 < rows; ++i)
+        if (s[i].valid && s[i + 1].valid
+            && std::abs(s[i].tip_z - s[i + 1].tip_z) > std::max(wall_slope * (v_[i + 1] - v_[i]), in_.cusp))
+            worst = std::max(worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z));
+    // Outermost rows against the lines themselves.
+    const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line, int row) {
+        if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
+        const double z = field_.height_on(*line, u);
+        if (std::abs(z - s[row].tip_z) > std::max(wall_slope * std::abs(v_[row] - line->v), in_.cusp))
+            worst = std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z));
+    };
+    to_line(a_, domain_a_, 0);
+    to_line(b_, domain_b_, rows - 1);
+}
+
+/// A wall across the passes, between this column and the next.
+void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Ahead& ahead, double& worst) const {
+    const Sample& s = found.s[1];
+    if (!s.valid || !columns_[column].joins_next) return;
+    const double next = columns_[column + 1].u;
+    if (!inside(domain_[1], next, tolerance::contact_distance)) return;
+    ahead = {field_.sample(next, v_[1]), column + 1};
+    const double z = ahead.sample.valid ? ahead.sample.tip_z : in_.floor;
+    if (std::abs(z - s.tip_z) > std::max(wall_slope * (next - found.u), in_.cusp))
+        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z));
+}
+
+double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to) const {
+    // Halve towards the middle height: on a steep wall this ends at a contact halfway down, at a jump on its
+    // two sides.
+    const double middle = 0.5 * (z_from + z_to), shortest = cusp_detail(in_.cusp);
+    while ((to - from).norm() > shortest) {
+        const Vec2 mid = 0.5 * (from + to);
+        const Vec2 xy = in_.frame.xy(mid.x(), mid.y());
+        const double z = field_.lift().tip_z(xy);
+        const bool with_from = (z > middle) == (z_from > middle);
+        (with_from ? from : to) = mid;
+        (with_from ? z_from : z_to) = z;
+    }
+    const bool from_high = z_from > z_to;
+    const Vec2 high = from_high ? from : to;
+    Sample top = field_.sample(high.x(), high.y());
+    if (!top.valid) return 0;
+    double worst = left_at(high.x(), top);
+    if (std::abs(z_from - z_to) < wall_slope * shortest) return worst;
+    const Vec2 xy = in_.frame.xy(high.x(), high.y());
+    Vec2 side = xy - Vec2(top.point.x(), top.point.y());
+    if (!(side.norm() > 0.5 * in_.cover->radius())) return worst; // not the cutter's side that touches
+    side.normalize();
+    top.point = Vec3(xy.x(), xy.y(), middle + in_.cover->shoulder())
+                - in_.cover->radius() * Vec3(side.x(), side.y(), 0);
+    top.normal = Vec3(side.x(), side.y(), 0);
+    return std::max(worst, left_at(high.x(), top));
+}
+
+double GapCusp::between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap,
+                        int depth) const {
+    if (!s0.valid || !s1.valid || !((s1.point - s0.point).norm() > gap)) return 0;
+    if (depth == 0) {
+        // Half-way at a jump: where both cutters leave the same, as far as the two places tell.
+        const double a0 = entry(a_, u, s0.point, s0.normal), a1 = entry(a_, u, s1.point, s1.normal);
+        const double b0 = entry(b_, u, s0.point, s0.normal), b1 = entry(b_, u, s1.point, s1.normal);
+        const double d0 = b0 - a0, d1 = a1 - b1;
+        const double between = d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
+        return field_.sharp() ? between : std::max(between, hollow(s0, s1, u, 0.5 * (v0 + v1)));
+    }
+    const double v = 0.5 * (v0 + v1);
+    const Sample s = field_.sample(u, v);
+    if (!s.valid) return 0;
+    const double worst = left_at(u, s);
+    if (worst > in_.cusp) return worst;
+    return std::max(
+        {worst, between(u, v0, s0, v, s, gap, depth - 1), between(u, v, s, v1, s1, gap, depth - 1)});
+}
+
+double GapCusp::hollow(const Sample& s0, const Sample& s1, double u, double v) const {
+    const Vec3 apart = s1.point - s0.point;
+    if (!((s1.normal - s0.normal).dot(apart) < 0)) return 0; // a ridge
+    const Vec2 xy = in_.frame.xy(u, v);
+    const Vec3 seat(xy.x(), xy.y(), std::max(s0.tip_z, s1.tip_z));
+    // A hollow that runs across the columns lies elsewhere half-way to the next.
+    const Vec3 bottom = s0.normal.cross(s1.normal);
+    const double du = std::abs(bottom.head<2>().dot(in_.frame.along)),
+                 dv = std::abs(bottom.head<2>().dot(in_.frame.across));
+    const double beside = du > 0 ? field_.spacing() * dv / du : infinity;
+    return std::max(hollow_flank(s0, apart, seat, u, v, beside),
+                    hollow_flank(s1, -apart, seat, u, v, beside));
+}
+
+double GapCusp::hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, double u, double v,
+                             double beside) const {
+    inward -= inward.dot(s.normal) * s.normal;
+    const double length = inward.norm();
+    if (!(length > 0)) return 0;
+    inward /= length;
+    const auto entry_at = [&](double w) {
+        return in_.cover->ray_entry(s.point + w * inward, s.normal, seat, 2 * in_.cover->radius());
+    };
+    double lo = 0, hi = length;
+    for (int i = 0; i < hollow_halvings; ++i) {
+        const double mid = 0.5 * (lo + hi);
+        (entry_at(mid) <= hollow_share * in_.cusp ? lo : hi) = mid;
+    }
+    // On the part, which may be round.
+    Vec3 p = s.point + lo * inward;
+    if (s.normal.z() > steepest_hollow) {
+        const double z = field_.surface_z(p.x(), p.y()) + in_.allowance / s.normal.z();
+        if (z > p.z()) p.z() = z;
+    }
+    const double by_a = entry(a_, u, p, s.normal), by_b = entry(b_, u, p, s.normal);
+    const double worst = std::min(by_a, by_b);
+    if (!a_ || !b_ || !(by_a < infinity && by_b < infinity)) return worst;
+    // What a line leaves grows with its distance from the place, from what the cutter there leaves.
+    const double least = hollow_share * in_.cusp;
+    const double rise_a = (by_a - least) / (v - a_->v), rise_b = (by_b - least) / (b_->v - v);
+    if (!(rise_a > 0 && rise_b > 0)) return worst;
+    const double at = std::clamp((rise_a * a_->v + rise_b * b_->v) / (rise_a + rise_b),
+                                 std::max(a_->v, v - beside), std::min(b_->v, v + beside));
+    return std::max(worst, least + std::min(rise_a * (at - a_->v), rise_b * (b_->v - at)));
+}
+
+} // namespace facetmill

@@ -1,0 +1,80 @@
+// The largest cusp in the gap between two neighbouring lines of a plan. Places in three rows between them are
+// asked what both lines leave there (cusp_field.h); the cusp's ridge between the rows is where both leave the
+// same. Where the contact jumps from one flank to another, or the lift as at a wall, it is looked at more
+// closely.
+#pragma once
+
+#include "core/strategy/finish3/cusp_field.h"
+
+#include <array>
+
+namespace facetmill {
+
+class GapCusp {
+public:
+    /// Between `a` and `b`; without one of them, between the border v = edge and the other.
+    GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge);
+
+    double largest(const Progress& progress) const;
+
+private:
+    using Sample = CuspField::Sample;
+    static constexpr int rows = 3;
+
+    /// A place along the lines.
+    struct Column {
+        double u = 0;
+        bool joins_next = false; ///< the next column belongs to the same piece of the domain
+    };
+    /// What is found at a column: contacts, and roots of what the lines leave there.
+    struct Found {
+        double u = 0;
+        std::array<Sample, rows> s;
+        std::array<double, rows> x{}, y{};
+        /// The contact stands still while the cutter rolls over a convex edge.
+        bool still = false;
+    };
+    /// The middle row of the next column, found while looking for walls.
+    struct Ahead {
+        Sample sample;
+        std::size_t column = no_index;
+    };
+
+    void place_columns(std::vector<Interval> all);
+    void look(std::size_t column, Ahead& ahead, double& worst) const;
+    /// False where a place is not cut at all.
+    bool look_at_rows(Found& found, std::size_t column, const Ahead& ahead, double& worst) const;
+    void look_between_rows(const Found& found, double& worst) const;
+    double ridge(const Found& found, const std::array<double, rows>& x,
+                 const std::array<double, rows>& y) const;
+    void look_at_ridges(const Found& found, double& worst) const;
+    void look_at_walls(const Found& found, double& worst) const;
+    void look_at_wall_ahead(const Found& found, std::size_t column, Ahead& ahead, double& worst) const;
+
+    /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
+    double between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap,
+                   int depth) const;
+    /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
+    /// both: no tip touches there, but it would leave less.
+    double hollow(const Sample& s0, const Sample& s1, double u, double v) const;
+    /// What stays on a flank of a hollow, the contact on which is `s`; `inward` points to the other contact.
+    double hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, double u, double v,
+                        double beside) const;
+    double wall(Vec2 from, Vec2 to, double z_from, double z_to) const;
+
+    double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
+        return field_.entry(line, u, p, n);
+    }
+    double left_at(double u, const Sample& s) const { return field_.left_at(a_, b_, u, s); }
+
+    const CuspField& field_;
+    const StepOverInput& in_;
+    const DriveLine *a_, *b_;
+    double v0_, v1_;
+    std::array<double, rows> v_{};
+    std::array<std::vector<Interval>, rows> domain_;
+    std::vector<Interval> domain_a_, domain_b_; ///< where the lines themselves have something to cut
+    std::vector<Column> columns_;
+};
+
+} // namespace facetmill
