@@ -8,9 +8,9 @@
 //
 // Each layer is cut along parallel lines, one step-over apart, and then along the borders of what is free, so
 // that walls parallel to the lines keep no more than others, and along floors of valleys into which it just
-// fits (rough_valley.h). Lines follow each other in one go where the way between their ends is free, straight
-// or along the border. Where a layer leaves a floor that no deeper layer cuts away, lines may stand closer
-// (layer depth from the tolerance).
+// fits (rough_valley.h). Lines follow each other in one go where the line between their ends is free,
+// straight or along the border. Where a layer leaves a floor that no deeper layer cuts away, lines may stand
+// closer (layer depth from the tolerance).
 //
 // The stock as it stands is known as a height field (stock_field.h): what is air is passed over; tools enter
 // from outside, where nothing stands, or by a ramp or a helix; what shank or holder would hit is left out and
@@ -66,14 +66,14 @@ public:
 
 /// The layers as `plan` would choose them; some of them may turn out to cut nothing.
 struct RoughPreview {
-    std::vector<double> heights;                       ///< of the tip, from the top down, mm
+    std::vector<double> heights;                       ///< the tip's on each layer, from the top down, mm
     double depth_min = 0, depth_max = 0, stepover = 0; ///< between layers; between lines where a floor stays
     double remaining = 0; ///< what they leave above the allowance on the slopes that the part has, at most
     Box3 stock;           ///< as it stands before the operation
 };
 
 /// Needs neither contact index nor geometry in the context. Throws what `plan` does of depth, step-over,
-/// tolerance and stock; Cancelled within 100 ms.
+/// tolerance and stock.
 RoughPreview preview_rough(const RoughSettings& settings, const PlanContext& context,
                            const Progress& progress);
 

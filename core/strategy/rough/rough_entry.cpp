@@ -1,5 +1,7 @@
 #include "core/strategy/rough/rough_entry.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,8 @@ namespace facetmill {
 
 namespace {
 
-/// In radii of the cutter: how far outside a way may begin to stand free; the longest and the shortest leg of
-/// a ramp, and the shortest where there is room for nothing else; looks along a way.
+/// Radii of the cutter: how far outside a route may begin to stand free; the longest and the shortest leg of
+/// a ramp, and the shortest where there is room for nothing else; looks along a route.
 constexpr double max_outside = 4, longest_leg = 12, usual_leg = 2, shortest_leg = 0.7, look = 0.5;
 constexpr double max_legs = 200;
 /// Radii of a helix, in radii of the cutter: the larger the better the chips come out, but a core must not
@@ -41,7 +43,8 @@ UprightBodies::UprightBodies(const Tool& tool, double cutter_radius) {
     double base = tool.flute_length;
     const auto add = [&](double diameter, double length) {
         if (diameter > 0 && length > 0) {
-            bodies_.push_back({0.5 * diameter, base, 0.5 * diameter <= cutter_radius * (1 + 1e-9)});
+            bodies_.push_back(
+                {0.5 * diameter, base, 0.5 * diameter <= cutter_radius * (1 + tolerance::figure_rounding)});
             lowest_ = std::min(lowest_, base);
             if (bodies_.back().inside) sliding_ = std::min(sliding_, base);
         }
@@ -146,7 +149,7 @@ bool RoughEntry::ramp(const RoughRoute& route, double z, double shortest, std::v
     if (!(legs <= max_legs)) return false;
     leg = head(leg, run / std::max(legs, 1.0));
     if (length_of(leg) < shortest && legs > 1) return false;
-    // Forth and back, so that the last leg ends where the way begins.
+    // Forth and back, so that the last leg ends where the route begins.
     std::vector<Vec2> ground;
     for (double k = legs; k >= 1; --k) {
         const bool back = std::fmod(k, 2) == 1;
@@ -196,7 +199,7 @@ bool RoughEntry::descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down)
 }
 
 bool RoughEntry::helix(const RoughRoute& route, double z, std::vector<Vec3>& down) const {
-    // Where the way begins in a corner there is more room farther along it.
+    // Where the route begins in a corner there is more room farther along it.
     for (double arc = 0; arc <= max_outside * cutter_.radius(); arc += cutter_.radius()) {
         const std::vector<Vec2> back = head(route.points, arc);
         if (!helix_at(back.back(), z, down)) continue;

@@ -19,11 +19,11 @@ public:
     double lowest_base() const { return lowest_; }
     /// Height over the tip of the lowest of those that slide along what the cutter left; infinite if none.
     double sliding_base() const { return sliding_; }
-    /// What the tip must be above on a level way from a to b so that none of them touches what may stand.
+    /// What the tip must be above on a level line from a to b so that none of them touches what may stand.
     /// Those no wider than the cutter need nothing of their own where the cutter itself is clear.
     double clear_height(const StockField& field, const Vec2& a, const Vec2& b) const;
     double widest() const; ///< radius
-    /// True when none of them meets the stock on a level way of the tip from a to b.
+    /// True when none of them meets the stock on a level motion of the tip from a to b.
     bool clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const;
 
 private:
@@ -42,11 +42,11 @@ public:
                const StockCutter& cutter, const UprightBodies& bodies, double least)
         : settings_(settings), reach_(reach), field_(field), cutter_(cutter), bodies_(bodies), min_(least) {}
 
-    /// Decides where the way begins (it may be made longer, turned round or, a closed one, begun elsewhere)
-    /// and the way down to its first point at z: nothing where that stands free, or where plunging is
+    /// Decides where the route begins (it may be made longer, turned round or, a closed one, begun elsewhere)
+    /// and the descent to its first point at z: nothing where that stands free, or where plunging is
     /// allowed. False where there is no room for a ramp or a helix.
     bool enter(RoughRoute& route, double z, std::vector<Vec3>& down) const;
-    /// The way down to the first of tips that are not level: nothing where that stands free, or where
+    /// The descent to the first of tips that are not level: nothing where that stands free, or where
     /// plunging is allowed; else a ramp forth and back over their beginning, no deeper than they are. False
     /// where that is too short.
     bool descend(const std::vector<Vec3>& tips, std::vector<Vec3>& down) const;

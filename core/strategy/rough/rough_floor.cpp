@@ -42,8 +42,8 @@ std::vector<std::vector<Vec3>> floor_stretches(const std::vector<Vec3>& tips, co
     const std::size_t n = tips.size();
     const auto piece = [&](std::size_t k) { return (tips[k + 1] - tips[k]).norm(); };
     const auto passable = [&](std::size_t k) {
-        const Vec3 route = tips[k + 1] - tips[k];
-        return std::abs(route.z()) <= steepest_floor * route.head<2>().norm();
+        const Vec3 d = tips[k + 1] - tips[k];
+        return std::abs(d.z()) <= steepest_floor * d.head<2>().norm();
     };
     for (std::size_t i = 0; i + 1 < n;) {
         if (!busy[i] || !passable(i)) {

@@ -15,8 +15,8 @@ namespace facetmill {
 
 class FloorJudge {
 public:
-    /// Layers at `heights`, which fall, in stock up to `top`; more than `most` is too much, less than `least`
-    /// of height is nothing.
+    /// Layers at `heights`, which fall, in stock up to `top`; more than `most` is too much, less height
+    /// than `least` is nothing.
     FloorJudge(const CutterProfile& profile, const std::vector<double>& heights, double top, double most,
                double least);
 
@@ -30,11 +30,11 @@ private:
     double top_, max_, min_;
 };
 
-/// The stretches of a floor's way on which the way from a tip to the next is `busy`; gaps up to `gap` are
+/// The stretches of a floor on which the line from a tip to the next is `busy`; gaps up to `gap` are
 /// closed. What stands holds the tip at `stand`: each goes on, up to `beyond`, to where that is not higher
 /// than where it begins or ends, at the lower end if it can, so that the tool may come in there; over what it
-/// goes on, tips are at that height. One that is shorter than `shortest` goes on without that. Steep ways are
-/// corners of walls, which layers cut: they are left out.
+/// goes on, tips are at that height. One that is shorter than `shortest` goes on without that. Steep lines
+/// are corners of walls, which layers cut: they are left out.
 std::vector<std::vector<Vec3>> floor_stretches(const std::vector<Vec3>& tips, const std::vector<char>& busy,
                                                const std::vector<double>& stand, double gap, double beyond,
                                                double shortest);

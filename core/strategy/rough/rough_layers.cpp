@@ -13,6 +13,14 @@ namespace facetmill {
 
 namespace {
 
+/// Share of the cutter's radius to which the place is known where two cutters meet: the last bits.
+constexpr double last_halving = 1e-14;
+/// Stock lower than this, mm, is one bin of heights.
+constexpr double min_span = 1e-12;
+/// Layers less deep than this share of the cutter's radius would never end; a last layer thinner than this
+/// share of the one above is cut with it.
+constexpr double min_depth_share = 1e-6, last_layer_share = 1e-3;
+
 constexpr std::size_t check_every = 8192;
 constexpr std::size_t max_layers = 100000;
 constexpr int slope_bins = 180;
@@ -42,7 +50,7 @@ double layer_excess(const CutterProfile& cutter, double depth, double stepover, 
     };
     const auto lower = [&](double x) { return cutter.height_at(std::abs(step - x)) - depth; };
     double from = -touch.x(), to = step - touch.x();
-    for (int i = 0; i < 100 && to - from > 1e-14 * cutter.max_radius(); ++i) {
+    for (int i = 0; i < 100 && to - from > last_halving * cutter.max_radius(); ++i) {
         const double x = 0.5 * (from + to);
         (upper(x) < lower(x) ? from : to) = x;
     }
@@ -68,7 +76,8 @@ namespace {
 class Demands {
 public:
     Demands(const LayerInput& in, const Progress& progress)
-        : in_(in), per_bin_(double(height_bins) / std::max(in.top - in.low, 1e-12)), steps_(height_bins, -1) {
+        : in_(in), per_bin_(double(height_bins) / std::max(in.top - in.low, min_span)),
+          steps_(height_bins, -1) {
         std::vector<Vec2> touch(slope_bins + 1);
         for (int b = 0; b <= slope_bins; ++b)
             touch[std::size_t(b)] = plane_contact(*in.cutter, slope_of(b));
@@ -104,7 +113,8 @@ public:
         for (const Level& l : level) {
             if (l.height >= in.top || l.height <= in.low) continue;
             // The highest of what lies close together is where the cutter may stand.
-            if (!places.empty() && places.back().height - l.height <= 2 * std::max(in.margin, 1e-6))
+            if (!places.empty()
+                && places.back().height - l.height <= 2 * std::max(in.margin, tolerance::contact_distance))
                 places.back().area += l.area;
             else
                 places.push_back(l);
@@ -120,7 +130,7 @@ public:
         // A level place with a layer of its own asks for nothing more.
         for (const Level& l : level) {
             const auto own = std::lower_bound(level_.begin(), level_.end(), l.height);
-            if (own == level_.end() || *own - l.height > 2 * std::max(in.margin, 1e-6))
+            if (own == level_.end() || *own - l.height > 2 * std::max(in.margin, tolerance::contact_distance))
                 mark(l.height, l.height, 0);
         }
         mark_ridges(up, touch, progress);
@@ -187,7 +197,9 @@ private:
                 const double height =
                     std::max(za, zb) + in_.allowance + in_.margin + tolerance::contact_distance;
                 const auto own = std::lower_bound(level_.begin(), level_.end(), height - in_.margin);
-                if (own != level_.end() && *own - height <= 2 * std::max(in_.margin, 1e-6)) continue;
+                if (own != level_.end()
+                    && *own - height <= 2 * std::max(in_.margin, tolerance::contact_distance))
+                    continue;
             }
             mark(std::min(za, zb) + lift, std::max(za, zb) + lift, int(bin_of));
         }
@@ -252,9 +264,9 @@ Layers layer_heights(const LayerInput& in, const Progress& progress) {
                 if (allowed >= depth) break;
                 depth = allowed;
             }
-            if (!(depth > 1e-6 * in.cutter->max_radius()))
+            if (!(depth > min_depth_share * in.cutter->max_radius()))
                 throw Error(ErrorCode::internal, "depth", "no depth leaves what is allowed", "report this");
-            add(z - depth > end + 1e-3 * depth ? z - depth : end);
+            add(z - depth > end + last_layer_share * depth ? z - depth : end);
         }
     }
     return layers;

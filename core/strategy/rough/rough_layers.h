@@ -40,7 +40,7 @@ struct LayerInput {
     const CutterProfile* cutter = nullptr;
     double allowance = 0;    ///< what is to stay along the normal
     double margin = 0;       ///< tips keep that much higher yet
-    double top = 0, low = 0; ///< of the stock; the lowest tip
+    double top = 0, low = 0; ///< highest place of the stock; lowest tip
     double stepover = 0;     ///< between lines where a floor stays
     /// Layers are this far apart; or, where it is none, as far as `excess` allows, at most `deepest`.
     std::optional<double> depth;
@@ -48,15 +48,14 @@ struct LayerInput {
 };
 
 struct Layers {
-    std::vector<double> heights; ///< of the tip, from the top down; the last is `low`
+    std::vector<double> heights; ///< the tip's, from the top down; the last is `low`
     double depth_min = 0, depth_max = 0;
     double excess = 0;            ///< the most that they leave on slopes the part has
     std::size_t level_places = 0; ///< layers put at level places of the part
 };
 
 /// Heights of layers: at level places that are large for the cutter, at the lowest tip, and evenly, or as the
-/// local slopes ask for, between. Throws Error(limit_exceeded) beyond 100 000 layers; Cancelled within 20 000
-/// facets.
+/// local slopes ask for, between. Throws Error(limit_exceeded) beyond 100 000 layers.
 Layers layer_heights(const LayerInput& input, const Progress& progress);
 
 } // namespace facetmill

@@ -8,7 +8,7 @@ namespace facetmill {
 
 namespace {
 
-/// Of what is seen of a pass the plane is divided into squares; so many of them make `near`, and a way is
+/// The plane is divided into squares, in which passes are seen; so many of them make `near`, and a route is
 /// seen at least at every half of a square.
 constexpr int squares_per_near = 2;
 constexpr double seen_every = 0.5;
@@ -46,7 +46,7 @@ void order_passes(std::vector<Pass>& passes, double near, const Progress& progre
     const std::size_t n = passes.size();
     if (n < 3 || !(near > 0)) return;
     const double side = near / squares_per_near;
-    // Of either pass a place lies up to a half of `seen_every` from one that was seen.
+    // A place of either pass lies up to a half of `seen_every` from one that was seen.
     std::vector<Square> around;
     const auto gap = [](std::int32_t d) { return std::max(0, std::abs(d) - 1); };
     for (std::int32_t x = -squares_per_near - 2; x <= squares_per_near + 2; ++x)
@@ -55,7 +55,7 @@ void order_passes(std::vector<Pass>& passes, double near, const Progress& progre
     std::vector<std::vector<std::size_t>> after(n);
     std::vector<std::size_t> waits(n, 0);
     {
-        // Of all that were in a square before, the last one is enough: it waits for the others.
+        // The last one of all that were in a square before is enough: it waits for the others.
         std::unordered_map<std::uint64_t, std::size_t> last;
         std::vector<std::size_t> before;
         for (std::size_t i = 0; i < n; ++i) {

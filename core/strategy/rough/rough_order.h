@@ -10,7 +10,7 @@ namespace facetmill {
 
 /// Puts passes in an order that travels less: always next is one whose start is nearest, of those before
 /// which nothing within `near` of them (level, in mm) has to be cut. Passes nearer to each other than that
-/// keep their order, so each meets the stock that it was planned for. Throws Cancelled within 20 ms.
+/// keep their order, so each meets the stock that it was planned for.
 void order_passes(std::vector<Pass>& passes, double near, const Progress& progress);
 
 } // namespace facetmill

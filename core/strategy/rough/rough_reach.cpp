@@ -15,7 +15,7 @@ constexpr std::size_t line_block = 1;
 /// Halvings of a grid's edge: down to a thousandth of the margin on any edge that is allowed.
 constexpr int max_halvings = 40;
 constexpr std::size_t longest_thinned = 256;
-/// Of the margin: how well ends of what is free are known.
+/// Ends of what is free are known to this share of the margin.
 constexpr double border_share = 0.25;
 
 } // namespace

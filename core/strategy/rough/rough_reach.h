@@ -4,7 +4,7 @@
 //
 // Ends of cut and contours come from roots of the lift itself, on its free side. Between two places that were
 // looked at, a cutter dips by no more than safe_spacing (lift_line.h) tells; by that much and what thinning
-// takes, `margin`, the cutter is grown from the start. So no way that runs between free places, `spacing`
+// takes, `margin`, the cutter is grown from the start. So no line that runs between free places, `spacing`
 // apart, comes nearer to the part than the allowance.
 #pragma once
 
@@ -27,7 +27,7 @@ public:
     RoughReach(ContactIndexPtr index, const PlanContext& context, double allowance, double margin,
                double lowest_tip);
 
-    /// Of places that are looked at along a way.
+    /// Distance of places that are looked at along a line.
     double spacing() const { return spacing_; }
     double margin() const { return margin_; }
 
@@ -41,12 +41,12 @@ public:
     /// The same for the cutter alone.
     const AxialLift& cutter() const { return cutter_; }
     bool has_bodies() const { return !bodies_.empty(); }
-    /// The highest of them on the way from a to b, or `least` if that is higher.
+    /// The highest of them on the line from a to b, or `least` if that is higher.
     double highest(const Vec2& a, const Vec2& b, Hints& hints, double least = -infinity) const;
-    /// True when the whole way is free for tips at z.
+    /// True when the whole line is free for tips at z.
     bool is_free(const Vec2& a, const Vec2& b, double z, Hints& hints) const;
     bool is_free(const Vec2& p, double z, Hints& hints) const;
-    /// The farthest place from `free` towards `blocked` that is free at z, as a share of the way and to a
+    /// The farthest place from `free` towards `blocked` that is free at z, as a share of the line and to a
     /// quarter of the margin; the lifts at both are known.
     double last_free(const Vec2& free, double lift_free, const Vec2& blocked, double lift_blocked, double z,
                      Hints& hints) const;
@@ -66,7 +66,7 @@ private:
 
 /// Closed, or from one border of the grid to another; the free side is on the left.
 struct Contour {
-    std::vector<Vec2> points; ///< of a closed one the first stands at the end too
+    std::vector<Vec2> points; ///< a closed one ends with its first
     bool closed = false;
     double length() const;
 };

@@ -18,7 +18,7 @@ constexpr std::size_t block = 256;
 constexpr double reach_share = 0.05;
 /// Places beside the tip that would touch, from which the cutter may reach a place too.
 constexpr int looks_beside = 8;
-/// Of the cells' size: what the field cannot tell apart along a slanting line.
+/// What the field cannot tell apart along a slanting line, as a share of the cells' size.
 constexpr double field_noise = 1;
 /// Steeper places are under the cutter's side: what stays there is in the wall's own cell.
 const double flattest_normal = std::cos(85 * pi / 180);

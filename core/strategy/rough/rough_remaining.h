@@ -13,7 +13,7 @@ struct RemainingInput {
     const CutterProfile* profile = nullptr;
     const StockField* field = nullptr;
     double allowance = 0;  ///< all that is to stay along the normal
-    double lowest_tip = 0; ///< of the layers; what asks for a lower one is not judged
+    double lowest_tip = 0; ///< no layer is lower; what asks for a lower tip is not judged
     double allowed = 0;    ///< height that is expected; more than a share of it makes a place out of reach
 };
 
@@ -23,14 +23,13 @@ struct Remaining {
     Vec3 at = Vec3::Zero(); ///< on the part
     std::size_t places = 0; ///< that were looked at
     std::size_t out_of_reach =
-        0; ///< of them, where the part keeps the cutter from the place and more stays than allowed
+        0;             ///< places that the part keeps the cutter from, where more stays than allowed
     double beyond = 0; ///< the most there
     Vec3 beyond_at = Vec3::Zero();
 };
 
 /// Looks at up to 200 000 cells that the part is seen in from above, flatter than 85 degrees, and at whose
-/// facet's plane the cutter could stand; the plane stands for the part round the cell. Throws Cancelled
-/// within 20 ms. The same bits for every thread count.
+/// facet's plane the cutter could stand; the plane stands for the part round the cell.
 Remaining find_remaining(const RemainingInput& input, const Progress& progress);
 
 } // namespace facetmill

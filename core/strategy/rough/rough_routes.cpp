@@ -1,5 +1,7 @@
 #include "core/strategy/rough/rough_routes.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -49,6 +51,98 @@ void between(const std::vector<Vec2>& route, const OnRoute& a, const OnRoute& b,
             for (std::size_t i = n; i-- > b.segment + 1;)
                 out.push_back(route[i]);
     }
+}
+
+/// Lengths along a contour, in radii of the cutter: of the steps that have work or none; of gaps between them
+/// that are shorter than what leaving and coming back takes, and are run through; and how far before its work
+/// the tool begins, to come in where nothing stands.
+constexpr double step_radii = 0.5, gap_radii = 2.2, entry_radii = 1.1;
+
+/// The points of a contour, and more between them, no more than `step` apart.
+std::vector<Vec2> in_steps(const Contour& contour, double step) {
+    std::vector<Vec2> points{contour.points.front()};
+    for (std::size_t i = 1; i < contour.points.size(); ++i) {
+        const Vec2 a = points.back(), b = contour.points[i];
+        const double n = std::max(1.0, std::ceil((b - a).norm() / step));
+        for (double k = 1; k <= n; ++k)
+            points.push_back(k == n ? b : Vec2(a + (k / n) * (b - a)));
+    }
+    return points;
+}
+
+/// Adds to `cut` the steps between busy ones that are no longer than `gap` together.
+void close_gaps(const std::vector<Vec2>& points, bool closed, const std::vector<char>& busy, double gap,
+                std::vector<char>& cut) {
+    const std::size_t n = busy.size();
+    const auto after = [&](std::size_t i) { return closed ? (i + 1) % n : i + 1; };
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!busy[i]) continue;
+        std::size_t k = after(i);
+        double arc = 0;
+        for (std::size_t steps = 1; steps < n && k < n && !busy[k] && arc <= gap; ++steps, k = after(k))
+            arc += (points[k + 1] - points[k]).norm();
+        if (k >= n || !busy[k] || arc > gap) continue;
+        for (std::size_t j = after(i); j != k; j = after(j))
+            cut[j] = 1;
+    }
+}
+
+/// Adds the stretches of steps that are to be cut; one step at least is not.
+void add_stretches(const std::vector<Vec2>& points, bool closed, const std::vector<char>& cut, double radius,
+                   std::vector<RoughRoute>& routes) {
+    const std::size_t n = cut.size();
+    std::size_t start = 0;
+    if (closed)
+        while (cut[start])
+            ++start;
+    for (std::size_t k = 0; k < n;) {
+        if (!cut[(start + k) % n]) {
+            ++k;
+            continue;
+        }
+        RoughRoute route;
+        route.reversible = false;
+        route.points.push_back(points[(start + k) % n]);
+        for (; k < n && cut[(start + k) % n]; ++k)
+            route.points.push_back(points[(start + k) % n + 1]);
+        route.points = thinned_route(route.points, tolerance::route_rounding * radius);
+        routes.push_back(std::move(route));
+    }
+}
+
+/// A closed route from another of its places on.
+std::vector<Vec2> begun_at(const std::vector<Vec2>& points, const OnRoute& begin) {
+    std::vector<Vec2> turned{begin.point};
+    turned.insert(turned.end(), points.begin() + std::ptrdiff_t(begin.segment) + 1, points.end());
+    turned.insert(turned.end(), points.begin() + 1, points.begin() + std::ptrdiff_t(begin.segment) + 1);
+    turned.push_back(begin.point);
+    return turned;
+}
+
+/// Routes along contours, always that next which begins nearest to where the tool is; a closed one may begin
+/// anywhere.
+std::vector<RoughRoute> nearest_first(std::vector<RoughRoute> all, Vec2& at) {
+    std::vector<RoughRoute> ordered;
+    while (!all.empty()) {
+        std::size_t best = 0;
+        double nearest = infinity;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double d =
+                all[i].closed ? nearest_on(all[i].points, at).distance : (all[i].points.front() - at).norm();
+            if (d < nearest) {
+                nearest = d;
+                best = i;
+            }
+        }
+        RoughRoute route = std::move(all[best]);
+        all.erase(all.begin() + std::ptrdiff_t(best));
+        if (route.closed) route.points = begun_at(route.points, nearest_on(route.points, at));
+        route.before = route.points.front();
+        route.after = route.points.back();
+        at = route.points.back();
+        ordered.push_back(std::move(route));
+    }
+    return ordered;
 }
 
 } // namespace
@@ -187,116 +281,51 @@ std::vector<RoughRoute>
 LayerRoutes::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
                             const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
     std::vector<RoughRoute> all;
-    const double step = 0.5 * cutter_.radius();
     for (const Contour& contour : contours) {
         progress.check();
-        // In short steps, each with its work or none.
-        std::vector<Vec2> points{contour.points.front()};
-        for (std::size_t i = 1; i < contour.points.size(); ++i) {
-            const Vec2 a = points.back(), b = contour.points[i];
-            const double n = std::max(1.0, std::ceil((b - a).norm() / step));
-            for (double k = 1; k <= n; ++k)
-                points.push_back(k == n ? b : Vec2(a + (k / n) * (b - a)));
-        }
+        const std::vector<Vec2> points = in_steps(contour, step_radii * cutter_.radius());
         const std::size_t n = points.size() - 1;
         std::vector<char> busy(n, 0);
-        bool any = false, every = true;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3 a(points[i].x(), points[i].y(), z), b(points[i + 1].x(), points[i + 1].y(), z);
             busy[i] =
                 field_.has_work(cutter_, a, b, min_) || (wanted_too && wanted_too(points[i], points[i + 1]));
-            any = any || busy[i];
         }
-        if (!any) continue;
+        if (std::find(busy.begin(), busy.end(), 1) == busy.end()) continue;
         std::vector<char> cut = busy;
-        // Gaps that are shorter than what leaving and coming back takes are run through.
-        const double gap = 2.2 * cutter_.radius();
-        const auto after = [&](std::size_t i) { return contour.closed ? (i + 1) % n : i + 1; };
-        for (std::size_t i = 0; i < n; ++i) {
-            if (!busy[i]) continue;
-            std::size_t k = after(i);
-            double arc = 0;
-            for (std::size_t steps = 1; steps < n && k < n && !busy[k] && arc <= gap; ++steps, k = after(k))
-                arc += (points[k + 1] - points[k]).norm();
-            if (k >= n || !busy[k] || arc > gap) continue;
-            for (std::size_t j = after(i); j != k; j = after(j))
-                cut[j] = 1;
-        }
-        // The tool comes in where nothing stands, if that is so within a radius before.
-        const std::vector<char> wanted = cut;
-        for (std::size_t i = 0; i < n; ++i) {
-            const bool starts = i == 0 ? !contour.closed || !wanted[n - 1] : !wanted[i - 1];
-            if (!wanted[i] || !starts) continue;
-            double arc = 0;
-            for (std::size_t j = i; arc < 1.1 * cutter_.radius();) {
-                if (field_.stand_height(cutter_, points[j], points[j]) <= z + min_) break;
-                if (j == 0 && !contour.closed) break;
-                j = (j + n - 1) % n;
-                if (wanted[j]) break;
-                cut[j] = 1;
-                arc += (points[j + 1] - points[j]).norm();
-            }
-        }
-        for (std::size_t i = 0; i < n; ++i)
-            every = every && cut[i];
-        if (every) {
+        close_gaps(points, contour.closed, busy, gap_radii * cutter_.radius(), cut);
+        begin_earlier(points, contour.closed, z, cut);
+        if (std::find(cut.begin(), cut.end(), 0) == cut.end()) {
             RoughRoute route;
             route.points = contour.points;
             route.closed = contour.closed;
             route.reversible = false;
             all.push_back(std::move(route));
-            continue;
-        }
-        std::size_t start = 0;
-        if (contour.closed)
-            while (cut[start])
-                ++start;
-        for (std::size_t k = 0; k < n;) {
-            if (!cut[(start + k) % n]) {
-                ++k;
-                continue;
-            }
-            RoughRoute route;
-            route.reversible = false;
-            route.points.push_back(points[(start + k) % n]);
-            for (; k < n && cut[(start + k) % n]; ++k)
-                route.points.push_back(points[(start + k) % n + 1]);
-            route.points = thinned_route(route.points, 1e-9 * cutter_.radius());
-            all.push_back(std::move(route));
+        } else {
+            add_stretches(points, contour.closed, cut, cutter_.radius(), all);
         }
     }
-    // Nearest first.
-    std::vector<RoughRoute> ordered;
-    while (!all.empty()) {
-        std::size_t best = 0;
-        double nearest = infinity;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            // A closed one may begin anywhere.
-            const double d =
-                all[i].closed ? nearest_on(all[i].points, at).distance : (all[i].points.front() - at).norm();
-            if (d < nearest) {
-                nearest = d;
-                best = i;
-            }
+    return nearest_first(std::move(all), at);
+}
+
+/// The tool comes in where nothing stands, if that is so within a radius before a stretch that is to be cut.
+void LayerRoutes::begin_earlier(const std::vector<Vec2>& points, bool closed, double z,
+                                std::vector<char>& cut) const {
+    const std::size_t n = cut.size();
+    const std::vector<char> wanted = cut;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool starts = i == 0 ? !closed || !wanted[n - 1] : !wanted[i - 1];
+        if (!wanted[i] || !starts) continue;
+        double arc = 0;
+        for (std::size_t j = i; arc < entry_radii * cutter_.radius();) {
+            if (field_.stand_height(cutter_, points[j], points[j]) <= z + min_) break;
+            if (j == 0 && !closed) break;
+            j = (j + n - 1) % n;
+            if (wanted[j]) break;
+            cut[j] = 1;
+            arc += (points[j + 1] - points[j]).norm();
         }
-        RoughRoute route = std::move(all[best]);
-        all.erase(all.begin() + std::ptrdiff_t(best));
-        if (route.closed) {
-            const OnRoute begin = nearest_on(route.points, at);
-            std::vector<Vec2> turned{begin.point};
-            turned.insert(turned.end(), route.points.begin() + std::ptrdiff_t(begin.segment) + 1,
-                          route.points.end());
-            turned.insert(turned.end(), route.points.begin() + 1,
-                          route.points.begin() + std::ptrdiff_t(begin.segment) + 1);
-            turned.push_back(begin.point);
-            route.points = std::move(turned);
-        }
-        route.before = route.points.front();
-        route.after = route.points.back();
-        at = route.points.back();
-        ordered.push_back(std::move(route));
     }
-    return ordered;
 }
 
 } // namespace facetmill

@@ -1,4 +1,4 @@
-// The ways of the tool on one layer of roughing: drive lines joined where the tool can stay down, and the
+// Routes of the tool on one layer of roughing: drive lines joined where the tool can stay down, and the
 // borders of what is free. All level; millimetres.
 #pragma once
 
@@ -33,7 +33,7 @@ struct RoughRoute {
 struct LinePiece {
     int line = 0; ///< in the order of v
     double v = 0;
-    Interval cut;  ///< of u
+    Interval cut;  ///< in u
     Interval free; ///< how far the line is free round it
 };
 
@@ -49,22 +49,24 @@ public:
     /// which a contour takes.
     void add_pieces(int line, double v, std::span<const Interval> free, double z, double merge, bool but_ends,
                     std::vector<LinePiece>& pieces) const;
-    /// The pieces in machining order. Neighbouring lines are joined where the way between their ends is free,
-    /// straight or along a contour, and no longer than `longest`; never with `oneway`.
+    /// The pieces in machining order. Neighbouring lines are joined where the line between their ends is
+    /// free, straight or along a contour, and no longer than `longest`; never with `oneway`.
     std::vector<RoughRoute> joined_lines(std::vector<LinePiece> pieces, std::span<const Contour> contours,
                                          double z, double longest, bool oneway, Vec2& at,
                                          const Progress& progress) const;
-    /// Where on the contours there is something to cut at z, or the way between two places is `wanted`.
+    /// Where on the contours there is something to cut at z, or the line between two places is `wanted`.
     std::vector<RoughRoute>
     along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
                    const std::function<bool(const Vec2&, const Vec2&)>& wanted = {}) const;
 
-    /// Points between two free places for a level way at z that is free all along, straight or along a
+    /// Points between two free places for a level route at z that is free all along, straight or along a
     /// contour, and no longer than `longest`; false where there is none.
     bool connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
                  double longest, std::vector<Vec2>& route) const;
 
 private:
+    void begin_earlier(const std::vector<Vec2>& points, bool closed, double z, std::vector<char>& cut) const;
+
     const RoughReach& reach_;
     const StockField& field_;
     const StockCutter& cutter_;

@@ -10,13 +10,14 @@ namespace facetmill {
 
 namespace {
 
-/// Of a grid's cells: the floor is known to this, and lies on in the next row no farther aside than this.
+/// Shares of a cell of the grid: to the first the floor is known; in the next row it lies on no farther aside
+/// than the second.
 constexpr double floor_accuracy = 0.004, farthest_aside = 2;
-/// Of a cell: nearer than this a node says nothing of how steep the side is.
+/// Nearer than this share of a cell a node says nothing of how steep the side is.
 constexpr double min_run = 0.1;
-/// Of the margin: the bend of a level floor's lift from node to node is less.
+/// The lift of a level floor bends from node to node by less than this share of the margin.
 constexpr double min_bend = 0.02;
-/// Halvings of a straight way along a floor that bends.
+/// Halvings of a straight line along a floor that bends.
 constexpr int max_halvings = 6;
 
 /// A place of a floor on a row or a column of the grid.
@@ -73,17 +74,19 @@ private:
             if (!lowest_node && lower > 0 && lower + 1 < length_ && bend(line, lower) > 2 * reach_.margin())
                 continue;
             progress.check();
-            const Vec2 from = node(line, k - 1), route = node(line, k + 1) - from;
+            const Vec2 from = node(line, k - 1), across_node = node(line, k + 1) - from;
             RowPlace p;
             p.at = double(k);
             p.tip = Vec3(node(line, k).x(), node(line, k).y(), h);
             if (sharp) {
                 // Both sides rise as seen from the slope between theirs.
                 const double tilt = lowest_node ? 0 : after - before;
-                const auto lift = [&](double t) { return reach_.tip_z(from + t * route, hints) - tilt * t; };
+                const auto lift = [&](double t) {
+                    return reach_.tip_z(from + t * across_node, hints) - tilt * t;
+                };
                 const LowPlace lowest = golden_minimum(lift, 0, 1, 0.5 * floor_accuracy, -infinity);
                 if (lowest.value + 0.5 * tilt < h) {
-                    const Vec2 q = from + lowest.at * route;
+                    const Vec2 q = from + lowest.at * across_node;
                     p.at += 2 * lowest.at - 1;
                     p.tip = Vec3(q.x(), q.y(), std::max(lowest.value + tilt * lowest.at, low_));
                 }
@@ -182,7 +185,7 @@ private:
         end();
     }
 
-    /// Points between a and b, on the lift where the straight way is not free. What lies between two places
+    /// Points between a and b, on the lift where the straight line is not free. What lies between two places
     /// that were looked at is known only if they are near each other, upright too: where the lift jumps the
     /// floor ends.
     bool join(ReachValley& valley, const RowPlace& next, const Vec3& a, const Vec3& b,
@@ -259,7 +262,7 @@ std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<
                 for (std::size_t side = 0; side < 2; ++side) {
                     std::vector<Vec2>& points = sides[side].points;
                     const Vec2 p = border(k, side);
-                    // Where the sides bend so that the straight way is not free, along the floor.
+                    // Where the sides bend so that the straight line is not free, along the floor.
                     if (!points.empty() && !reach.is_free(points.back(), p, z, hints))
                         for (std::size_t j = last; j <= k; ++j)
                             points.push_back(v.tips[j].head<2>());

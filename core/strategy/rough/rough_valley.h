@@ -17,7 +17,7 @@
 
 namespace facetmill {
 
-/// The way of the tip along a floor. Between neighbours the way is straight, and free but for three quarters
+/// The path of the tip along a floor. Between neighbours it is straight, and free but for three quarters
 /// of the reach's margin: a quarter where it was looked at, half between.
 struct ReachValley {
     std::vector<Vec3> tips;
@@ -33,7 +33,7 @@ struct ReachValley {
 struct FloorPlace {
     double z = 0;
     double fall = 0; ///< how steeply the tip goes down on the other side: a tangent; 0 where it does not
-    /// Of a place beside it: how much higher the tip is, and how steeply it rises.
+    /// How much higher the tip is at a place beside it, and how steeply it rises.
     double rise = 0, slope = 0;
 };
 /// Whether layers leave too much there.
@@ -41,14 +41,13 @@ using FloorTooHigh = std::function<bool(const FloorPlace& place)>;
 
 /// Those whose floors the nodes miss by more than the margin somewhere, and those beside which layers leave
 /// too much; nodes not above `low` and floors not below `high` are of no interest. `too_high` is asked from
-/// many threads of places up to `reach_up` above the floor. Throws Cancelled within 20 ms. The same bits for
-/// every thread count.
+/// many threads of places up to `reach_up` above the floor.
 std::vector<ReachValley> find_valleys(const RoughReach& reach, const ReachGrid& grid, double low, double high,
                                       double reach_up, const FloorTooHigh& too_high,
                                       const Progress& progress);
 
 /// What is free at z round the floors though no node beside it is, as far as the nearest places that the grid
-/// sees: its borders, or the floor alone where both are next to it. Throws Cancelled within 20 ms.
+/// sees: its borders, or the floor alone where both are next to it.
 std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<ReachValley>& valleys,
                                      double z, const Progress& progress);
 
