@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 
 #include <cmath>
+#include <limits>
 
 namespace facetmill {
 
@@ -22,10 +23,12 @@ double beside(const Box3& box, const Vec3& point, const Vec3& d) {
     }
     if (lo <= hi) return 0;
     // Roughly, for the message: from the box's middle to the line, less what the box reaches that way.
-    const Vec3 route = box.center() - point;
-    const Vec3 out = route - route.dot(d) * d;
+    const Vec3 to_middle = box.center() - point;
+    const Vec3 out = to_middle - to_middle.dot(d) * d;
     const double length = out.norm();
-    return std::max(length - 0.5 * box.size().cwiseProduct(out.cwiseAbs()).sum() / std::max(length, 1e-300),
+    return std::max(length
+                        - 0.5 * box.size().cwiseProduct(out.cwiseAbs()).sum()
+                              / std::max(length, std::numeric_limits<double>::min()),
                     tolerance::smallest_extent);
 }
 
@@ -35,11 +38,11 @@ LatheFrame::LatheFrame(const LatheCommon& s, const PlanContext& context)
     : offset_(s.offset), tilt_(s.tilt), cos_tilt_(std::cos(s.tilt)), sin_tilt_(std::sin(s.tilt)) {
     const auto vec = [](const std::array<double, 3>& v) { return Vec3(v[0], v[1], v[2]); };
     if (s.axis == LatheCommon::Axis::points) {
-        const Vec3 route = vec(s.axis_to) - vec(s.axis_from);
-        if (!(route.norm() > tolerance::smallest_extent))
+        const Vec3 between = vec(s.axis_to) - vec(s.axis_from);
+        if (!(between.norm() > tolerance::smallest_extent))
             throw Error(ErrorCode::out_of_range, "axis_to", "the two points of the turning axis are the same",
                         "give two points of the axis");
-        axis_ = {vec(s.axis_from), route.normalized()};
+        axis_ = {vec(s.axis_from), between.normalized()};
     } else {
         axis_.direction = Vec3::Unit(int(s.axis));
         if (s.axis_through == LatheCommon::Through::middle) {

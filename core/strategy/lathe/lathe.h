@@ -7,15 +7,15 @@
 // axial lift over the part (core/gouge), so that it is exact for every cutter against facets, edges and
 // vertices; Jasra's three checks (triangle, edge, vertex) for a ball give the same u once they are put right:
 //
-//   (1) triangle: the right side of the system is P1 + N r - T1, not + T1;
-//   (2) edge: A^-1 is (A^T A)^-1 A^T, and the printed normal T x E makes the ball touch the edge's line in
-//   the
-//       plane across the motion only; a ball that moves along T touches where its centre is r away from the
-//       edge's *line*, a quadratic;
-//   (3) vertex: as printed.
+//   (1) triangle  the right side of the system is P1 + N r - T1, not + T1
+//   (2) edge      A^-1 is (A^T A)^-1 A^T; the printed normal T x E makes the ball touch the edge's line in
+//                 the plane across the motion only: a ball that moves along T touches where its centre is r
+//                 away from the edge's *line*, a quadratic
+//   (3) vertex    as printed
 //
-// tests/unit/strategy/test_lathe holds the lift to them. Jasra stops at the outermost contact, and so does
-// the lift: what lies beyond the axis does not count, since the tip goes no farther in than `core_radius`.
+// tests/unit/strategy/lathe/test_lathe holds the lift to them. Jasra stops at the outermost contact, and so
+// does the lift: what lies beyond the axis does not count, since the tip goes no farther in than
+// `core_radius`.
 //
 // Between two locations the machine turns the part, moves along it and towards it in proportion, so a motion
 // is straight in (theta, y, u).
@@ -45,7 +45,7 @@ struct LatheCommon : OperationCommon {
     std::array<double, 2> chuck{0, 0}, tailstock{0, 0}; ///< length from the stock's end, diameter; mm
     NumberOrWord chord_tolerance{0, "auto"};            ///< mm
     double holder_clearance = 0;                        ///< mm
-    Winding winding = Winding::unwound;                 ///< of the table of positions
+    Winding winding = Winding::unwound;                 ///< turning angles in the table of positions
 };
 
 /// Description of a parameter of LatheCommon, the same for all lathe-mill operations; its default is the

@@ -10,11 +10,11 @@ namespace facetmill {
 
 namespace {
 
-/// Of the cusp: how exactly the lines are followed on which cusps are measured.
+/// Lines on which cusps are measured are followed to this share of the cusp.
 constexpr double line_share = 0.05;
-/// How steeply feeds may change along the way, and what share of a feed their places may be apart.
+/// How steeply feeds may change along the line, and what share of a feed their places may be apart.
 constexpr double steepest = 0.5, place_share = 0.25;
-/// Of the cutter's diameter: no feed is longer.
+/// No feed is longer than this share of the cutter's diameter.
 constexpr double widest_share = 0.95;
 constexpr std::size_t fewest_lines = 24, max_lines = 720;
 constexpr int halvings = 7;
@@ -50,15 +50,15 @@ SideFeed::SideFeed(const LatheField& field, bool across_turns, double from, doub
     lines_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double at = (double(i) + (across_turns ? 0.0 : 0.5)) / double(n);
-        std::array<LathePlace, 2> route;
+        std::array<LathePlace, 2> ends;
         if (across_turns)
-            route = {LathePlace{2 * pi * at, from}, LathePlace{2 * pi * at, to}};
+            ends = {LathePlace{2 * pi * at, from}, LathePlace{2 * pi * at, to}};
         else // a little round, so that gaps over the closing line are seen
-            route = {LathePlace{0, from + at * (to - from)},
-                     LathePlace{2 * pi + largest_, from + at * (to - from)}};
+            ends = {LathePlace{0, from + at * (to - from)},
+                    LathePlace{2 * pi + largest_, from + at * (to - from)}};
         Line& line = lines_[i];
         line.points =
-            trace(field, route, fine, progress.part(double(i) / double(n), double(i + 1) / double(n)));
+            trace(field, ends, fine, progress.part(double(i) / double(n), double(i + 1) / double(n)));
         for (const LathePoint& p : line.points)
             line.at.push_back(across_turns ? p.place.y : p.place.angle);
     }

@@ -1,7 +1,7 @@
 // The side feed: how far the tool may advance in a turn (or turn between lengthwise lines), from the cusps
 // that it leaves on the part as it is there. Millimetres, radians.
 //
-// At many angles the tip's way along the axis is followed once, with its contacts. Two cutters that stand a
+// At many angles the tip's path along the axis is followed once, with its contacts. Two cutters that stand a
 // side feed apart at such an angle leave, over each contact of the tips between them, the distance along the
 // normal to the nearer of the two: the cusp at that place, slope and local radius included. Jasra has a
 // constant side feed from the user. The sides of the cutters' sweeps are not counted, so that the cusp is
@@ -31,9 +31,9 @@ public:
              const Progress& progress);
 
     /// The largest advances that leave no more than the cusp, anywhere between two lines that start at `a`
-    /// or up to one advance behind it; changes by at most half of the way. Call measure() first.
+    /// or up to one advance behind it; changes by at most half of the distance. Call measure() first.
     double allowed(double a) const;
-    /// Fills what allowed() says. Cancelled within 20 ms.
+    /// Fills what allowed() says.
     void measure(const Progress& progress);
     /// Shortens what allowed() says, after measure(): no advance that passes over a limit's place is longer.
     void limit(std::span<const FeedLimit> limits);
@@ -47,7 +47,7 @@ public:
 
 private:
     struct Line {
-        std::vector<double> at; ///< along the way across, rising
+        std::vector<double> at; ///< places along the line, rising
         std::vector<LathePoint> points;
     };
     LathePlace place(const Line& line, double at) const;

@@ -10,7 +10,7 @@ namespace {
 
 /// Sides of the prism around a round stock: what it is larger than the cylinder is 4e-5 of the radius.
 constexpr int round_sides = 360;
-/// Of the allowed cusp: a bottom within this of a plane lies on it. As in finishing with three axes.
+/// A bottom within this share of the allowed cusp of a plane lies on it, as in finishing with three axes.
 constexpr double cover_slack_share = 0.125;
 
 /// A closed prism between two rings of corners, the second ahead of the first along the ring's right-hand

@@ -50,10 +50,10 @@ public:
     double floor() const { return floor_; }
     double allowance() const { return allowance_; }
     double part_radius() const { return part_radius_; }
-    double stock_radius() const { return stock_radius_; } ///< of the raw material
-    double zone_radius() const { return zone_radius_; }   ///< of chuck and tailstock; 0: none
+    double stock_radius() const { return stock_radius_; } ///< the raw material's
+    double zone_radius() const { return zone_radius_; }   ///< chuck's and tailstock's; 0: none
     bool has_zones() const { return zone_ != nullptr; }
-    /// Of the stock, places along the axis; of a stock without size the part's.
+    /// Ends of the stock along the axis; the part's, where the stock has no size.
     double stock_from() const { return stock_from_; }
     double stock_to() const { return stock_to_; }
 

@@ -65,7 +65,7 @@ double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radi
 
 std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
                               const LatheTolerance& tolerance, const Progress& progress) {
-    // Places to look at: every piece of the way in even parts.
+    // Places to look at: every piece of the route in even parts.
     std::vector<LathePlace> places;
     double count = 1;
     const auto parts = [&](std::size_t i) {
@@ -98,7 +98,7 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
     // By the safe spacing nothing is cut between two nodes that is deeper than allowed. What is left to find
     // are bends where the straight motion would stay too high or, towards a jump, too low: there the slope
     // changes from one interval to the next.
-    const auto slope = [&](std::size_t i) { // of the interval that ends at i
+    const auto slope = [&](std::size_t i) { // in the interval that ends at i
         const double ds = lathe_distance(nodes[i - 1].place, nodes[i].place, field.part_radius());
         return ds > 0 ? (nodes[i].u - nodes[i - 1].u) / ds : 0.0;
     };
@@ -148,7 +148,7 @@ std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span
     std::vector<LinePoint> line;
     std::size_t from = 0;
     for (std::size_t w = 1; w < route.size() && from + 1 < points.size(); ++w) {
-        // The piece of the way up to its place w; radial moves at its end belong to it.
+        // The piece of the route up to its place w; radial moves at its end belong to it.
         const auto here = [&](std::size_t i) {
             return points[i].place.angle == route[w].angle && points[i].place.y == route[w].y;
         };

@@ -1,4 +1,4 @@
-// The tool's way over a turning part: heights u along a way of places (theta, y), close enough that the
+// The tool's path over a turning part: heights u along a route of places (theta, y), close enough that the
 // motion between them, which is straight in (theta, y, u), neither gouges nor leaves more than it may.
 #pragma once
 
@@ -11,9 +11,9 @@
 namespace facetmill {
 
 struct LatheTolerance {
-    double below = 0.01, above = 0.01; ///< mm, measured across the way
-    /// Places looked at are no farther apart than this, in mm of the way that any point of the part makes
-    /// under the cutter. See safe_lathe_spacing.
+    double below = 0.01, above = 0.01; ///< mm, measured across the path
+    /// Places looked at are no farther apart than this, in mm of the distance that any point of the part
+    /// makes under the cutter. See safe_lathe_spacing.
     double spacing = 1;
 };
 
@@ -22,18 +22,18 @@ struct LatheTolerance {
 /// both of its ends by what safe_spacing (lift_line.h) says. Both together stay within `below`.
 double safe_lathe_spacing(const CutterProfile& profile, double part_radius, double below);
 
-/// Length of the way that the part's outermost points make under the cutter between two places, mm.
+/// Distance that the part's outermost points make under the cutter between two places, mm.
 double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radius);
 
-/// Points over the polyline of `way` (at least one place), all of its places among them. Every point is on
+/// Points over the polyline of `route` (at least one place), all of its places among them. Every point is on
 /// the field but for corners of radial moves, which are above it. Between two looked at, more are put in
 /// where neighbours say that the field bends by more than the tolerance holds. Throws Error(limit_exceeded)
-/// beyond max_lathe_points; Cancelled within 20 ms. The same bits for every thread count.
+/// beyond max_lathe_points.
 std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
                               const LatheTolerance& tolerance, const Progress& progress);
 
 /// Leaves out points that the motion between the others passes within the tolerances, but never one of the
-/// way's places (in its order). This also takes off the jitter that facets cause.
+/// route's places (in its order). This also takes off the jitter that facets cause.
 std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> route,
                                 double part_radius, double below, double above);
 

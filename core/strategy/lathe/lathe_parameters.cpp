@@ -8,8 +8,9 @@ namespace facetmill {
 
 namespace {
 
-std::vector<ParameterInfo> described() {
-    using K = ParameterKind;
+using K = ParameterKind;
+
+std::vector<ParameterInfo> axis_parameters() {
     return {
         {.key = "axis",
          .label = "Axis",
@@ -34,6 +35,11 @@ std::vector<ParameterInfo> described() {
          .quantity = Quantity::length,
          .minimum = -1e6,
          .maximum = 1e6},
+    };
+}
+
+std::vector<ParameterInfo> course_parameters() {
+    return {
         {.key = "pattern",
          .label = "Pattern",
          .help = "Course of the tool: one helix, rings with steps between them, or lengthwise lines "
@@ -78,6 +84,11 @@ std::vector<ParameterInfo> described() {
          .maximum = 1e6,
          .words = {"auto"},
          .advanced = true},
+    };
+}
+
+std::vector<ParameterInfo> tool_parameters() {
+    return {
         {.key = "offset",
          .label = "Off centre",
          .help = "How far beside the centre line the cutter runs, so that a "
@@ -129,6 +140,13 @@ std::vector<ParameterInfo> described() {
          .stage = Stage::output,
          .advanced = true},
     };
+}
+
+std::vector<ParameterInfo> described() {
+    std::vector<ParameterInfo> all;
+    for (const std::vector<ParameterInfo>& part : {axis_parameters(), course_parameters(), tool_parameters()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
 }
 
 } // namespace

@@ -13,9 +13,9 @@ namespace {
 /// How the chord tolerance is shared out: between the places looked at, for leaving points out, and for the
 /// arcs of motions that a reader of the program takes for straight.
 constexpr double look_share = 0.4, thin_share = 0.4, arc_share = 0.2;
-/// Of the allowed cusp: what side feeds aim at. The rest is for the angles between those looked at.
+/// Share of the allowed cusp that side feeds aim at. The rest is for the angles between those looked at.
 constexpr double aimed_share = 0.9;
-/// Of the part's radius: farther off its middle an axis is told.
+/// An axis farther off the part's middle than this share of its radius is told.
 constexpr double off_share = 0.01;
 
 } // namespace
@@ -33,7 +33,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
 
     std::function<double(double)> advance;
     std::optional<SideFeed> feed;
-    base_.cusp_max = cusp; // of which motions take their share
+    base_.cusp_max = cusp; // motions take their share of it
     const double standing = std::max(cusp - chord, 0.5 * cusp), aimed = aimed_share * standing;
     const auto look = [&](const Progress& part) {
         reach_ = lathe_reach(s, *field_, context, range_, standing, {across_turns, advance}, part);
@@ -83,7 +83,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     points_ = thinned(trace(*field_, route.places, fine, progress.part(0.31, 0.95, "Following the part")),
                       route.places, part_radius, thin_share * chord, thin_share * chord);
     progress.set(0.97);
-    // The way's places are all among the points, in their order.
+    // The route's places are all among the points, in their order.
     std::size_t next = 0;
     for (std::size_t i = 0, place = 0; i < points_.size() && next < route.turns.size(); ++i) {
         const auto is = [&](std::size_t k) {

@@ -1,4 +1,4 @@
-// What roughing and finishing on a turning part share: field, range, side feed, the traced way, and what is
+// What roughing and finishing on a turning part share: field, range, side feed, the traced path, and what is
 // said about them.
 #pragma once
 
@@ -38,7 +38,7 @@ private:
     StrategyResult base_;
 };
 
-/// Of an operation whose allowance takes all that stands of the stock: Error(empty_result).
+/// Throws Error(empty_result): the operation's allowance takes all that stands of the stock.
 [[noreturn]] void throw_no_stock_above(const std::string& operation, double allowance, LengthUnit unit);
 
 } // namespace facetmill

@@ -25,26 +25,19 @@
 // is allowed.
 #pragma once
 
-#include "core/strategy/lathe/lathe_route.h"
+#include "core/strategy/lathe/lathe_creases.h"
 
 namespace facetmill {
 
-/// What advances there are: along the axis in a turn, mm, or (lengthwise lines) between two lines, radians.
-struct ReachFeed {
-    bool across_turns = true;
-    std::function<double(double)> advance;
-};
-
 struct LatheReach {
-    double area = 0;                      ///< of what was looked at, mm^2
+    double area = 0;                      ///< all that was looked at, mm^2
     std::vector<UnreachedRegion> regions; ///< the largest first
-    std::vector<FeedLimit> limits;        ///< of creases that the feed must pass more slowly
+    std::vector<FeedLimit> limits;        ///< creases that the feed must pass more slowly
     double crease_cusp = 0; ///< largest height that the feed, before the limits, leaves at a crease
 };
 
 /// `allowed`: what may stay above the allowance, mm, > 0. Costs a lift per sample, and where the
-/// first place does not serve one for every place of the grid and some 30 per sample. Cancelled within 20 ms;
-/// the same bits for every thread count.
+/// first place does not serve one for every place of the grid and some 30 per sample.
 LatheReach lathe_reach(const LatheCommon& settings, const LatheField& field, const PlanContext& context,
                        const LatheRange& range, double allowed, const ReachFeed& feed,
                        const Progress& progress);

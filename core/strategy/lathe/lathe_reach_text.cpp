@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/lathe/lathe_reach.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +69,8 @@ std::vector<std::string> reach_warnings(const LatheReach& reach, LengthUnit unit
         if (regions > max_named) places += "; and " + std::to_string(regions - max_named) + " more";
         const double per = mm_per(unit);
         warnings.push_back(std::string(what) + ": " + format_number(area / (per * per), 3) + " "
-                           + std::string(unit_name(unit)) + "² ("
-                           + format_number(std::max(100 * area / reach.area, 1e-3), 2)
-                           + " % of the surface), where it stays up to " + length_text(most, unit)
+                           + std::string(unit_name(unit)) + "² (" + share_text(area, reach.area)
+                           + " of the surface), where it stays up to " + length_text(most, unit)
                            + " away, at " + places + ": " + remedy);
     }
     return warnings;

@@ -19,15 +19,15 @@ constexpr std::size_t points_per_block = 256;
 constexpr double max_passes = 10000;
 /// In diameters of the cutter: gaps with nothing to cut that are shorter are passed at feed.
 constexpr double joined_gap = 2;
-/// Of the depth of cut: less is nothing to cut. At least the chord tolerance.
+/// Less than this share of the depth of cut is nothing to cut, nor less than the chord tolerance.
 constexpr double min_share = 1e-3;
 
-/// A stretch of points of the way.
+/// A stretch of points of the path.
 struct Run {
     std::size_t first, last;
 };
 
-/// One pass after the other over the points of the way.
+/// One pass after the other over the points of the path.
 class Rougher {
 public:
     Rougher(const LatheRoughSettings& settings, const PlanContext& context, const LathePath& path)
@@ -101,7 +101,7 @@ private:
         const double gap = joined_gap * 2 * path_.field().cover().radius();
         // Motions that cut: either end is deeper than what was there.
         std::vector<Run> runs;
-        double since = 0; // length of the way since the last run
+        double since = 0; // length since the last run
         for (std::size_t i = 1; i < points.size(); ++i) {
             if (i % points_per_block == 0) progress.check();
             const auto cuts = [&](std::size_t k) { return now[k] < before[k] - least; };
@@ -169,18 +169,18 @@ private:
         while (end + 1 < points.size() && in_first(end + 1))
             ++end;
         const double radius = path_.field().part_radius();
-        std::vector<double> route(end + 1, 0);
+        std::vector<double> arc(end + 1, 0);
         for (std::size_t i = 1; i <= end; ++i)
-            route[i] = route[i - 1] + lathe_distance(points[i - 1].place, points[i].place, radius);
-        const double length = there_and_back ? 2 * route[end] : route[end];
+            arc[i] = arc[i - 1] + lathe_distance(points[i - 1].place, points[i].place, radius);
+        const double length = there_and_back ? 2 * arc[end] : arc[end];
         if (!(length > 0)) return;
         const auto add = [&](std::size_t i, double done) {
             pass.entry.push_back(path_.location(i, now[i] + drop * (1 - done / length)));
         };
         for (std::size_t i = 0; i <= end; ++i)
-            add(i, route[i]);
+            add(i, arc[i]);
         for (std::size_t i = end; there_and_back && i-- > 0;)
-            add(i, length - route[i]);
+            add(i, length - arc[i]);
     }
 
     const LatheRoughSettings& settings_;

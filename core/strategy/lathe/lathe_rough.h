@@ -1,4 +1,4 @@
-// Roughing on a lathe-mill (Jasra 3.3): the way of finishing over the part grown by an allowance, cut from
+// Roughing on a lathe-mill (Jasra 3.3): the path of finishing over the part grown by an allowance, cut from
 // the stock's outside inward in passes of a depth of cut.
 //
 // Jasra compares, at every point of the path, the depth of the pass (U_selected) with the depth at which the
