@@ -2,12 +2,16 @@
 
 #include "core/base/file.h"
 #include "core/job/cspace_json.h"
+#include "ui/cspace_panel.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
+#include "ui/shown_paths.h"
 #include "ui/text.h"
 
+#include <QFileInfo>
 #include <QImage>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -34,7 +38,7 @@ QString lift_text(double mm, LengthUnit unit) {
 } // namespace
 
 CSpaceController::CSpaceController(Document& document, QWidget* window)
-    : QObject(window), document_(document), panel_(new CSpacePanel(window)) {
+    : Controller(window), document_(document), panel_(new CSpacePanel(window)) {
     connect(panel_, &CSpacePanel::stepped, this, &CSpaceController::step);
     connect(panel_, &CSpacePanel::cancel_requested, this, [this] { job_.cancel(); });
     connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
@@ -51,15 +55,45 @@ CSpaceController::CSpaceController(Document& document, QWidget* window)
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, [this] { // the unit, what is kept
-        panel_->view()->scene().set_unit(document_.unit());
-        panel_->view()->refresh();
-        show_kept();
-    });
+    connect(panel_, &CSpacePanel::picture_requested, this, [this] { export_point(false); });
+    connect(panel_, &CSpacePanel::table_requested, this, [this] { export_point(true); });
     clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
 CSpaceController::~CSpaceController() = default;
+
+/// The unit, and what is kept.
+void CSpaceController::project_changed() {
+    panel_->view()->scene().set_unit(document_.unit());
+    panel_->view()->refresh();
+    show_kept();
+}
+
+void CSpaceController::tool_placed(const ShownPaths& paths, const PathPick& pick) {
+    const CutterContact* contact = paths.contact_of(pick);
+    const Vec3 place = contact ? contact->point : pick.location.tip;
+    if (go_near(paths.ids()[pick.source], paths.programs()[pick.source], place))
+        offer();
+    else
+        leave();
+}
+
+bool CSpaceController::take_key(const QKeyEvent& event) {
+    if (!active()) return false;
+    const int by = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (event.key()) {
+    case Qt::Key_Left:
+        return step(-by, 0), true;
+    case Qt::Key_Right:
+        return step(by, 0), true;
+    case Qt::Key_Up:
+        return step(0, -1), true;
+    case Qt::Key_Down:
+        return step(0, 1), true;
+    default:
+        return false;
+    }
+}
 
 void CSpaceController::clear_room(const QString& text) {
     shown_.reset();
@@ -191,12 +225,12 @@ void CSpaceController::show_tool(const std::optional<PostureValue>& posture, con
                          lift_text(posture->delta, document_.unit()));
     else
         line += QStringLiteral("   ") + what;
-    emit tool_wanted(operation_, posture ? std::optional(pose(*posture)) : std::nullopt,
+    emit tool_wanted(result_, posture ? std::optional(pose(*posture)) : std::nullopt,
                      Marker{place.surface, place.frame.normal}, line);
 }
 
-void CSpaceController::look() {
-    if (at_) study();
+void CSpaceController::panel_seen(bool seen) {
+    if (seen && at_) study();
 }
 
 void CSpaceController::study() {
@@ -364,8 +398,8 @@ void CSpaceController::keep() {
     else
         all.push_back(posture);
     change_kept(tr("Keep posture"), std::move(all));
-    emit told(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
-                  .arg(angle_text(posture.lead), angle_text(posture.yaw)));
+    tell(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
+             .arg(angle_text(posture.lead), angle_text(posture.yaw)));
 }
 
 void CSpaceController::remove_kept() {
@@ -374,7 +408,7 @@ void CSpaceController::remove_kept() {
     std::vector<ManualPosture> all = all_kept();
     all.erase(all.begin() + std::ptrdiff_t(*number));
     change_kept(tr("Remove kept posture"), std::move(all));
-    emit told(tr("The posture kept for the point is forgotten. Plan again to choose one."));
+    tell(tr("The posture kept for the point is forgotten. Plan again to choose one."));
 }
 
 void CSpaceController::show_kept() {
@@ -405,7 +439,7 @@ void CSpaceController::show_kept() {
     panel_->kept()->setMenu(menu);
 }
 
-void CSpaceController::set_palette(Palette palette) {
+void CSpaceController::palette_changed(Palette palette) {
     panel_->view()->scene().set_palette(palette);
     panel_->show_legend();
     panel_->view()->refresh();
@@ -425,20 +459,26 @@ bool CSpaceController::save_picture(const QString& path) {
     scene.set_title({}, utf8(tr("%1 of %2 postures free")
                                  .arg(count_text(scene.content()->free_nodes),
                                       count_text(scene.content()->block.size()))));
-    return tell_written(path, write_picture(path, picture));
+    return report_written(path, write_picture(path, picture));
 }
 
 bool CSpaceController::save_table(const QString& path) {
     if (!shown_ || !study_) return false;
-    return tell_written(path, write_table(path, cspace_csv(*study_, *shown_, document_.unit())));
+    return report_written(path, write_table(path, cspace_csv(*study_, *shown_, document_.unit())));
 }
 
-bool CSpaceController::tell_written(const QString& path, const QString& wrong) {
-    if (wrong.isEmpty())
-        emit told(tr("Wrote %1.").arg(path));
+void CSpaceController::export_point(bool table) {
+    const QString name = QStringLiteral("%1-point-%2")
+                             .arg(QFileInfo(document_.name()).completeBaseName())
+                             .arg(at_.value_or(0));
+    const QString path =
+        ask_export_file(panel_, table ? tr("Export postures") : tr("Export configuration space"),
+                        table ? ExportFormat::table : ExportFormat::picture, name);
+    if (path.isEmpty()) return;
+    if (table)
+        save_table(path);
     else
-        emit failed(wrong);
-    return wrong.isEmpty();
+        save_picture(path);
 }
 
 } // namespace facetmill::ui

@@ -1,72 +1,23 @@
-// The configuration-space room in the workbench: which contact point it stands at, its study in the
-// background, and the panel that shows it. The window gives the panel its place, and shows the tool where the
-// desk says.
+// The configuration space in the workbench: which contact point is looked at, its study in the background,
+// and the panel that shows it. The tool in the part view follows the posture that is chosen here.
 #pragma once
 
 #include "core/job/planner.h"
 #include "core/strategy/five_axis/five_axis_study.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "ui/background_job.h"
-#include "ui/document.h"
+#include "ui/controller.h"
 #include "viz/cspace_room.h"
-#include "viz/scene.h"
-
-#include <QWidget>
 
 #include <map>
 #include <memory>
 #include <optional>
 
-class QLabel;
-class QProgressBar;
-class QToolButton;
-
 namespace facetmill::ui {
 
-class CSpaceView;
-class ElidedLabel;
+class CSpacePanel;
 
-/// Heading, buttons, the room, its legend, and a line for what is under the pointer.
-class CSpacePanel : public QWidget {
-    Q_OBJECT
-public:
-    explicit CSpacePanel(QWidget* parent = nullptr);
-
-    CSpaceView* view() { return view_; }
-    ElidedLabel* heading() { return heading_; }
-    QLabel* readout() { return readout_; }
-    QToolButton* back() { return back_; }
-    QToolButton* keep() { return keep_; }
-    QToolButton* remove() { return remove_; }
-    QToolButton* kept() { return kept_; }
-    void set_busy(bool busy, double fraction = 0);
-    /// Buttons for what is there: a point, its study.
-    void set_ready(bool point, bool study);
-    void show_legend();
-    QSize sizeHint() const override { return {400, 460}; }
-
-signals:
-    void stepped(int points, int passes);
-    void cancel_requested();
-    void picture_requested();
-    void table_requested();
-    void back_requested(); ///< to the planned posture
-    void keep_requested(); ///< of the tried posture for the point
-    void remove_requested();
-
-private:
-    QToolButton* button(int which, const QString& tip, const char* name);
-    CSpaceView* view_ = nullptr;
-    ElidedLabel* heading_ = nullptr;
-    QLabel* readout_ = nullptr;
-    QWidget* legend_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QToolButton *cancel_ = nullptr, *back_ = nullptr, *picture_ = nullptr, *table_ = nullptr;
-    QToolButton *keep_ = nullptr, *remove_ = nullptr, *kept_ = nullptr;
-    std::vector<QToolButton*> steps_;
-};
-
-class CSpaceController : public QObject {
+class CSpaceController : public Controller {
     Q_OBJECT
 public:
     CSpaceController(Document& document, QWidget* window);
@@ -104,21 +55,24 @@ public:
 
     bool save_picture(const QString& path);
     bool save_table(const QString& path);
-    void set_palette(Palette palette);
-    /// Studies what is wanted if the panel is seen.
-    void look();
-    bool busy() const;
+    /// Arrow keys, while it is seen.
+    bool take_key(const QKeyEvent& event) override;
+    void project_changed() override;
+    void tool_placed(const ShownPaths& paths, const PathPick& pick) override;
+    void tool_removed() override { leave(); }
+    void palette_changed(Palette palette) override;
+    /// Studies what is wanted once it is seen.
+    void panel_seen(bool seen) override;
+    bool busy() const override;
 
 signals:
-    /// The tool belongs here: of an operation at a contact; no pose: the point is left to clean-up.
-    void tool_wanted(int operation, const std::optional<facetmill::CutterLocation>& pose,
-                     const facetmill::Marker& contact, const QString& readout);
-    void failed(const QString& message);
-    void told(const QString& message);
-    void settled();
+    /// The tool of a program belongs here, at a contact; no pose: the point is left to clean-up.
+    void tool_wanted(const std::shared_ptr<const facetmill::OperationResult>& program,
+                     const std::optional<facetmill::CutterLocation>& pose, const facetmill::Marker& contact,
+                     const QString& readout);
 
 private:
-    bool tell_written(const QString& path, const QString& wrong);
+    void export_point(bool table);
     void stand_at(std::size_t index);
     std::size_t nearest_point(const Vec3& place) const;
     std::vector<ManualPosture> all_kept() const;

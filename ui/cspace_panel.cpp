@@ -1,5 +1,5 @@
-// The panel of the configuration-space room.
-#include "ui/cspace_controller.h"
+#include "ui/cspace_panel.h"
+
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
 #include "ui/flow_layout.h"

@@ -1,12 +1,30 @@
 #include "ui/export.h"
 
 #include "core/base/file.h"
+#include "ui/settings.h"
 #include "ui/text.h"
 
+#include <QFileDialog>
 #include <QObject>
 #include <QSaveFile>
 
 namespace facetmill::ui {
+
+QString ask_export_file(QWidget* window, const QString& title, ExportFormat format, QString name) {
+    struct Format {
+        QString filter, suffix;
+    };
+    const Format formats[] = {{QObject::tr("Pictures (*.png)"), QStringLiteral("png")},
+                              {QObject::tr("Tables (*.csv)"), QStringLiteral("csv")},
+                              {QObject::tr("Web pages (*.html)"), QStringLiteral("html")}};
+    const auto& [filter, suffix] = formats[std::size_t(format)];
+    QFileDialog dialog(window, title, settings::last_folder(), filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(name.replace(QChar('/'), QChar('-')) + QChar('.') + suffix);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+    return dialog.selectedFiles().front();
+}
 
 QString write_picture(const QString& path, const QImage& picture) {
     QSaveFile file(path);

@@ -4,18 +4,16 @@
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
-#include "ui/icons.h"
+#include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
 #include "ui/plot_view.h"
+#include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QImage>
 #include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -41,74 +39,9 @@ QString angle_text(double degrees, int digits = 1) {
 
 } // namespace
 
-InspectionPanel::InspectionPanel(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("inspection"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 4, 6, 6);
-    column->setSpacing(4);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    chart_ = new QComboBox(this);
-    chart_->setObjectName(QStringLiteral("chart"));
-    chart_->addItems({tr("Axes over path"), tr("Axes over time"), tr("Step-over")});
-    chart_->setToolTip(
-        tr("What the chart shows: the angles of the rotary axes, or the step-over along the part"));
-    operation_ = new QComboBox(this);
-    operation_->setObjectName(QStringLiteral("chart_operation"));
-    operation_->setToolTip(tr("Of which operation"));
-    for (QComboBox* box : {chart_, operation_}) {
-        box->setFocusPolicy(Qt::TabFocus);
-        box->setMinimumContentsLength(8);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        box->setMaximumWidth(220);
-        row->addWidget(box);
-    }
-    readout_ = new ElidedLabel(this);
-    readout_->setObjectName(QStringLiteral("chart_readout"));
-    readout_->setMinimumWidth(20);
-    row->addWidget(readout_, 1);
-    const auto add = [&](Icon which, const QString& tip, const char* name) {
-        auto* b = new QToolButton(this);
-        b->setObjectName(QLatin1String(name));
-        b->setIcon(icon(which));
-        b->setIconSize(QSize(16, 16));
-        b->setAutoRaise(true);
-        b->setToolTip(tip);
-        b->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(b);
-        buttons_.push_back(b);
-        return b;
-    };
-    auto* all = add(Icon::fit, tr("Show the whole chart (double click, Home)"), "chart_reset");
-    auto* picture = add(Icon::picture, tr("Export the chart as a picture (PNG)"), "chart_picture");
-    auto* table = add(Icon::export_program, tr("Export the values as a table (CSV)"), "chart_table");
-    column->addLayout(row);
-    plot_ = new PlotView(this);
-    plot_->setToolTip(
-        tr("Click or drag: the tool goes there. Wheel: zoom (Ctrl: the upright axis). Right drag: "
-           "move."));
-    column->addWidget(plot_, 1);
-    connect(all, &QToolButton::clicked, plot_, &PlotView::reset_view);
-    connect(picture, &QToolButton::clicked, this, &InspectionPanel::picture_requested);
-    connect(table, &QToolButton::clicked, this, &InspectionPanel::table_requested);
-    set_ready(false);
-}
-
-void InspectionPanel::set_ready(bool ready) {
-    for (QToolButton* b : buttons_)
-        b->setEnabled(ready);
-}
-
-void InspectionPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    const int most = std::max(80, width() / 4);
-    for (QComboBox* box : {chart_, operation_})
-        box->setMaximumWidth(std::min(220, most));
-}
-
 InspectionController::InspectionController(Document& document, Viewport& viewport, LayerBar& layers,
                                            QWidget* window)
-    : QObject(window), document_(document), viewport_(viewport), layers_(layers),
+    : Controller(window), document_(document), viewport_(viewport), layers_(layers),
       panel_(new InspectionPanel(window)) {
     connect(&layers_, &LayerBar::quantity_chosen, this, &InspectionController::update);
     connect(panel_->chart_box(), &QComboBox::currentIndexChanged, this, [this] {
@@ -122,18 +55,22 @@ InspectionController::InspectionController(Document& document, Viewport& viewpor
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, [this] { // the unit
-        if (tint_ && tint_unit_ != document_.unit()) {
-            tint_ = nullptr;
-            update();
-        }
-        if (chart_unit_ != document_.unit()) show_chart();
-    });
+    connect(panel_, &InspectionPanel::picture_requested, this, [this] { export_chart(false); });
+    connect(panel_, &InspectionPanel::table_requested, this, [this] { export_chart(true); });
     offer_quantities();
     show_chart();
 }
 
 InspectionController::~InspectionController() = default;
+
+/// The unit.
+void InspectionController::project_changed() {
+    if (tint_ && tint_unit_ != document_.unit()) {
+        tint_ = nullptr;
+        update();
+    }
+    if (chart_unit_ != document_.unit()) show_chart();
+}
 
 PathQuantity InspectionController::quantity() const {
     return layers_.quantity();
@@ -154,9 +91,9 @@ void InspectionController::offer_quantities() {
     }
 }
 
-void InspectionController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
+void InspectionController::paths_shown(const ShownPaths& paths) {
     job_.cancel();
-    results_ = std::move(results);
+    results_ = paths.programs();
     figures_.clear();
     shown_.clear();
     tint_ = nullptr;
@@ -177,15 +114,15 @@ void InspectionController::set_paths(std::vector<std::shared_ptr<const Operation
     update();
 }
 
-void InspectionController::set_shown(std::vector<PathSource> shown) {
-    shown_ = std::move(shown);
+void InspectionController::path_parts_shown(const std::vector<PathSource>& sources) {
+    shown_ = sources;
     tint_ = nullptr;
     layers_.show_scale(nullptr);
     update();
 }
 
-void InspectionController::look() {
-    update();
+void InspectionController::panel_seen(bool seen) {
+    if (seen) update();
 }
 
 /// Starts what is missing for what is wanted.
@@ -385,9 +322,9 @@ void InspectionController::show_place() {
     panel_->readout()->set_text(line);
 }
 
-void InspectionController::set_place(std::size_t source, std::size_t motion, double share) {
+void InspectionController::place_shown(std::size_t source, std::size_t motion, double share) {
     if (source >= results_.size() || motion >= results_[source]->program.motions.motions.size())
-        return clear_place();
+        return tool_removed();
     place_ = Place{source, motion, share};
     if (source != this->source())
         panel_->operation_box()->setCurrentIndex(int(source)); // shows chart and place
@@ -395,7 +332,7 @@ void InspectionController::set_place(std::size_t source, std::size_t motion, dou
         show_place();
 }
 
-void InspectionController::clear_place() {
+void InspectionController::tool_removed() {
     place_.reset();
     show_place();
 }
@@ -474,20 +411,23 @@ std::string InspectionController::table() const {
 
 bool InspectionController::save_picture(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    return tell_written(path, write_picture(path, panel_->plot()->picture(picture_size)));
+    return report_written(path, write_picture(path, panel_->plot()->picture(picture_size)));
 }
 
 bool InspectionController::save_table(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    return tell_written(path, write_table(path, table()));
+    return report_written(path, write_table(path, table()));
 }
 
-bool InspectionController::tell_written(const QString& path, const QString& wrong) {
-    if (wrong.isEmpty())
-        emit told(tr("Wrote %1.").arg(path));
+void InspectionController::export_chart(bool table) {
+    const QString path =
+        ask_export_file(panel_, table ? tr("Export the chart's values") : tr("Export the chart"),
+                        table ? ExportFormat::table : ExportFormat::picture, export_name());
+    if (path.isEmpty()) return;
+    if (table)
+        save_table(path);
     else
-        emit failed(wrong);
-    return wrong.isEmpty();
+        save_picture(path);
 }
 
 } // namespace facetmill::ui

@@ -1,56 +1,24 @@
 // Looking at a planned path in numbers: the colours of the path in the view, and charts of it: the rotary
-// axes over the way or the time, the step-over along the part. The chart's cursor and the tool in the view go
-// together; the window carries the one to the other.
+// axes over the path or the time, the step-over along the part. The chart's cursor and the tool in the view
+// go together.
 #pragma once
 
 #include "ui/background_job.h"
-#include "ui/document.h"
+#include "ui/controller.h"
 #include "viz/path_tint.h"
-
-#include <QWidget>
 
 #include <optional>
 #include <vector>
 
-class QComboBox;
-class QToolButton;
-
 namespace facetmill::ui {
 
-class ElidedLabel;
+class InspectionPanel;
 class LayerBar;
-class PlotView;
 class Viewport;
 
 enum class Chart { rotary_over_length, rotary_over_time, stepover };
 
-/// Which chart, of which operation, what stands at the cursor, and the chart.
-class InspectionPanel : public QWidget {
-    Q_OBJECT
-public:
-    explicit InspectionPanel(QWidget* parent = nullptr);
-
-    PlotView* plot() { return plot_; }
-    QComboBox* chart_box() { return chart_; }
-    QComboBox* operation_box() { return operation_; }
-    ElidedLabel* readout() { return readout_; }
-    void set_ready(bool ready);
-
-signals:
-    void picture_requested();
-    void table_requested();
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
-private:
-    PlotView* plot_ = nullptr;
-    QComboBox *chart_ = nullptr, *operation_ = nullptr;
-    ElidedLabel* readout_ = nullptr;
-    std::vector<QToolButton*> buttons_;
-};
-
-class InspectionController : public QObject {
+class InspectionController : public Controller {
     Q_OBJECT
 public:
     InspectionController(Document& document, Viewport& viewport, LayerBar& layers, QWidget* window);
@@ -58,33 +26,29 @@ public:
 
     InspectionPanel* panel() { return panel_; }
 
-    /// The paths that the scene shows from now on, in its order.
-    void set_paths(std::vector<std::shared_ptr<const OperationResult>> results);
-    /// Which motions of the paths are drawn; in colours, too. As many as paths.
-    void set_shown(std::vector<PathSource> shown);
-    /// Where the tool is: of path `source`, `share` of the way through a motion.
-    void set_place(std::size_t source, std::size_t motion, double share = 1);
-    void clear_place();
-    /// The panel came to be seen.
-    void look();
+    void project_changed() override;
+    void paths_shown(const ShownPaths& paths) override;
+    /// The colours go to what is drawn.
+    void path_parts_shown(const std::vector<PathSource>& sources) override;
+    void place_shown(std::size_t source, std::size_t motion, double share) override;
+    void tool_removed() override;
+    void panel_seen(bool seen) override;
+    bool busy() const override { return job_.running(); }
+
     Chart chart() const;
     /// Name for files: "Finish5-axes", "Finish5-stepover".
     QString export_name() const;
     bool save_picture(const QString& path);
     bool save_table(const QString& path);
-    bool busy() const { return job_.running(); }
 
 signals:
     /// The tool is wanted at the end of this motion.
     void place_wanted(std::size_t source, std::size_t motion);
     /// Motions back or on.
     void step_wanted(int by);
-    void failed(const QString& message);
-    void told(const QString& message);
-    void settled();
 
 private:
-    bool tell_written(const QString& path, const QString& wrong);
+    void export_chart(bool table);
     struct Place {
         std::size_t source = 0, motion = 0;
         double share = 1;

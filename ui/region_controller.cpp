@@ -32,7 +32,7 @@ struct RegionController::Found {
 };
 
 RegionController::RegionController(Document& document, Viewport& viewport, QWidget* window)
-    : QObject(window), document_(document), viewport_(viewport), dialog_(new RegionDialog(window)) {
+    : Controller(window), document_(document), viewport_(viewport), dialog_(new RegionDialog(window)) {
     wait_timer_.setSingleShot(true);
     wait_timer_.setInterval(wait_ms);
     connect(&wait_timer_, &QTimer::timeout, this, &RegionController::look);
@@ -88,24 +88,6 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
             });
         refresh();
     });
-    // A region is chosen where it is clicked.
-    connect(&viewport_, &Viewport::part_picked, this, [this](const PartPick& pick) {
-        if (!found_ || !document_.part()) return;
-        std::vector<const Strip*> strips;
-        for (const auto& region : found_->found.regions.regions)
-            strips.push_back(&region.strip);
-        if (const auto at = strip_at(pick.point, strips, document_.part()->box.diagonal()))
-            dialog_->choose(at);
-    });
-
-    connect(&document_, &Document::opened, this, [this] {
-        dialog_->hide();
-        preview_.reset();
-        refresh();
-    });
-    connect(&document_, &Document::changed, this, &RegionController::refresh);
-    connect(&document_, &Document::part_changed, this, &RegionController::refresh);
-    connect(&document_, &Document::states_changed, this, &RegionController::refresh);
     connect(&job_, &BackgroundJob::started, this, [this](const QString&) {
         if (id_ != 0) dialog_->set_busy(true);
     });
@@ -122,6 +104,21 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
 RegionController::~RegionController() {
     dialog_->disconnect(this);
     delete dialog_;
+}
+
+void RegionController::project_opened() {
+    dialog_->hide();
+    preview_.reset();
+    refresh();
+}
+
+bool RegionController::take_part_pick(const PartPick& pick) {
+    if (!found_ || !document_.part()) return false;
+    std::vector<const Strip*> strips;
+    for (const auto& region : found_->found.regions.regions)
+        strips.push_back(&region.strip);
+    if (const auto at = strip_at(pick.point, strips, document_.part()->box.diagonal())) dialog_->choose(at);
+    return false;
 }
 
 bool RegionController::busy() const {
@@ -179,7 +176,7 @@ void RegionController::close() {
     emit settled();
 }
 
-void RegionController::show_node(const std::optional<TreeNode>& node) {
+void RegionController::node_chosen(const std::optional<TreeNode>& node) {
     node_ = node;
     refresh();
 }

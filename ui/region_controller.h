@@ -6,12 +6,10 @@
 
 #include "core/job/region_preview.h"
 #include "ui/background_job.h"
-#include "ui/document.h"
-#include "ui/project_tree.h"
+#include "ui/controller.h"
 #include "viz/strip_display.h"
 
 #include <QTimer>
-#include <QWidget>
 
 #include <map>
 #include <memory>
@@ -24,7 +22,7 @@ namespace facetmill::ui {
 class RegionDialog;
 class Viewport;
 
-class RegionController : public QObject {
+class RegionController : public Controller {
     Q_OBJECT
 public:
     RegionController(Document& document, Viewport& viewport, QWidget* window);
@@ -33,8 +31,14 @@ public:
     RegionDialog* dialog() { return dialog_; }
     /// Opens the dialog for an operation; nothing for one without rework regions.
     void open(std::size_t operation);
-    /// What is selected in the tree: of several operations with regions those of the selected one are shown.
-    void show_node(const std::optional<TreeNode>& node);
+    void project_opened() override;
+    void project_changed() override { refresh(); }
+    void part_changed() override { refresh(); }
+    void plan_changed() override { refresh(); }
+    /// Of several operations with regions, those of the selected one are shown.
+    void node_chosen(const std::optional<TreeNode>& node) override;
+    /// Chooses the region that is clicked, and leaves the click to others.
+    bool take_part_pick(const PartPick& pick) override;
     /// Other strips are in the view (ui/strip_controller.h): those of planned operations are not drawn until
     /// they go.
     void give_way(bool on);
@@ -44,13 +48,11 @@ public:
     const StripDisplayPtr& shown() const { return display_; }
     /// Of the open dialog: the regions as they would be, of the newest values that were looked at.
     const RegionPreview::Result* found() const { return found_.get(); }
-    bool busy() const;
+    bool busy() const override;
 
 signals:
     /// Regions are to be seen: their layer should be on.
     void wanted();
-    void failed(const QString& message);
-    void settled();
     /// The dialog is closed: its regions are not to be seen any more.
     void ended();
 

@@ -3,11 +3,10 @@
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "ui/elided_label.h"
+#include "ui/rough_bar.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 
@@ -38,30 +37,8 @@ std::pair<double, double> depths(const std::vector<double>& heights) {
 
 } // namespace
 
-RoughBar::RoughBar(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("rough_bar"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 2, 8, 2);
-    row->setSpacing(8);
-    auto* name = new QLabel(tr("Layers"), this);
-    slider_ = new QSlider(Qt::Horizontal, this);
-    slider_->setObjectName(QStringLiteral("layer_slider"));
-    slider_->setMinimumWidth(80);
-    slider_->setPageStep(1);
-    slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->setToolTip(tr("Left end: all layers; then one layer alone, from the top down"));
-    slider_->setAccessibleName(tr("Layer"));
-    name->setBuddy(slider_);
-    readout_ = new ElidedLabel(this);
-    readout_->setObjectName(QStringLiteral("layer_readout"));
-    readout_->setMinimumWidth(40);
-    row->addWidget(name);
-    row->addWidget(slider_, 2);
-    row->addWidget(readout_, 3);
-}
-
 RoughController::RoughController(Document& document, Viewport& viewport, QWidget* window)
-    : QObject(window), document_(document), viewport_(viewport), bar_(new RoughBar(window)) {
+    : Controller(window), document_(document), viewport_(viewport), bar_(new RoughBar(window)) {
     bar_->hide();
     timer_.setSingleShot(true);
     timer_.setInterval(typing_ms);
@@ -73,14 +50,10 @@ RoughController::RoughController(Document& document, Viewport& viewport, QWidget
         show_levels();
         if (planned_) emit layer_changed();
     });
-    connect(&document_, &Document::opened, this, &RoughController::refresh);
-    connect(&document_, &Document::changed, this, &RoughController::refresh);
-    connect(&document_, &Document::part_changed, this, &RoughController::refresh);
-    connect(&document_, &Document::states_changed, this, &RoughController::refresh);
     connect(&job_, &BackgroundJob::ended, this, &RoughController::settled);
 }
 
-void RoughController::show_node(const std::optional<TreeNode>& node) {
+void RoughController::node_chosen(const std::optional<TreeNode>& node) {
     node_ = node;
     refresh();
 }

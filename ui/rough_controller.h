@@ -4,55 +4,40 @@
 
 #include "core/strategy/rough/rough.h"
 #include "ui/background_job.h"
-#include "ui/document.h"
-#include "ui/project_tree.h"
+#include "ui/controller.h"
 
 #include <QTimer>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
 #include <string>
 
-class QLabel;
-class QSlider;
-
 namespace facetmill::ui {
 
-class ElidedLabel;
+class RoughBar;
 class Viewport;
 
-/// Choice of a layer, below the view.
-class RoughBar : public QWidget {
-    Q_OBJECT
-public:
-    explicit RoughBar(QWidget* parent = nullptr);
-    QSlider* slider() { return slider_; }
-    ElidedLabel* readout() { return readout_; }
-
-private:
-    QSlider* slider_ = nullptr;
-    ElidedLabel* readout_ = nullptr;
-};
-
-class RoughController : public QObject {
+class RoughController : public Controller {
     Q_OBJECT
 public:
     RoughController(Document& document, Viewport& viewport, QWidget* window);
 
     RoughBar* bar() { return bar_; }
-    /// What is selected in the tree; layers are shown of a roughing operation.
-    void show_node(const std::optional<TreeNode>& node);
-    /// Of an operation's path: the layer that is to be drawn alone, or -1.
+    void project_opened() override { refresh(); }
+    void project_changed() override { refresh(); }
+    void part_changed() override { refresh(); }
+    void plan_changed() override { refresh(); }
+    /// Shows the layers of a roughing operation that is selected.
+    void node_chosen(const std::optional<TreeNode>& node) override;
+    /// The layer of an operation's path that is to be drawn alone, or -1.
     int layer_of(int operation_id) const;
     /// Heights of the tip, from the top down, that are shown; mm.
     const std::vector<double>& heights() const { return heights_; }
-    bool busy() const { return timer_.isActive() || job_.running(); }
+    bool busy() const override { return timer_.isActive() || job_.running(); }
 
 signals:
     /// Another layer is to be drawn alone.
     void layer_changed();
-    void settled();
 
 private:
     void refresh();

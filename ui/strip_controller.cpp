@@ -3,22 +3,19 @@
 #include "ui/camera_flight.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
+#include "ui/shown_paths.h"
 #include "ui/sorted_item.h"
+#include "ui/strip_panel.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 #include "viz/strip_display.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStackedWidget>
-#include <QStyle>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cstdint>
@@ -29,9 +26,12 @@ namespace facetmill::ui {
 
 namespace {
 
-enum Column { name_column, type_column, width_column, length_column, reason_column };
+using Column = StripPanel::Column;
+constexpr int name_column = Column::name_column, type_column = Column::type_column,
+              width_column = Column::width_column, length_column = Column::length_column,
+              reason_column = Column::reason_column;
 constexpr int strip_role = Qt::UserRole;
-/// Of a strip's size, and at least of the part's: what the view shows around it.
+/// What the view shows around a strip: this share of its size, and at least this share of the part's.
 constexpr double strip_room = 1.3, part_room = 0.15;
 
 QString type_text(const Strip& strip) {
@@ -52,100 +52,8 @@ QString type_text(const Strip& strip) {
 
 } // namespace
 
-StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("strips"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 4, 6, 6);
-    column->setSpacing(4);
-    pages_ = new QStackedWidget(this);
-    column->addWidget(pages_);
-    empty_ = new QLabel(pages_);
-    empty_->setObjectName(QStringLiteral("strips_empty"));
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setMargin(12);
-    empty_->setTextFormat(Qt::PlainText);
-    empty_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    pages_->addWidget(empty_);
-
-    auto* page = new QWidget(pages_);
-    pages_->addWidget(page);
-    column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    operation_ = new QComboBox(page);
-    operation_->setObjectName(QStringLiteral("strips_operation"));
-    operation_->setToolTip(tr("Of which operation"));
-    operation_->setFocusPolicy(Qt::TabFocus);
-    operation_->setMinimumContentsLength(8);
-    column->addWidget(operation_);
-    note_ = new ElidedLabel(page);
-    note_->setObjectName(QStringLiteral("strips_note"));
-    column->addWidget(note_);
-    list_ = new QTreeWidget(page);
-    list_->setObjectName(QStringLiteral("strip_list"));
-    list_->setHeaderLabels({tr("Strip"), tr("Type"), tr("Width"), tr("Length"), tr("Reason")});
-    list_->setToolTip(tr("Click: the view goes there. Check mark: whether the strip is cut."));
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setSortingEnabled(true);
-    list_->setTextElideMode(Qt::ElideRight);
-    list_->setIconSize(QSize(swatch_size, swatch_size));
-    list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
-    list_->header()->setSectionsMovable(false);
-    list_->header()->setStretchLastSection(true);
-    // Over right-aligned numbers, right-aligned headings.
-    for (const Column c : {width_column, length_column})
-        list_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-    connect(list_->header(), &QHeaderView::sortIndicatorChanged, this, [this] { fit_columns(); });
-    column->addWidget(list_, 1);
-    touch_ = new QCheckBox(tr("Previous tool at the picked point"), page);
-    touch_->setObjectName(QStringLiteral("strip_touch"));
-    touch_->setToolTip(tr(
-        "Shows the tool that cut before, where it touches the part at two places over the strip and can go "
-        "no deeper. Clicks on a strip in the view then mean the strip, not the path on it."));
-    touch_->setChecked(true);
-    touch_->setFocusPolicy(Qt::TabFocus);
-    touch_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    column->addWidget(touch_);
-    place_ = new QSlider(Qt::Horizontal, page);
-    place_->setObjectName(QStringLiteral("strip_place"));
-    place_->setToolTip(tr("Place along the strip; a click on the strip in the view goes there, too"));
-    place_->setAccessibleName(tr("Place along the strip"));
-    place_->setFocusPolicy(Qt::StrongFocus);
-    column->addWidget(place_);
-    readout_ = new QLabel(page);
-    readout_->setObjectName(QStringLiteral("strip_readout"));
-    readout_->setWordWrap(true);
-    readout_->setTextFormat(Qt::PlainText);
-    readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
-    column->addWidget(readout_);
-}
-
-void StripPanel::fit_columns() {
-    QHeaderView* header = list_->header();
-    const QStyle* style = list_->style();
-    const int mark = style->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, header)
-                     + style->pixelMetric(QStyle::PM_HeaderMargin, nullptr, header);
-    const QAbstractItemView* cells = list_; // the tree hides what the view offers
-    for (int c = name_column; c < reason_column; ++c)
-        header->resizeSection(
-            c, std::max(cells->sizeHintForColumn(c),
-                        header->sectionSizeHint(c) - (c == header->sortIndicatorSection() ? 0 : mark)));
-}
-
-void StripPanel::set_empty_text(const QString& text) {
-    empty_->setText(text);
-    pages_->setCurrentIndex(text.isEmpty() ? 1 : 0);
-}
-
-QString StripPanel::empty_text() const {
-    return empty_->text();
-}
-
 StripController::StripController(Document& document, Viewport& viewport, QWidget* window)
-    : QObject(window), document_(document), viewport_(viewport), panel_(new StripPanel(window)),
+    : Controller(window), document_(document), viewport_(viewport), panel_(new StripPanel(window)),
       flight_(new CameraFlight(viewport)) {
     QTreeWidget* list = panel_->list();
     connect(list, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
@@ -163,9 +71,6 @@ StripController::StripController(Document& document, Viewport& viewport, QWidget
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, &StripController::refresh);
-    connect(&document_, &Document::states_changed, this, &StripController::refresh);
-    connect(&document_, &Document::opened, this, &StripController::refresh);
     refresh();
 }
 
@@ -175,10 +80,9 @@ bool StripController::busy() const {
     return job_.running() || flight_->flying();
 }
 
-void StripController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results,
-                                std::vector<int> ids) {
-    results_ = std::move(results);
-    ids_ = std::move(ids);
+void StripController::paths_shown(const ShownPaths& paths) {
+    results_ = paths.programs();
+    ids_ = paths.ids();
     sources_.clear();
     {
         QComboBox* box = panel_->operation_box();
@@ -195,6 +99,7 @@ void StripController::set_paths(std::vector<std::shared_ptr<const OperationResul
     }
     tool_left_ = false;
     refresh();
+    if (!sources_.empty()) offer();
 }
 
 std::optional<std::size_t> StripController::source() const {
@@ -353,9 +258,15 @@ QTreeWidgetItem* StripController::item_of(std::size_t strip) const {
     return nullptr;
 }
 
-void StripController::look() {
-    show_strips();
-    take_tool();
+void StripController::panel_seen(bool) {
+    // Later: a dock says that it is hidden before what is in it is.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            show_strips();
+            take_tool();
+        },
+        Qt::QueuedConnection);
 }
 
 /// In the view while the list is seen, in the states of the settings.
@@ -445,8 +356,10 @@ void StripController::show_place() {
         box.center(), normal, std::max(strip_room * box.diagonal(), part_room * across)));
 }
 
-bool StripController::takes_path_clicks() const {
-    return listed_ && panel_->isVisible() && panel_->touch_box()->isChecked();
+bool StripController::take_path_pick(const ShownPaths& paths, const PathPick& pick) {
+    if (!listed_ || !panel_->isVisible() || !panel_->touch_box()->isChecked()) return false;
+    const CutterContact* contact = paths.contact_of(pick);
+    return contact && this->pick(contact->point);
 }
 
 bool StripController::pick(const Vec3& place) {
@@ -475,7 +388,7 @@ void StripController::leave_tool() {
     touch_shown_ = false;
 }
 
-void StripController::color() {
+void StripController::palette_changed(Palette) {
     show_states();
 }
 

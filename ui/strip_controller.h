@@ -5,61 +5,22 @@
 
 #include "core/strategy/cleanup/cleanup.h"
 #include "ui/background_job.h"
-#include "ui/document.h"
-#include "viz/scene.h"
-
-#include <QWidget>
+#include "ui/controller.h"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-class QCheckBox;
-class QComboBox;
-class QLabel;
-class QSlider;
-class QStackedWidget;
-class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace facetmill::ui {
 
 class CameraFlight;
-class ElidedLabel;
+class StripPanel;
 class Viewport;
 
-/// Which operation, its strips, and the place along the one that is chosen.
-class StripPanel : public QWidget {
-    Q_OBJECT
-public:
-    explicit StripPanel(QWidget* parent = nullptr);
-
-    QTreeWidget* list() { return list_; }
-    QComboBox* operation_box() { return operation_; }
-    QCheckBox* touch_box() { return touch_; }
-    QSlider* place() { return place_; }
-    QLabel* readout() { return readout_; }
-    ElidedLabel* note() { return note_; }
-    /// What stands instead of the list; empty: the list itself.
-    void set_empty_text(const QString& text);
-    QString empty_text() const;
-    /// All columns but the last as wide as they need, with room for the mark of sorting where it is.
-    void fit_columns();
-    QSize sizeHint() const override { return {300, 380}; }
-    QSize minimumSizeHint() const override { return {170, 120}; }
-
-private:
-    QComboBox* operation_ = nullptr;
-    QStackedWidget* pages_ = nullptr;
-    QLabel *empty_ = nullptr, *readout_ = nullptr;
-    ElidedLabel* note_ = nullptr;
-    QTreeWidget* list_ = nullptr;
-    QCheckBox* touch_ = nullptr;
-    QSlider* place_ = nullptr;
-};
-
-class StripController : public QObject {
+class StripController : public Controller {
     Q_OBJECT
 public:
     StripController(Document& document, Viewport& viewport, QWidget* window);
@@ -67,25 +28,23 @@ public:
 
     StripPanel* panel() { return panel_; }
 
-    /// The paths that the scene shows from now on, in its order, and the ids of their operations.
-    void set_paths(std::vector<std::shared_ptr<const OperationResult>> results, std::vector<int> ids);
-    /// True where one of them is of a clean-up.
-    bool any() const { return !sources_.empty(); }
-    /// The panel came to be seen, or is not seen any more.
-    void look();
-    /// The strip that covers a place of the part becomes the chosen one where the list is seen, and the
-    /// previous tool stands at the place. False where there is none.
-    bool pick(const Vec3& place);
-    /// Clicks on the path mean the strip below it.
-    bool takes_path_clicks() const;
+    void project_opened() override { refresh(); }
+    void project_changed() override { refresh(); }
+    void plan_changed() override { refresh(); }
+    void paths_shown(const ShownPaths& paths) override;
+    /// The strip that covers the place becomes the chosen one where the list is seen, and the previous tool
+    /// stands there. On a path only while that tool is wanted.
+    bool take_path_pick(const ShownPaths& paths, const PathPick& pick) override;
+    bool take_part_pick(const PartPick& pick) override { return this->pick(pick.point); }
+    void palette_changed(Palette palette) override;
+    void panel_seen(bool seen) override;
+    bool busy() const override;
+
     std::optional<std::size_t> chosen() const { return chosen_; }
     /// Chooses a strip by its place in the operation's list.
     void choose(std::optional<std::size_t> strip, bool fly);
     /// Something else has the view's tool.
     void leave_tool();
-    /// The palette changed.
-    void color();
-    bool busy() const;
     /// Puts the strips into the view again after others were there.
     void show_again();
 
@@ -96,8 +55,6 @@ signals:
     void touch_wanted(const facetmill::Tool& tool, const facetmill::CleanupRecord::Touch& touch);
     /// The tool of before belongs into the view again.
     void touch_gone();
-    void failed(const QString& message);
-    void settled();
 
 private:
     std::optional<std::size_t> source() const;
@@ -105,6 +62,7 @@ private:
     const OperationResult* result() const;
     const CleanupSettings* settings() const;
     QString empty_reason() const;
+    bool pick(const Vec3& place);
     void refresh();
     void fill();
     void show_states();

@@ -31,6 +31,36 @@ constexpr double usual_taper = 5.0 * (pi / 180.0);
 
 } // namespace
 
+ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> index, QWidget* parent) {
+    if (!document.has_part()) return nullptr;
+    const auto& tools = document.project().tools;
+    Tool tool;
+    std::vector<long> taken;
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        if (!index || i != *index) taken.push_back(tools[i].number);
+    if (index) {
+        if (*index >= tools.size()) return nullptr;
+        tool = tools[*index];
+    } else {
+        if (!tools.empty()) tool = tools.back();
+        tool.number = document.free_tool_number();
+        tool.name = tr("Tool %1").arg(tool.number).toStdString();
+    }
+    auto* dialog = new ToolDialog(tool, document.unit(), taken, parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // A part that was still being read can bring another project: its tools are not the one on the screen.
+    connect(&document, &Document::opened, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, dialog, [&document, dialog, index] {
+        if (index && *index < document.project().tools.size())
+            document.set_tool(*index, dialog->tool());
+        else
+            document.add_tool(dialog->tool());
+        emit dialog->taken(index ? *index : document.project().tools.size() - 1);
+    });
+    dialog->open();
+    return dialog;
+}
+
 ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent)
     : QDialog(parent), tool_(tool), unit_(unit), taken_(std::move(taken)) {
     setWindowTitle(tr("Tool"));

@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/setup/tool.h"
+#include "ui/document.h"
 
 #include <QDialog>
 
@@ -22,10 +23,18 @@ public:
     /// `taken`: numbers of the other tools.
     ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent = nullptr);
 
+    /// Opens the dialog for a tool of the document, or for a new one, and puts what it comes to into the
+    /// document. Null where there is no such tool.
+    static ToolDialog* open_for(Document& document, std::optional<std::size_t> index, QWidget* parent);
+
     const Tool& tool() const { return tool_; }
     /// Why OK is not possible; empty when it is.
     QString problem() const;
     void accept() override;
+
+signals:
+    /// The document has the tool now, at this place.
+    void taken(std::size_t index);
 
 private:
     void set_value(const std::string& key, const ParameterValue& value);

@@ -1,15 +1,13 @@
 #include "ui/unrolled_controller.h"
 
 #include "ui/export.h"
-#include "ui/icons.h"
+#include "ui/shown_paths.h"
 #include "ui/text.h"
+#include "ui/unrolled_panel.h"
 #include "ui/unrolled_view.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -20,38 +18,15 @@ constexpr QSize picture_size(1400, 1000);
 }
 
 UnrolledController::UnrolledController(Document& document, QWidget* window)
-    : QObject(window), document_(document), panel_(new QWidget(window)), unit_(document.unit()) {
-    panel_->setObjectName(QStringLiteral("unrolled"));
-    auto* column = new QVBoxLayout(panel_);
-    column->setContentsMargins(6, 4, 6, 6);
-    column->setSpacing(4);
-    auto* row = new QHBoxLayout;
-    operation_ = new QComboBox(panel_);
-    operation_->setObjectName(QStringLiteral("unrolled_operation"));
-    operation_->setToolTip(tr("Of which operation"));
-    operation_->setFocusPolicy(Qt::TabFocus);
-    operation_->setMinimumContentsLength(8);
-    row->addWidget(operation_);
-    row->addStretch(1);
-    const auto add = [&](Icon which, const QString& tip, const char* name) {
-        auto* button = new QToolButton(panel_);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(icon(which));
-        button->setIconSize(QSize(16, 16));
-        button->setAutoRaise(true);
-        button->setToolTip(tip);
-        button->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(button);
-        return button;
-    };
-    all_ = add(Icon::fit, tr("Show all of it (double click, Home)"), "unrolled_all");
-    picture_ = add(Icon::picture, tr("Export the unrolled path as a picture (PNG)"), "unrolled_picture");
-    column->addLayout(row);
-    view_ = new UnrolledView(panel_);
-    column->addWidget(view_, 1);
+    : Controller(window), document_(document), panel_(new UnrolledPanel(window)), unit_(document.unit()) {
+    view_ = panel_->view();
+    operation_ = panel_->operation_box();
     connect(operation_, &QComboBox::currentIndexChanged, this, &UnrolledController::update);
-    connect(all_, &QToolButton::clicked, view_, &UnrolledView::reset_view);
-    connect(picture_, &QToolButton::clicked, this, &UnrolledController::picture_requested);
+    connect(panel_, &UnrolledPanel::picture_requested, this, [this] {
+        const QString path =
+            ask_export_file(panel_, tr("Export the unrolled path"), ExportFormat::picture, export_name());
+        if (!path.isEmpty()) save_picture(path);
+    });
     connect(view_, &UnrolledView::motion_wanted, this, [this](std::size_t motion) {
         if (const auto at = source()) emit place_wanted(*at, motion);
     });
@@ -60,17 +35,23 @@ UnrolledController::UnrolledController(Document& document, QWidget* window)
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(&document_, &Document::changed, this, [this] {
-        if (unit_ != document_.unit()) update();
-    });
-    set_paths({});
+    list_paths();
 }
 
 UnrolledController::~UnrolledController() = default;
 
-void UnrolledController::set_paths(std::vector<std::shared_ptr<const OperationResult>> results) {
+void UnrolledController::project_changed() {
+    if (unit_ != document_.unit()) update();
+}
+
+void UnrolledController::paths_shown(const ShownPaths& paths) {
     job_.cancel();
-    results_ = std::move(results);
+    results_ = paths.programs();
+    list_paths();
+    if (!sources_.empty()) offer();
+}
+
+void UnrolledController::list_paths() {
     sources_.clear();
     place_.reset();
     {
@@ -96,13 +77,13 @@ std::optional<std::size_t> UnrolledController::source() const {
     return sources_[at];
 }
 
-void UnrolledController::look() {
-    update();
+void UnrolledController::panel_seen(bool seen) {
+    if (seen) update();
 }
 
 /// Makes what is missing for what is wanted, once it is seen.
 void UnrolledController::update() {
-    enable_buttons();
+    panel_->set_ready(view_->path() != nullptr);
     const auto at = source();
     if (!at || !panel_->isVisible()) return;
     const auto result = results_[*at];
@@ -123,24 +104,19 @@ void UnrolledController::update() {
                 view_->set_path(*path);
             else
                 view_->clear(tr("Nothing is cut"));
-            enable_buttons();
+            panel_->set_ready(view_->path() != nullptr);
             show_place();
         });
 }
 
-void UnrolledController::enable_buttons() {
-    for (QToolButton* button : {all_, picture_})
-        button->setEnabled(view_->path() != nullptr);
-}
-
-void UnrolledController::set_place(std::size_t source, std::size_t motion) {
+void UnrolledController::place_shown(std::size_t source, std::size_t motion, double) {
     place_ = {source, motion};
     const auto at = std::find(sources_.begin(), sources_.end(), source);
     if (at != sources_.end()) operation_->setCurrentIndex(int(at - sources_.begin()));
     show_place();
 }
 
-void UnrolledController::clear_place() {
+void UnrolledController::tool_removed() {
     place_.reset();
     view_->set_motion(std::nullopt);
 }
@@ -156,12 +132,7 @@ QString UnrolledController::export_name() const {
 }
 
 bool UnrolledController::save_picture(const QString& path) {
-    const QString wrong = write_picture(path, view_->picture(picture_size));
-    if (wrong.isEmpty())
-        emit told(tr("Wrote %1.").arg(path));
-    else
-        emit failed(wrong);
-    return wrong.isEmpty();
+    return report_written(path, write_picture(path, view_->picture(picture_size)));
 }
 
 } // namespace facetmill::ui

@@ -6,6 +6,7 @@
 #include "ui/camera_flight.h"
 #include "ui/layer_bar.h"
 #include "ui/playback_bar.h"
+#include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/verification_panel.h"
 #include "ui/viewport.h"
@@ -51,7 +52,7 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
 
 VerificationController::VerificationController(Document& document, Viewport& viewport, LayerBar& layers,
                                                BackgroundJob& job, QWidget* window)
-    : QObject(window), document_(document), viewport_(viewport), layers_(layers), job_(job),
+    : Controller(window), document_(document), viewport_(viewport), layers_(layers), job_(job),
       model_(document) {
     panel_ = new VerificationPanel(document_, model_, window);
     bar_ = new PlaybackBar(playback_, window);
@@ -80,9 +81,6 @@ VerificationController::VerificationController(Document& document, Viewport& vie
     connect(&playback_, &PlaybackController::playing_changed, this, &VerificationController::show_playback);
     connect(&playback_, &PlaybackController::failed, this,
             [this](const QString& why) { emit said(MessageBar::Kind::error, sentence(why), true); });
-    connect(&document_, &Document::changed, this, &VerificationController::follow_plan);
-    connect(&document_, &Document::part_changed, this, &VerificationController::follow_plan);
-    connect(&document_, &Document::states_changed, this, &VerificationController::follow_plan);
 }
 
 VerificationController::~VerificationController() = default;
@@ -235,7 +233,7 @@ void VerificationController::use_scale(const DeviationScale& scale) {
     viewport_.refresh();
 }
 
-void VerificationController::layers_changed() {
+void VerificationController::layers_toggled() {
     playback_.set_follow(engaged_ && layers_.shown(ViewLayer::stock));
 }
 
@@ -253,7 +251,7 @@ void VerificationController::show_playback() {
     if (!from_finding_ && !stock_offered_) {
         stock_offered_ = true;
         layers_.set_shown(ViewLayer::stock, true);
-        layers_changed(); // where it was shown already
+        layers_toggled(); // where it was shown already
     }
     show_stock();
     const PlaybackTrack& track = playback_.track();
@@ -335,8 +333,13 @@ void VerificationController::show_stock_after(std::size_t operation) {
     playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
 }
 
-void VerificationController::tool_put(const std::shared_ptr<const OperationResult>& program,
-                                      std::size_t motion) {
+void VerificationController::node_chosen(const std::optional<TreeNode>& node) {
+    if (node && node->kind == TreeNode::Kind::stock_after) show_stock_after(node->index);
+}
+
+void VerificationController::tool_placed(const ShownPaths& paths, const PathPick& pick) {
+    const auto& program = paths.programs()[pick.source];
+    const std::size_t motion = pick.motion;
     if (!engaged_ || !playback_.loaded()) return;
     const PlaybackTrack& track = playback_.track();
     std::size_t at = 0;
@@ -362,6 +365,10 @@ void VerificationController::go_to_finding(const Finding& finding) {
     scene.set_marker(Marker{finding.place, finding.normal});
     flight_->fly_to(scene.place_to_see(finding.place, finding.normal, 0.15 * across));
     viewport_.refresh();
+    if (!finding.by.known() || !model_.any()) return;
+    const VerificationOutcome& judged = model_.outcome();
+    if (finding.by.program < judged.program_operations.size())
+        emit operation_meant(judged.ids[judged.program_operations[finding.by.program]]);
 }
 
 bool VerificationController::take_key(const QKeyEvent& event) {
@@ -383,6 +390,9 @@ bool VerificationController::take_key(const QKeyEvent& event) {
         if (!engaged_) return false;
         playback_.step((event.key() == Qt::Key_Left ? -1 : 1) * (shift ? 10 : 1));
         return true;
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        return engaged_; // the arrows are the playback's
     default:
         return false;
     }
@@ -396,7 +406,7 @@ bool VerificationController::eventFilter(QObject* watched, QEvent* event) {
             key.key() == Qt::Key_Space || key.key() == Qt::Key_Comma || key.key() == Qt::Key_Period;
         if (ours && take_key(key)) return true;
     }
-    return QObject::eventFilter(watched, event);
+    return Controller::eventFilter(watched, event);
 }
 
 } // namespace facetmill::ui

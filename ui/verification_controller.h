@@ -3,13 +3,9 @@
 #pragma once
 
 #include "ui/background_job.h"
-#include "ui/message_bar.h"
+#include "ui/controller.h"
 #include "ui/playback_controller.h"
 #include "ui/verification_model.h"
-
-#include <QObject>
-
-class QKeyEvent;
 
 namespace facetmill::ui {
 
@@ -19,7 +15,7 @@ class PlaybackBar;
 class VerificationPanel;
 class Viewport;
 
-class VerificationController : public QObject {
+class VerificationController : public Controller {
     Q_OBJECT
 public:
     /// Panel and bar are made as children of `window`, which places them.
@@ -42,25 +38,29 @@ public:
 
     /// The user is playing back: keys and clicks on the path mean the playback.
     bool engaged() const { return engaged_; }
-    /// The tool was put somewhere on the path of a program.
-    void tool_put(const std::shared_ptr<const OperationResult>& program, std::size_t motion);
     /// The view was given another tool from elsewhere.
     void tool_taken() { shown_operation_ = std::size_t(-1); }
-    /// Plays back to the end of an operation, with the stock in sight.
-    void show_stock_after(std::size_t operation);
-    /// Space, comma, full stop; arrows while engaged. False for all others.
-    bool take_key(const QKeyEvent& event);
-    /// Check marks of the layers changed.
-    void layers_changed();
-    bool busy() const;
+
+    void project_changed() override { follow_plan(); }
+    void part_changed() override { follow_plan(); }
+    void plan_changed() override { follow_plan(); }
+    /// Plays back to the end of an operation whose stock is chosen.
+    void node_chosen(const std::optional<TreeNode>& node) override;
+    /// While the user plays back, the playback goes there.
+    void tool_placed(const ShownPaths& paths, const PathPick& pick) override;
+    /// Space, comma, full stop; arrows while engaged.
+    bool take_key(const QKeyEvent& event) override;
+    void layers_toggled() override;
+    bool busy() const override;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    void said(facetmill::ui::MessageBar::Kind kind, const QString& message, bool in_bar);
     /// A verification is wanted, planning first where it must.
     void verify_requested();
     void verified();
+    /// A finding is by this operation: its path should be seen.
+    void operation_meant(int id);
     /// Where the tool is, for the status line.
     void tool_moved(const QString& readout);
 
@@ -69,6 +69,7 @@ private:
     void follow_plan();
     void show_results();
     void show_playback();
+    void show_stock_after(std::size_t operation);
     void turn_view(const std::optional<TurningAxis>& turning, const CutterLocation& tool);
     void show_stock();
     void use_scale(const DeviationScale& scale);

@@ -2,6 +2,7 @@
 // point, steps with the arrow keys, and tries postures.
 #include "tests/screenshot/window_support.h"
 #include "ui/cspace_controller.h"
+#include "ui/cspace_panel.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
 #include "ui/project_tree.h"
@@ -177,7 +178,7 @@ private slots:
 
         // Saved and read again it is there; removed it is gone.
         const QString path = scratch_folder(QStringLiteral("kept")) + QStringLiteral("/p.facetmill");
-        QVERIFY(w().save_to(path));
+        QVERIFY(w().files().save_to(path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("\"manual_postures\""));

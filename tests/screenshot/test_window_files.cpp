@@ -128,13 +128,13 @@ private slots:
         w().tree().select({TreeNode::Kind::operation, 0});
         enter(w(), "tolerance", QStringLiteral("0.02"));
 
-        w().export_to(folder); // nothing is planned
+        w().exports().save_programs(folder); // nothing is planned
         QVERIFY(w().message_bar().message().contains(QStringLiteral("Plan")));
         QVERIFY(QDir(folder).isEmpty());
 
         QTest::keyClick(&w(), Qt::Key_F5);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(w().save_to(folder + QStringLiteral("/job.facetmill")));
+        QVERIFY(w().files().save_to(folder + QStringLiteral("/job.facetmill")));
         QVERIFY(!w().document().modified());
         QVERIFY(w().windowTitle().startsWith(QStringLiteral("job.facetmill –")));
         QVERIFY(QFile::exists(folder + QStringLiteral("/convex.stl"))); // the sample came along
@@ -142,7 +142,7 @@ private slots:
         QCOMPARE(w().document().state(0), OperationState::planned); // saving makes nothing stale
         QVERIFY(w().document().part_is_current());
 
-        w().export_to(folder + QStringLiteral("/out"));
+        w().exports().save_programs(folder + QStringLiteral("/out"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
         const QStringList written = QDir(folder + QStringLiteral("/out")).entryList(QDir::Files);
@@ -155,14 +155,14 @@ private slots:
         // Exported after a change, a program would not be that of the project.
         enter(w(), "tolerance", QStringLiteral("0.03"));
         QVERIFY(w().windowTitle().startsWith(QStringLiteral("job.facetmill* –")));
-        w().export_to(folder + QStringLiteral("/late"));
+        w().exports().save_programs(folder + QStringLiteral("/late"));
         QVERIFY(!w().job().running());
         QVERIFY(!QFile::exists(folder + QStringLiteral("/late")));
 
-        QVERIFY(w().save_picture(folder + QStringLiteral("/view.png")));
+        QVERIFY(w().exports().save_picture(folder + QStringLiteral("/view.png")));
         QCOMPARE(QImage(folder + QStringLiteral("/view.png")).size(),
                  w().viewport().size() * w().viewport().devicePixelRatioF());
-        QVERIFY(!w().save_picture(folder + QStringLiteral("/no/such/folder.png")));
+        QVERIFY(!w().exports().save_picture(folder + QStringLiteral("/no/such/folder.png")));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("folder.png")));
 
         bool asked = false;
@@ -179,7 +179,7 @@ private slots:
         QVERIFY(w().document().part_is_current());
         QVERIFY(!w().document().modified());
         // Writing into a place that cannot be.
-        QVERIFY(!w().save_to(folder + QStringLiteral("/nowhere/job.facetmill")));
+        QVERIFY(!w().files().save_to(folder + QStringLiteral("/nowhere/job.facetmill")));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("nowhere")));
     }
 
@@ -194,7 +194,7 @@ private slots:
         const std::string machine = find_machine("generic-3-axis").source;
         QVERIFY(write("own.json", machine));
         QVERIFY(open_part());
-        QVERIFY(w().save_to(folder + QStringLiteral("/job.facetmill")));
+        QVERIFY(w().files().save_to(folder + QStringLiteral("/job.facetmill")));
         w().document().change(QStringLiteral("Own machine"), [](Project& p) { p.machine = "own.json"; });
         w().tree().select({TreeNode::Kind::operation, 0});
         enter(w(), "tolerance", QStringLiteral("0.02"));

@@ -2,8 +2,10 @@
 #include "core/job/planner.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/cspace_controller.h"
+#include "ui/cspace_panel.h"
 #include "ui/elided_label.h"
 #include "ui/inspection_controller.h"
+#include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
 #include "ui/plot_view.h"
 #include "ui/verification_controller.h"
@@ -214,7 +216,7 @@ private slots:
         wheel(3, Qt::ControlModifier);
         QVERIFY(plot()->view().height() < whole.height());
         // The cursor is followed when it leaves.
-        charts().set_place(0, motions().size() - 1);
+        charts().place_shown(0, motions().size() - 1, 1);
         QVERIFY(plot()->view().right() >= *plot()->cursor() - 1e-9 * whole.width());
         QTest::mouseDClick(plot(), Qt::LeftButton, {}, middle);
         QCOMPARE(plot()->view(), whole);

@@ -307,7 +307,7 @@ private slots:
         wheel(about, 60);
         QVERIFY(view()->window().high - view()->window().low >= 0.36 - 1e-9);
         QVERIFY(!view()->grab().toImage().isNull());
-        w().unrolled().set_place(0, motions().size() / 2);
+        w().unrolled().place_shown(0, motions().size() / 2, 1);
         const auto place = unrolled_place(*view()->path(), motions().size() / 2);
         QVERIFY(place.has_value());
         QVERIFY(view()->window().from <= double(place->along) && view()->window().to >= double(place->along));

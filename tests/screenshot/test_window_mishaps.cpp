@@ -131,7 +131,7 @@ private slots:
         QFile file(folder + QStringLiteral("/file"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.close();
-        w().export_to(folder + QStringLiteral("/file/programs"));
+        w().exports().save_programs(folder + QStringLiteral("/file/programs"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("programs")),
                  qPrintable(w().message_bar().message()));

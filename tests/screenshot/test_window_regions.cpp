@@ -310,7 +310,7 @@ private slots:
 
         // Kept in the file.
         const QString path = scratch_folder(QStringLiteral("saved")) + QStringLiteral("/job.facetmill");
-        QVERIFY(w().save_to(path));
+        QVERIFY(w().files().save_to(path));
         QVERIFY(wait_until_settled(w()));
         const auto kept = edits().region_edits();
         const auto dragged = edits().boundary_drags();
@@ -495,7 +495,7 @@ private slots:
         d.take({{d.operation_id(0), result, {}, Document::fingerprint(d.project(), 0)}});
         QVERIFY(wait_until_settled(w()));
         const QString folder = scratch_folder(QStringLiteral("programs"));
-        w().export_to(folder);
+        w().exports().save_programs(folder);
         QVERIFY(wait_until_settled(w()));
         QStringList written = QDir(folder).entryList(QDir::Files);
         written.sort();

@@ -4,6 +4,7 @@
 #include "ui/elided_label.h"
 #include "ui/layer_bar.h"
 #include "ui/project_tree.h"
+#include "ui/rough_bar.h"
 #include "ui/rough_controller.h"
 #include "ui/verification_controller.h"
 #include "ui/viewport.h"

@@ -172,7 +172,7 @@ private slots:
 
         // It stays the same file when the project is saved beside it.
         const QString saved = folder + QStringLiteral("/p.facetmill");
-        QVERIFY(w().save_to(saved));
+        QVERIFY(w().files().save_to(saved));
         QCOMPARE(stock.file, std::string("raw.stl"));
         QVERIFY(w().document().part_is_current());
         w().document().undo_stack().undo();
@@ -191,7 +191,7 @@ private slots:
         const QString folder = scratch_folder(QStringLiteral("open-stock"));
         const QString path = folder + QStringLiteral("/raw.stl");
         write_block(path, w().document().part()->box, true);
-        w().set_stock_file(path);
+        w().files().set_stock_file(path);
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("not closed")),
                  qPrintable(w().message_bar().message()));

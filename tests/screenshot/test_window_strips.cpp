@@ -9,6 +9,7 @@
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/strip_controller.h"
+#include "ui/strip_panel.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 

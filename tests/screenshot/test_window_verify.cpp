@@ -378,7 +378,7 @@ private slots:
     void export_is_doubted() {
         QVERIFY(open_and_plan());
         const QString folder = scratch_folder(QStringLiteral("export"));
-        w().export_to(folder);
+        w().exports().save_programs(folder);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(QDir(folder).exists(QStringLiteral("report.json")));
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("has not been verified")),
@@ -389,7 +389,7 @@ private slots:
         QVERIFY(asked);
         QVERIFY(!w().job().running());
         QVERIFY(verify());
-        w().export_to(folder);
+        w().exports().save_programs(folder);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote 2 file")));
         QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
@@ -400,14 +400,14 @@ private slots:
         const auto refused = [&](const char* why) {
             w().message_bar().dismiss();
             action(w(), "setup_sheet")->trigger(); // says why not instead of asking for a name
-            w().save_sheet(file);
+            w().exports().save_sheet(file);
             return wait_until_settled(w()) && w().message_bar().message().contains(QLatin1String(why))
                    && !QFileInfo::exists(file);
         };
         QVERIFY(open_and_plan());
         QVERIFY(refused("Press Verify"));
         QVERIFY(verify());
-        w().save_sheet(file);
+        w().exports().save_sheet(file);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote ")));
         QFile sheet(file);
@@ -423,7 +423,7 @@ private slots:
         QVERIFY(picture.width() > 300 && picture.height() > 200);
         sheet.close();
         QVERIFY(sheet.remove());
-        w().save_sheet(QStringLiteral("/nowhere/at/all.html"));
+        w().exports().save_sheet(QStringLiteral("/nowhere/at/all.html"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().contains(QStringLiteral("/nowhere/at/all.html")),
                  qPrintable(w().last_failure()));

@@ -3,6 +3,8 @@
 
 #include "tests/support/test_runner.h"
 #include "ui/main_window.h"
+#include "ui/program_export.h"
+#include "ui/project_files.h"
 
 #include <QImage>
 #include <QMessageBox>

@@ -1,0 +1,145 @@
+#include "ui/controllers.h"
+
+#include "ui/cspace_controller.h"
+#include "ui/inspection_controller.h"
+#include "ui/layer_bar.h"
+#include "ui/messages.h"
+#include "ui/part_controller.h"
+#include "ui/path_controller.h"
+#include "ui/point_picker.h"
+#include "ui/region_controller.h"
+#include "ui/rough_controller.h"
+#include "ui/strip_controller.h"
+#include "ui/tool_controller.h"
+#include "ui/unrolled_controller.h"
+#include "ui/verification_controller.h"
+#include "ui/viewport.h"
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+Controllers::Controllers(const Parts& parts, QWidget* window) : QObject(window) {
+    build(parts, window);
+    connect_document(parts.document);
+    connect_messages(parts.messages);
+    connect_tool();
+    connect_each_other(parts.layers);
+    connect_view(parts.viewport);
+}
+
+Controllers::~Controllers() {
+    while (!all_.empty()) {
+        delete all_.back();
+        all_.pop_back();
+    }
+}
+
+void Controllers::build(const Parts& p, QWidget* window) {
+    auto* picker = new PointPicker(p.document, p.viewport, p.properties, p.messages, window);
+    verification_ = new VerificationController(p.document, p.viewport, p.layers, p.job, window);
+    rough_ = new RoughController(p.document, p.viewport, window);
+    regions_ = new RegionController(p.document, p.viewport, window);
+    inspection_ = new InspectionController(p.document, p.viewport, p.layers, window);
+    unrolled_ = new UnrolledController(p.document, window);
+    cspace_ = new CSpaceController(p.document, window);
+    strips_ = new StripController(p.document, p.viewport, window);
+    paths_ = new PathController(p.document, p.viewport, p.layers, p.tree, *rough_, window);
+    tool_ = new ToolController(p.document, p.viewport, *paths_, *verification_, p.status, window);
+    part_ = new PartController(p.document, p.viewport, p.planner, p.job, p.messages, window);
+    // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
+    // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
+    // results are drawn last, when everybody knows of them.
+    all_ = {picker,  verification_, rough_,  regions_, inspection_, unrolled_,
+            cspace_, tool_,         strips_, part_,    paths_};
+}
+
+void Controllers::connect_document(const Document& document) {
+    connect(&document, &Document::opened, this, [this] { tell(&Controller::project_opened); });
+    connect(&document, &Document::changed, this, [this] { tell(&Controller::project_changed); });
+    connect(&document, &Document::part_changed, this, [this] { tell(&Controller::part_changed); });
+    connect(&document, &Document::states_changed, this, [this] { tell(&Controller::plan_changed); });
+}
+
+void Controllers::connect_messages(Messages& messages) {
+    for (Controller* controller : all_) {
+        connect(controller, &Controller::said, this,
+                [&messages](MessageBar::Kind kind, const QString& message, bool in_bar) {
+                    messages.tell(kind, message, in_bar);
+                });
+        connect(controller, &Controller::failed, this,
+                [&messages](const QString& why) { messages.fail(why); });
+        connect(controller, &Controller::wrote, this, [&messages](const QString& path) {
+            messages.succeeded();
+            messages.information(tr("Wrote %1.").arg(path), false);
+        });
+        connect(controller, &Controller::settled, this, &Controllers::settled);
+    }
+    connect(verification_, &VerificationController::verified, this, [this, &messages] {
+        messages.succeeded();
+        emit verified();
+    });
+}
+
+/// The tool goes where a panel wants it, and all hear where it is.
+void Controllers::connect_tool() {
+    connect(paths_, &PathController::shown, this,
+            [this] { tell(&Controller::paths_shown, paths_->paths()); });
+    connect(paths_, &PathController::parts_shown, this,
+            [this](const std::vector<PathSource>& sources) { tell(&Controller::path_parts_shown, sources); });
+    connect(paths_, &PathController::redrawn, tool_, &ToolController::paths_redrawn);
+    connect(tool_, &ToolController::placed, this,
+            [this](const PathPick& pick) { tell(&Controller::tool_placed, paths_->paths(), pick); });
+    connect(tool_, &ToolController::at_place, this,
+            [this](std::size_t source, std::size_t motion, double share) {
+                tell(&Controller::place_shown, source, motion, share);
+            });
+    connect(tool_, &ToolController::removed, this, [this] { tell(&Controller::tool_removed); });
+
+    connect(inspection_, &InspectionController::place_wanted, tool_, &ToolController::show_motion);
+    connect(inspection_, &InspectionController::step_wanted, tool_, &ToolController::step);
+    connect(unrolled_, &UnrolledController::place_wanted, tool_, &ToolController::show_motion);
+    connect(unrolled_, &UnrolledController::step_wanted, tool_, &ToolController::step);
+    connect(cspace_, &CSpaceController::tool_wanted, tool_, &ToolController::show_pose);
+    connect(strips_, &StripController::touch_wanted, tool_, &ToolController::show_touch);
+    connect(strips_, &StripController::touch_gone, tool_, &ToolController::end_touch);
+    connect(tool_, &ToolController::touch_left, strips_, &StripController::leave_tool);
+}
+
+void Controllers::connect_each_other(LayerBar& layers) {
+    connect(strips_, &StripController::strips_shown, regions_, &RegionController::give_way);
+    connect(regions_, &RegionController::ended, strips_, &StripController::show_again);
+    connect(regions_, &RegionController::wanted, this,
+            [&layers] { layers.set_shown(ViewLayer::regions, true); });
+    connect(verification_, &VerificationController::operation_meant, paths_, &PathController::uncover);
+}
+
+void Controllers::connect_view(Viewport& viewport) {
+    connect(&viewport, &Viewport::path_picked, this, [this](const PathPick& pick) {
+        for (Controller* controller : all_)
+            if (controller->take_path_pick(paths_->paths(), pick)) return;
+        tool_->show_at(pick);
+    });
+    connect(&viewport, &Viewport::part_picked, this, [this, &viewport](const PartPick& pick) {
+        for (Controller* controller : all_)
+            if (controller->take_part_pick(pick)) return;
+        viewport.scene().set_marker(Marker{pick.point, pick.normal});
+        viewport.refresh();
+    });
+    connect(&viewport, &Viewport::nothing_picked, this, [&viewport] {
+        viewport.scene().set_marker(std::nullopt);
+        viewport.refresh();
+    });
+}
+
+bool Controllers::take_key(const QKeyEvent& event) {
+    return std::any_of(all_.begin(), all_.end(),
+                       [&](Controller* controller) { return controller->take_key(event); });
+}
+
+bool Controllers::busy() const {
+    return std::any_of(all_.begin(), all_.end(),
+                       [](const Controller* controller) { return controller->busy(); });
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,93 @@
+// All controllers of the window: made here, told in a loop what happens, and connected where one wants
+// something of another.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/controller.h"
+
+#include <memory>
+#include <vector>
+
+class QWidget;
+
+namespace facetmill::ui {
+
+class CSpaceController;
+class InspectionController;
+class LayerBar;
+class Messages;
+class PartController;
+class PathController;
+class PropertiesPanel;
+class RegionController;
+class RoughController;
+class StatusLine;
+class StripController;
+class ToolController;
+class UnrolledController;
+class VerificationController;
+class Viewport;
+
+class Controllers : public QObject {
+    Q_OBJECT
+public:
+    /// What the controllers work with; all of it lives longer than they do.
+    struct Parts {
+        Document& document;
+        BackgroundJob& job;
+        std::shared_ptr<Planner> planner;
+        Viewport& viewport;
+        LayerBar& layers;
+        ProjectTree& tree;
+        PropertiesPanel& properties;
+        StatusLine& status;
+        Messages& messages;
+    };
+    Controllers(const Parts& parts, QWidget* window);
+    ~Controllers() override;
+
+    VerificationController& verification() { return *verification_; }
+    CSpaceController& cspace() { return *cspace_; }
+    InspectionController& inspection() { return *inspection_; }
+    UnrolledController& unrolled() { return *unrolled_; }
+    RoughController& rough() { return *rough_; }
+    RegionController& regions() { return *regions_; }
+    StripController& strips() { return *strips_; }
+    PartController& part() { return *part_; }
+
+    /// Calls a function of every controller.
+    template <class Function, class... Arguments>
+    void tell(Function function, const Arguments&... arguments) {
+        for (Controller* controller : all_)
+            (controller->*function)(arguments...);
+    }
+    bool take_key(const QKeyEvent& event);
+    bool busy() const;
+
+signals:
+    void settled();
+    /// The verification panel has something new to say.
+    void verified();
+
+private:
+    void build(const Parts& parts, QWidget* window);
+    void connect_document(const Document& document);
+    void connect_messages(Messages& messages);
+    void connect_tool();
+    void connect_each_other(LayerBar& layers);
+    void connect_view(Viewport& viewport);
+
+    VerificationController* verification_ = nullptr;
+    RoughController* rough_ = nullptr;
+    RegionController* regions_ = nullptr;
+    InspectionController* inspection_ = nullptr;
+    UnrolledController* unrolled_ = nullptr;
+    CSpaceController* cspace_ = nullptr;
+    StripController* strips_ = nullptr;
+    ToolController* tool_ = nullptr;
+    PathController* paths_ = nullptr;
+    PartController* part_ = nullptr;
+    std::vector<Controller*> all_; ///< in the order in which they are told
+};
+
+} // namespace facetmill::ui

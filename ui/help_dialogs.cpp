@@ -1,0 +1,60 @@
+#include "ui/help_dialogs.h"
+
+#include "core/output/apt.h"
+#include "ui/icons.h"
+#include "ui/text.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+
+namespace facetmill::ui {
+
+void show_shortcuts(QWidget* window) {
+    QString rows;
+    const auto row = [&](const QString& key, const QString& what) {
+        rows += QStringLiteral("<tr><td style=\"padding:2px 18px 2px 0; white-space:nowrap\"><b>%1</b></td>"
+                               "<td style=\"padding:2px 0; white-space:nowrap\">%2</td></tr>")
+                    .arg(key, what);
+    };
+    row(QObject::tr("Left drag"), QObject::tr("turn the view about the point under the pointer"));
+    row(QObject::tr("Middle drag, Shift + left drag"), QObject::tr("move the view"));
+    row(QObject::tr("Wheel, right drag"), QObject::tr("zoom about the pointer"));
+    row(QObject::tr("Double click, F"), QObject::tr("fit"));
+    row(QObject::tr("Click on a path"),
+        QObject::tr("show the tool there; ← and → step along the path (Shift: by ten)"));
+    row(QObject::tr("← →  ↑ ↓"),
+        QObject::tr("with the configuration space in view: points along the pass, passes"));
+    row(QObject::tr("In a chart or the unrolled path"),
+        QObject::tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
+    row(QObject::tr("0 … 6"), QObject::tr("isometric, front, top, right, rear, bottom, left"));
+    row(QObject::tr("F5, Ctrl+P"), QObject::tr("plan"));
+    row(QObject::tr("F6"), QObject::tr("verify"));
+    row(QObject::tr("Space"), QObject::tr("play, pause"));
+    row(QObject::tr(",  ."), QObject::tr("one motion back, on (← and → too while playing back; Shift: ten)"));
+    row(QObject::tr("Esc"), QObject::tr("cancel the running job"));
+    row(QObject::tr("Ctrl+E"),
+        QObject::tr("export %1 programs and the report").arg(text(apt_writer().label)));
+    row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo"));
+    row(QObject::tr("Enter, F2"), QObject::tr("edit the selected tool or the parameters of the selection"));
+    row(QObject::tr("Del"), QObject::tr("remove the selected tool or operation"));
+    auto* box = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Keys and mouse"),
+                                QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows),
+                                QMessageBox::Close, window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+void show_about(QWidget* window) {
+    auto* box =
+        new QMessageBox(QMessageBox::NoIcon, QObject::tr("About Facetmill"),
+                        QObject::tr("<h3>Facetmill %1</h3><p>Plans tool paths on triangle meshes.</p>"
+                                    "<p>Built with Qt %2, VTK, Eigen, OpenMesh and oneTBB.<br>Licensed under "
+                                    "the Apache License 2.0.</p>")
+                            .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion())),
+                        QMessageBox::Close, window);
+    box->setIconPixmap(application_icon().pixmap(64, 64));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,52 @@
+// Planning, in the background: operation by operation, so that one that fails leaves the others planned; and
+// planning that a verification follows.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/document.h"
+
+namespace facetmill::ui {
+
+class Messages;
+class PartController;
+class PropertiesPanel;
+class VerificationController;
+
+class PlanRunner : public QObject {
+    Q_OBJECT
+public:
+    PlanRunner(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job, Messages& messages,
+               PartController& part, PropertiesPanel& properties, VerificationController& verification,
+               QObject* window);
+
+    /// Plans all operations, or one.
+    void plan(std::optional<std::size_t> only = std::nullopt);
+    /// Verifies the plan; what is not planned as it stands is planned first.
+    void verify();
+    /// There is something to plan, and nothing runs.
+    bool can_plan() const;
+
+signals:
+    /// Values that are being typed elsewhere are to be taken over now.
+    void about_to_plan();
+    /// Operations were planned, or failed; the first of them.
+    void planned(std::size_t first);
+
+private:
+    struct Work;
+    /// In the job's thread.
+    static void run(Work& work, Planner& planner, const Progress& progress);
+    void finish(Work& work, const JobEnd& end);
+    void tell_result(const OperationResult& program);
+
+    Document& document_;
+    std::shared_ptr<Planner> planner_;
+    BackgroundJob& job_;
+    Messages& messages_;
+    PartController& part_;
+    PropertiesPanel& properties_;
+    VerificationController& verification_;
+    bool verify_next_ = false; ///< when the planning under way is through
+};
+
+} // namespace facetmill::ui

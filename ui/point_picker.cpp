@@ -1,0 +1,92 @@
+#include "ui/point_picker.h"
+
+#include "core/mesh/flat_face.h"
+#include "ui/messages.h"
+#include "ui/parameter_form.h"
+#include "ui/properties_panel.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QKeyEvent>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// Pixels: a corner of the facet that is so near is what is meant.
+constexpr double corner_pixels = 8;
+
+} // namespace
+
+PointPicker::PointPicker(Document& document, Viewport& viewport, PropertiesPanel& properties,
+                         Messages& messages, QObject* window)
+    : Controller(window), document_(document), viewport_(viewport), properties_(properties),
+      messages_(messages) {
+    connect(&properties_, &PropertiesPanel::pick_requested, this, [this](const std::string& key, bool on) {
+        if (on)
+            begin(key);
+        else
+            end();
+    });
+    connect(&properties_, &PropertiesPanel::shown, this, &PointPicker::end);
+    connect(&viewport_, &Viewport::point_picked, this, &PointPicker::take);
+}
+
+void PointPicker::begin(const std::string& key) {
+    if (!document_.has_part() || !document_.part()) {
+        messages_.information(tr("The part is not read yet: there is nothing to pick."));
+        return end();
+    }
+    key_ = key;
+    properties_.form()->set_picking(key);
+    viewport_.set_picking(true);
+    messages_.information(tr("Click a point of the part for “%1”; a corner nearby is taken exactly. "
+                             "Ctrl+click takes the middle of the flat face there. Esc leaves it.")
+                              .arg(text(key).replace(QChar('_'), QChar(' '))));
+}
+
+void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifiers modifiers) {
+    if (key_.empty()) return;
+    if (!pick) {
+        messages_.information(tr("That is beside the part: click on it, or press Esc."));
+        return;
+    }
+    const Mesh& mesh = *document_.part()->mesh;
+    Vec3 point = pick->point;
+    if (modifiers & Qt::ControlModifier) {
+        point = middle_of(mesh, flat_face(mesh, Index(pick->facet)));
+    } else {
+        const Scene& scene = viewport_.scene();
+        const Vec2 at = scene.display_of(pick->point);
+        double nearest = corner_pixels * viewport_.devicePixelRatioF();
+        for (int k = 0; k < 3; ++k) {
+            const Vec3& corner = mesh.corner(pick->facet, k);
+            const double away = (scene.display_of(corner) - at).norm();
+            if (away > nearest) continue;
+            nearest = away;
+            point = corner;
+        }
+    }
+    const std::string key = key_;
+    end();
+    viewport_.scene().set_marker(Marker{point, pick->normal});
+    viewport_.refresh();
+    properties_.take_point(key, point);
+}
+
+void PointPicker::end() {
+    const bool picking = !key_.empty();
+    key_.clear();
+    properties_.form()->set_picking({});
+    if (!picking) return;
+    viewport_.set_picking(false);
+    messages_.dismiss();
+}
+
+bool PointPicker::take_key(const QKeyEvent& event) {
+    if (key_.empty() || event.key() != Qt::Key_Escape) return false;
+    end();
+    return true;
+}
+
+} // namespace facetmill::ui

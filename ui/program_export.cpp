@@ -1,0 +1,177 @@
+#include "ui/program_export.h"
+
+#include "core/base/file.h"
+#include "core/job/program_files.h"
+#include "core/job/setup_sheet.h"
+#include "core/output/apt.h"
+#include "ui/export.h"
+#include "ui/messages.h"
+#include "ui/properties_panel.h"
+#include "ui/settings.h"
+#include "ui/text.h"
+#include "ui/verification_controller.h"
+#include "ui/viewport.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace facetmill::ui {
+
+ProgramExport::ProgramExport(const Document& document, BackgroundJob& job, Messages& messages,
+                             PropertiesPanel& properties, Viewport& viewport,
+                             VerificationController& verification, QWidget* window)
+    : QObject(window), document_(document), job_(job), messages_(messages), properties_(properties),
+      viewport_(viewport), verification_(verification), window_(window) {}
+
+void ProgramExport::programs_with_dialog() {
+    if (!document_.complete_plan()) {
+        save_programs({}); // says why not
+        return;
+    }
+    if (!may_export()) return;
+    const QString folder = QFileDialog::getExistingDirectory(
+        window_, tr("Export %1 programs into").arg(text(apt_writer().label)), settings::last_folder());
+    if (folder.isEmpty()) return;
+    const QStringList there = QDir(folder).entryList(
+        {QLatin1Char('*') + text(apt_writer().extension), QStringLiteral("report.json")}, QDir::Files);
+    if (!there.isEmpty()
+        && QMessageBox::question(
+               window_, tr("Replace files?"),
+               tr("The folder holds %1 and %n more. Programs of the same name are replaced.", nullptr,
+                  int(there.size()) - 1)
+                   .arg(elided(there.front(), 40)),
+               QMessageBox::Ok | QMessageBox::Cancel)
+               != QMessageBox::Ok)
+        return;
+    settings::set_last_folder(folder);
+    save_programs(folder);
+}
+
+bool ProgramExport::may_export() {
+    const QString doubt = verification_.doubt();
+    if (doubt.isEmpty()) return true;
+    const Verdict verdict = verification_.model().verdict();
+    QMessageBox box(QMessageBox::Warning, tr("Export unverified programs?"), doubt, QMessageBox::Cancel,
+                    window_);
+    box.setInformativeText(verdict == Verdict::failed
+                               ? tr("Running these programs can damage part, tool and machine.")
+                               : tr("Verify first (F6), or export programs that nobody has checked."));
+    QPushButton* verify_first =
+        verdict == Verdict::failed ? nullptr : box.addButton(tr("Verify"), QMessageBox::AcceptRole);
+    const QAbstractButton* go_on = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
+    if (verify_first)
+        box.setDefaultButton(verify_first);
+    else
+        box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    const QAbstractButton* pressed = box.clickedButton();
+    if (verify_first && pressed == static_cast<QAbstractButton*>(verify_first)) emit verify_wanted();
+    return pressed == go_on;
+}
+
+void ProgramExport::save_programs(const QString& folder) {
+    if (!properties_.commit()) {
+        messages_.warning(tr("A parameter is not valid: correct it before programs are written."));
+        return;
+    }
+    // Only what was planned from the present values is written: an old path under new values would lie.
+    const auto plan = document_.complete_plan();
+    if (!plan) {
+        messages_.warning(tr("There is nothing to export yet: not every operation is planned "
+                             "as it stands. Press Plan (F5) first."));
+        return;
+    }
+    auto project = std::make_shared<Project>(document_.project());
+    auto written = std::make_shared<std::vector<std::filesystem::path>>();
+    const std::filesystem::path target = path_of(folder);
+    job_.start(
+        tr("Writing programs"),
+        [=](const Progress& p) {
+            *written = write_plan(*project, *plan, target, p.part(0, 1, "Writing programs"));
+        },
+        [this, written, doubt = verification_.doubt()](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            for (const auto& path : *written)
+                messages_.information(tr("Wrote %1.").arg(path_text(path)), false);
+            if (written->empty()) return;
+            const QString wrote = tr("Wrote %n file(s) into %1.", nullptr, int(written->size()))
+                                      .arg(path_text(written->front().parent_path()));
+            // A wrong path is worse than none: it does not leave without a word.
+            if (doubt.isEmpty())
+                messages_.show(wrote);
+            else
+                messages_.warning(wrote + QChar(' ') + doubt);
+        });
+}
+
+void ProgramExport::sheet_with_dialog() {
+    if (!may_write_sheet()) return;
+    const QString path = ask_export_file(window_, tr("Export setup sheet"), ExportFormat::web_page,
+                                         QFileInfo(document_.name()).completeBaseName());
+    if (!path.isEmpty()) save_sheet(path);
+}
+
+bool ProgramExport::may_write_sheet() {
+    if (!document_.complete_plan()) {
+        messages_.warning(tr("There is nothing to tell yet: not every operation is planned as "
+                             "it stands. Press Plan (F5) first."));
+        return false;
+    }
+    if (verification_.model().current()) return true;
+    messages_.warning(tr("A setup sheet begins with the verdict of the verification. Press "
+                         "Verify (F6) first."));
+    return false;
+}
+
+void ProgramExport::save_sheet(const QString& path) {
+    if (!properties_.commit()) {
+        messages_.warning(tr("A parameter is not valid: correct it before the setup sheet is written."));
+        return;
+    }
+    if (!may_write_sheet()) return;
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    viewport_.full_picture().save(&buffer, "PNG");
+    auto project = std::make_shared<Project>(document_.project());
+    const auto plan = document_.complete_plan(); // what was verified, with what is said of the stock
+    const auto verification = verification_.model().outcome().verification;
+    const std::filesystem::path target = path_of(path);
+    job_.start(
+        tr("Writing the setup sheet"),
+        [=](const Progress& p) {
+            const SheetPicture picture{"As the workbench showed it", png.toStdString()};
+            OutputFile file(target);
+            file.write(
+                setup_sheet(*project, *plan, verify_programs(*project, plan), *verification, {&picture, 1}));
+            p.check();
+            file.commit();
+        },
+        [this, path](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            messages_.information(tr("Wrote %1.").arg(path));
+        });
+}
+
+void ProgramExport::picture_with_dialog() {
+    const QString path = ask_export_file(window_, tr("Export picture"), ExportFormat::picture,
+                                         QFileInfo(document_.name()).completeBaseName());
+    if (!path.isEmpty()) save_picture(path);
+}
+
+bool ProgramExport::save_picture(const QString& path) {
+    if (const QString wrong = write_picture(path, viewport_.full_picture()); !wrong.isEmpty()) {
+        messages_.fail(wrong);
+        return false;
+    }
+    messages_.information(tr("Wrote %1.").arg(path), false);
+    return true;
+}
+
+} // namespace facetmill::ui

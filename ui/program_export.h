@@ -1,0 +1,51 @@
+// What leaves the workbench: programs with their report, the setup sheet, a picture of the view. Programs
+// that were not verified leave only after a question.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/document.h"
+
+#include <QWidget>
+
+namespace facetmill::ui {
+
+class Messages;
+class PropertiesPanel;
+class VerificationController;
+class Viewport;
+
+class ProgramExport : public QObject {
+    Q_OBJECT
+public:
+    ProgramExport(const Document& document, BackgroundJob& job, Messages& messages,
+                  PropertiesPanel& properties, Viewport& viewport, VerificationController& verification,
+                  QWidget* window);
+
+    void programs_with_dialog();
+    /// Writes the program files and report.json into `folder`, in the background.
+    void save_programs(const QString& folder);
+    void sheet_with_dialog();
+    /// Writes the setup sheet of the plan as it was verified, with the view as it is, in the background.
+    void save_sheet(const QString& path);
+    void picture_with_dialog();
+    bool save_picture(const QString& path);
+
+signals:
+    /// The user would rather verify first.
+    void verify_wanted();
+
+private:
+    bool may_export();
+    /// Says why not.
+    bool may_write_sheet();
+
+    const Document& document_;
+    BackgroundJob& job_;
+    Messages& messages_;
+    PropertiesPanel& properties_;
+    Viewport& viewport_;
+    VerificationController& verification_;
+    QWidget* window_;
+};
+
+} // namespace facetmill::ui

@@ -1,0 +1,281 @@
+#include "ui/project_files.h"
+
+#include "core/base/file.h"
+#include "core/mesh/sample.h"
+#include "ui/messages.h"
+#include "ui/part_dialog.h"
+#include "ui/properties_panel.h"
+#include "ui/settings.h"
+#include "ui/text.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QStandardPaths>
+
+namespace facetmill::ui {
+
+namespace {
+
+bool is_project(const std::filesystem::path& path) {
+    return path_text(path.extension()).compare(QStringLiteral(".facetmill"), Qt::CaseInsensitive) == 0;
+}
+
+/// Copies `from` into `folder` unless the same bytes are there already; a name that is taken by other bytes
+/// gets a number.
+std::filesystem::path copy_beside(const std::filesystem::path& from, const std::filesystem::path& folder) {
+    const InputFile source(from);
+    for (int n = 1;; ++n) {
+        std::filesystem::path to = folder / from.filename();
+        if (n > 1)
+            to.replace_filename(from.stem().string() + "-" + std::to_string(n) + from.extension().string());
+        if (std::filesystem::exists(to)) {
+            try {
+                if (InputFile(to).bytes() == source.bytes()) return to;
+            } catch (const Error&) {
+                // unreadable, empty or a folder: another file that keeps its name
+            }
+            continue;
+        }
+        OutputFile out(to);
+        out.write(source.bytes());
+        out.commit();
+        return to;
+    }
+}
+
+} // namespace
+
+ProjectFiles::ProjectFiles(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job,
+                           Messages& messages, PartController& part, PropertiesPanel& properties,
+                           ProjectTree& tree, QWidget* window)
+    : QObject(window), document_(document), planner_(std::move(planner)), job_(job), messages_(messages),
+      part_(part), properties_(properties), tree_(tree), window_(window),
+      sample_folder_(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)
+                     + QStringLiteral("/samples")) {}
+
+bool ProjectFiles::may_discard() {
+    if (!document_.has_part() || !document_.modified()) return true;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("Save the changes to “%1”?").arg(elided(document_.name(), 60)),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    box.setObjectName(QStringLiteral("unsaved_changes"));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void ProjectFiles::close_project() {
+    if (!may_discard()) return;
+    job_.cancel();
+    document_.clear();
+}
+
+QString ProjectFiles::chosen_file(const QString& title, const QString& filter) const {
+    return QFileDialog::getOpenFileName(window_, title, settings::last_folder(), filter);
+}
+
+void ProjectFiles::open_with_dialog() {
+    const QString path = chosen_file(
+        tr("Open"), tr("Meshes and projects (%1 *.facetmill);;All files (*)").arg(mesh_patterns()));
+    if (!path.isEmpty()) open(path);
+}
+
+void ProjectFiles::choose_stock() {
+    const QString path = chosen_file(tr("Stock mesh"), tr("Meshes (%1);;All files (*)").arg(mesh_patterns()));
+    if (path.isEmpty())
+        properties_.reset(); // the kind is what it was
+    else
+        set_stock_file(path);
+}
+
+void ProjectFiles::set_stock_file(const QString& path) {
+    const std::filesystem::path file = path_of(QFileInfo(path).absoluteFilePath());
+    const std::filesystem::path& project = document_.project().path;
+    const std::filesystem::path relative = file.lexically_relative(project.parent_path());
+    const bool below = !project.empty() && !relative.empty() && *relative.begin() != "..";
+    settings::set_last_folder(QFileInfo(path).absolutePath());
+    document_.change(tr("Choose stock"), [&](Project& p) {
+        p.stock.kind = StockSpec::Kind::mesh;
+        p.stock.file = (below ? relative : file).generic_string();
+    });
+}
+
+void ProjectFiles::open(const QString& path, std::optional<LengthUnit> unit) {
+    if (!may_discard()) return;
+    const QFileInfo info(path);
+    settings::set_last_folder(info.absolutePath());
+    const std::filesystem::path absolute = path_of(info.absoluteFilePath());
+    if (is_project(absolute))
+        open_project(absolute);
+    else
+        open_mesh(absolute, unit);
+}
+
+void ProjectFiles::open_project(const std::filesystem::path& path) {
+    try {
+        Project project = load_project(path);
+        project.path = path;
+        document_.open(std::move(project), QString(), false);
+    } catch (const Error& e) {
+        settings::remove_recent_file(path_text(path));
+        messages_.fail(text(e.what()));
+        emit settled();
+        return;
+    }
+    settings::add_recent_file(path_text(path));
+    messages_.succeeded();
+    messages_.information(tr("Opened %1.").arg(path_text(path)), false);
+    tree_.select({document_.operation_count() > 0 ? TreeNode::Kind::operation : TreeNode::Kind::part, 0});
+    part_.reload();
+}
+
+void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
+                             std::function<void(LoadedPart)> then) {
+    auto loaded = std::make_shared<LoadedPart>();
+    Project probe;
+    probe.part.file = path.string();
+    probe.part.unit = probe.unit = unit;
+    job_.start(
+        tr("Reading %1").arg(elided(path_text(path.filename()), 30)),
+        [loaded, probe, planner = planner_](const Progress& p) { *loaded = load_part(*planner, probe, p); },
+        [this, loaded, path, then](const JobEnd& end) {
+            if (end.done()) {
+                messages_.succeeded();
+                then(*loaded);
+            } else if (end.how == JobEnd::How::failed) {
+                settings::remove_recent_file(path_text(path));
+            }
+        });
+}
+
+void ProjectFiles::open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
+    if (!unit) unit = settings::remembered_unit(path_text(path));
+    if (unit) {
+        read_mesh(path, *unit,
+                  [this, path, u = *unit](const LoadedPart& loaded) { take_mesh(path, u, loaded, {}); });
+        return;
+    }
+    // Read in millimetres first: that shows whether it is a mesh at all, and how large its numbers are.
+    read_mesh(path, LengthUnit::mm, [this, path](const LoadedPart& loaded) { ask_unit(path, loaded); });
+}
+
+void ProjectFiles::ask_unit(const std::filesystem::path& path, const LoadedPart& loaded) {
+    auto* dialog = new PartDialog(path_text(path.filename()), loaded.part->report,
+                                  loaded.part->report.unit_guess, window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path, loaded] {
+        const LengthUnit unit = dialog->unit();
+        if (dialog->remember()) settings::remember_unit(path_text(path), unit);
+        if (unit == LengthUnit::mm)
+            take_mesh(path, unit, loaded, {});
+        else
+            read_mesh(path, unit,
+                      [this, path, unit](const LoadedPart& again) { take_mesh(path, unit, again, {}); });
+    });
+    dialog->open();
+}
+
+void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
+                             const QString& name, bool turned) {
+    Project project = turned ? default_turned_project(path, unit, loaded.part->box)
+                             : default_project(path, unit, loaded.part->box);
+    loaded.key = Document::part_key(project);
+    document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, true);
+    if (name.isEmpty()) settings::add_recent_file(path_text(path));
+    messages_.information(
+        tr("Read %1: %2 facets.").arg(path_text(path.filename()), count_text(loaded.part->report.facets)),
+        false);
+    for (const std::string& word : loaded.part->report.warnings)
+        messages_.warning(sentence(text(explain_warning(word))), false);
+    part_.show(loaded, true);
+    tree_.select({TreeNode::Kind::part, 0});
+    emit settled();
+}
+
+void ProjectFiles::new_from_sample(const std::string& name) {
+    if (!may_discard()) return;
+    const SampleKind* kind = nullptr;
+    for (const SampleKind& k : sample_kinds())
+        if (k.name == name) kind = &k;
+    if (!kind) {
+        messages_.fail(tr("There is no sample “%1”").arg(text(name)));
+        return;
+    }
+    const std::filesystem::path path = path_of(sample_folder_) / (name + ".stl");
+    const LengthUnit unit = kind->natural_unit;
+    auto loaded = std::make_shared<LoadedPart>();
+    job_.start(
+        tr("Making %1").arg(text(kind->label)),
+        [=, planner = planner_](const Progress& p) {
+            const MeshPtr mesh = make_sample(name, default_sample_tolerance, p.part(0, 0.4, "Tessellating"));
+            std::error_code ec;
+            std::filesystem::create_directories(path.parent_path(),
+                                                ec); // a failure shows when the file is written
+            save_stl(*mesh, path, unit, p.part(0.4, 0.5, "Writing the part"));
+            Project probe;
+            probe.part.file = path.string();
+            probe.part.unit = probe.unit = unit;
+            *loaded = load_part(*planner, probe, p.part(0.5, 1));
+        },
+        [this, loaded, path, unit, label = text(name), turned = kind->turned](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            take_mesh(path, unit, *loaded, label, turned);
+        });
+}
+
+bool ProjectFiles::save() {
+    if (document_.project().path.empty()) return save_as();
+    return save_to(path_text(document_.project().path));
+}
+
+bool ProjectFiles::save_as() {
+    const QString name = document_.name();
+    const QString start = document_.project().path.empty()
+                              ? settings::last_folder() + QChar('/') + name + QStringLiteral(".facetmill")
+                              : path_text(document_.project().path);
+    QFileDialog dialog(window_, tr("Save project"), QFileInfo(start).absolutePath(),
+                       tr("Facetmill projects (*.facetmill)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("facetmill")); // before the question whether to replace
+    dialog.selectFile(QFileInfo(start).fileName());
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
+    return save_to(dialog.selectedFiles().front());
+}
+
+bool ProjectFiles::save_to(const QString& path) {
+    if (!document_.has_part()) return false;
+    if (!properties_.commit()) {
+        messages_.warning(tr("A parameter is not valid: correct it before the project is saved."));
+        return false;
+    }
+    try {
+        const std::filesystem::path target = path_of(QFileInfo(path).absoluteFilePath());
+        Project copy = document_.project();
+        const std::filesystem::path part = copy.part_path();
+        move_project(copy, target);
+        // A sample lies among the program's own files: the project takes it along.
+        if (part.parent_path() == path_of(sample_folder_))
+            copy.part.file = copy_beside(part, target.parent_path()).filename().string();
+        save_project(copy, target);
+        document_.saved(copy);
+    } catch (const Error& e) {
+        messages_.fail(text(e.what()));
+        return false;
+    }
+    settings::add_recent_file(QFileInfo(path).absoluteFilePath());
+    settings::set_last_folder(QFileInfo(path).absolutePath());
+    messages_.dismiss();
+    messages_.information(tr("Saved %1.").arg(path), false);
+    emit renamed();
+    return true;
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,65 @@
+// The project and the meshes on disk: new, opened, saved, with the questions that belong to it.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/document.h"
+#include "ui/part_controller.h"
+
+#include <QWidget>
+
+#include <filesystem>
+
+namespace facetmill::ui {
+
+class Messages;
+class PropertiesPanel;
+
+class ProjectFiles : public QObject {
+    Q_OBJECT
+public:
+    ProjectFiles(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job, Messages& messages,
+                 PartController& part, PropertiesPanel& properties, ProjectTree& tree, QWidget* window);
+
+    /// Asks what to do with unsaved changes. False: the user would rather stay.
+    bool may_discard();
+    void close_project();
+    void open_with_dialog();
+    /// Opens a project or a mesh, after asking what to do with unsaved changes. `unit` answers the question
+    /// in which unit a mesh is; without it the user is asked.
+    void open(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
+    void new_from_sample(const std::string& name);
+    bool save();
+    bool save_as();
+    /// False when that failed, with the reason in the window.
+    bool save_to(const QString& path);
+
+    void choose_stock();
+    /// Makes a mesh the stock, as a step of the history; it is read in the background.
+    void set_stock_file(const QString& path);
+
+signals:
+    /// The project has another name on disk.
+    void renamed();
+    void settled();
+
+private:
+    void open_project(const std::filesystem::path& path);
+    void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
+    void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
+    void ask_unit(const std::filesystem::path& path, const LoadedPart& loaded);
+    void take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded, const QString& name,
+                   bool turned = false);
+    QString chosen_file(const QString& title, const QString& filter) const;
+
+    Document& document_;
+    std::shared_ptr<Planner> planner_;
+    BackgroundJob& job_;
+    Messages& messages_;
+    PartController& part_;
+    PropertiesPanel& properties_;
+    ProjectTree& tree_;
+    QWidget* window_;
+    QString sample_folder_;
+};
+
+} // namespace facetmill::ui

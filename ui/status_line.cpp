@@ -1,0 +1,99 @@
+#include "ui/status_line.h"
+
+#include "ui/elided_label.h"
+#include "ui/text.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolButton>
+
+namespace facetmill::ui {
+
+StatusLine::StatusLine(const Document& document, QStatusBar* bar)
+    : QObject(bar), document_(document), bar_(bar) {
+    activity_ = new QLabel(tr("Ready"), bar);
+    activity_->setObjectName(QStringLiteral("activity"));
+    activity_->setMinimumWidth(90);
+    progress_ = new QProgressBar(bar);
+    progress_->setObjectName(QStringLiteral("progress"));
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(true);
+    progress_->setFixedWidth(150);
+    progress_->setMaximumHeight(16);
+    cancel_button_ = new QToolButton(bar);
+    cancel_button_->setObjectName(QStringLiteral("cancel_button"));
+    cancel_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    cancel_button_->setIconSize(QSize(14, 14));
+    readout_ = new ElidedLabel(bar);
+    readout_->setObjectName(QStringLiteral("readout"));
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    unit_box_ = new QComboBox(bar);
+    unit_box_->setObjectName(QStringLiteral("unit"));
+    unit_box_->addItems({QStringLiteral("mm"), QStringLiteral("in")});
+    unit_box_->setToolTip(tr("Unit of the project: of all fields, reports and written programs"));
+    unit_box_->setFocusPolicy(Qt::TabFocus);
+    connect(unit_box_, &QComboBox::activated, this,
+            [this](int i) { emit unit_chosen(i == 1 ? LengthUnit::inch : LengthUnit::mm); });
+    bar->addWidget(activity_);
+    bar->addWidget(progress_);
+    bar->addWidget(cancel_button_);
+    bar->addWidget(readout_, 1);
+    bar->addPermanentWidget(unit_box_);
+    progress_->hide();
+    cancel_button_->hide();
+}
+
+void StatusLine::follow(const BackgroundJob& job, QAction* cancel) {
+    cancel_button_->setDefaultAction(cancel);
+    connect(&job, &BackgroundJob::started, this, [this](const QString& title) {
+        activity_->setText(title);
+        progress_->setValue(0);
+        progress_->show();
+        cancel_button_->show();
+    });
+    connect(&job, &BackgroundJob::progressed, this, [this, &job](double fraction, const QString& label) {
+        progress_->setValue(int(fraction * 1000));
+        if (job.cancelling())
+            show_cancelling();
+        else if (!label.isEmpty())
+            activity_->setText(elided(label, 40));
+    });
+    connect(&job, &BackgroundJob::ended, this, [this] {
+        progress_->hide();
+        cancel_button_->hide();
+        activity_->setText(tr("Ready"));
+    });
+}
+
+void StatusLine::show_cancelling() {
+    activity_->setText(tr("Cancelling…"));
+}
+
+void StatusLine::set_readout(const QString& readout) {
+    readout_text_ = readout;
+    readout_->set_text(readout);
+}
+
+void StatusLine::set_hovered(const std::optional<PartPick>& pick) {
+    if (!pick) {
+        readout_->set_text(readout_text_);
+        return;
+    }
+    const double mm = mm_per(document_.unit());
+    const auto number = [&](double v) {
+        return QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3);
+    };
+    readout_->set_text(QStringLiteral("x %1   y %2   z %3 %4")
+                           .arg(number(pick->point.x()), number(pick->point.y()), number(pick->point.z()),
+                                text(unit_name(document_.unit()))));
+}
+
+void StatusLine::refresh() {
+    unit_box_->setCurrentIndex(document_.unit() == LengthUnit::inch ? 1 : 0);
+    unit_box_->setEnabled(document_.has_part());
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,48 @@
+// The window's status bar: what runs and how far it is, where the tool or the pointer is, and the unit.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/document.h"
+#include "viz/scene.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace facetmill::ui {
+
+class ElidedLabel;
+
+class StatusLine : public QObject {
+    Q_OBJECT
+public:
+    StatusLine(const Document& document, QStatusBar* bar);
+    /// Follows a job; `cancel` is the action of the button beside its progress.
+    void follow(const BackgroundJob& job, QAction* cancel);
+
+    /// Where the tool is; empty: there is none.
+    void set_readout(const QString& readout);
+    /// The point under the pointer goes before it; none: the pointer has left the part.
+    void set_hovered(const std::optional<PartPick>& pick);
+    void show_cancelling();
+    /// The document has another unit, or no part.
+    void refresh();
+
+signals:
+    void unit_chosen(facetmill::LengthUnit unit);
+
+private:
+    const Document& document_;
+    QStatusBar* bar_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QLabel* activity_ = nullptr;
+    ElidedLabel* readout_ = nullptr;
+    QToolButton* cancel_button_ = nullptr;
+    QComboBox* unit_box_ = nullptr;
+    QString readout_text_;
+};
+
+} // namespace facetmill::ui

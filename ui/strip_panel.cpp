@@ -1,0 +1,112 @@
+#include "ui/strip_panel.h"
+
+#include "ui/elided_label.h"
+#include "ui/icons.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSlider>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("strips"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 4, 6, 6);
+    column->setSpacing(4);
+    pages_ = new QStackedWidget(this);
+    column->addWidget(pages_);
+    empty_ = new QLabel(pages_);
+    empty_->setObjectName(QStringLiteral("strips_empty"));
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setMargin(12);
+    empty_->setTextFormat(Qt::PlainText);
+    empty_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    pages_->addWidget(empty_);
+
+    auto* page = new QWidget(pages_);
+    pages_->addWidget(page);
+    column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    operation_ = new QComboBox(page);
+    operation_->setObjectName(QStringLiteral("strips_operation"));
+    operation_->setToolTip(tr("Of which operation"));
+    operation_->setFocusPolicy(Qt::TabFocus);
+    operation_->setMinimumContentsLength(8);
+    column->addWidget(operation_);
+    note_ = new ElidedLabel(page);
+    note_->setObjectName(QStringLiteral("strips_note"));
+    column->addWidget(note_);
+    list_ = new QTreeWidget(page);
+    list_->setObjectName(QStringLiteral("strip_list"));
+    list_->setHeaderLabels({tr("Strip"), tr("Type"), tr("Width"), tr("Length"), tr("Reason")});
+    list_->setToolTip(tr("Click: the view goes there. Check mark: whether the strip is cut."));
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setSortingEnabled(true);
+    list_->setTextElideMode(Qt::ElideRight);
+    list_->setIconSize(QSize(swatch_size, swatch_size));
+    list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
+    list_->header()->setSectionsMovable(false);
+    list_->header()->setStretchLastSection(true);
+    // Over right-aligned numbers, right-aligned headings.
+    for (const Column c : {width_column, length_column})
+        list_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    connect(list_->header(), &QHeaderView::sortIndicatorChanged, this, [this] { fit_columns(); });
+    column->addWidget(list_, 1);
+    touch_ = new QCheckBox(tr("Previous tool at the picked point"), page);
+    touch_->setObjectName(QStringLiteral("strip_touch"));
+    touch_->setToolTip(tr(
+        "Shows the tool that cut before, where it touches the part at two places over the strip and can go "
+        "no deeper. Clicks on a strip in the view then mean the strip, not the path on it."));
+    touch_->setChecked(true);
+    touch_->setFocusPolicy(Qt::TabFocus);
+    touch_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    column->addWidget(touch_);
+    place_ = new QSlider(Qt::Horizontal, page);
+    place_->setObjectName(QStringLiteral("strip_place"));
+    place_->setToolTip(tr("Place along the strip; a click on the strip in the view goes there, too"));
+    place_->setAccessibleName(tr("Place along the strip"));
+    place_->setFocusPolicy(Qt::StrongFocus);
+    column->addWidget(place_);
+    readout_ = new QLabel(page);
+    readout_->setObjectName(QStringLiteral("strip_readout"));
+    readout_->setWordWrap(true);
+    readout_->setTextFormat(Qt::PlainText);
+    readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    column->addWidget(readout_);
+}
+
+void StripPanel::fit_columns() {
+    QHeaderView* header = list_->header();
+    const QStyle* style = list_->style();
+    const int mark = style->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, header)
+                     + style->pixelMetric(QStyle::PM_HeaderMargin, nullptr, header);
+    const QAbstractItemView* cells = list_; // the tree hides what the view offers
+    for (int c = name_column; c < reason_column; ++c)
+        header->resizeSection(
+            c, std::max(cells->sizeHintForColumn(c),
+                        header->sectionSizeHint(c) - (c == header->sortIndicatorSection() ? 0 : mark)));
+}
+
+void StripPanel::set_empty_text(const QString& text) {
+    empty_->setText(text);
+    pages_->setCurrentIndex(text.isEmpty() ? 1 : 0);
+}
+
+QString StripPanel::empty_text() const {
+    return empty_->text();
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,179 @@
+#include "ui/window_commands.h"
+
+#include "core/output/apt.h"
+#include "ui/command.h"
+#include "ui/help_dialogs.h"
+#include "ui/main_window.h"
+#include "ui/plan_runner.h"
+#include "ui/program_export.h"
+#include "ui/project_files.h"
+#include "ui/settings.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+
+#include <tuple>
+
+namespace facetmill::ui {
+
+namespace {
+
+QString tr(const char* text) {
+    return QObject::tr(text);
+}
+
+void add_file_commands(Commands& commands, MainWindow& w) {
+    const auto has_part = [&w] { return w.document().has_part(); };
+    const auto idle = [&w] { return w.document().has_part() && !w.job().running(); };
+    ProjectFiles& files = w.files();
+    ProgramExport& exports = w.exports();
+    commands.add({"new",
+                  tr("&New"),
+                  Icon::new_project,
+                  {QKeySequence(QKeySequence::New)},
+                  [&] { files.close_project(); },
+                  has_part});
+    commands.add({"open", tr("&Open…"), Icon::open, {QKeySequence(QKeySequence::Open)}, [&] {
+                      files.open_with_dialog();
+                  }});
+    commands.add({"save",
+                  tr("&Save"),
+                  Icon::save,
+                  {QKeySequence(QKeySequence::Save)},
+                  [&] { files.save(); },
+                  has_part});
+    commands.add({"save_as",
+                  tr("Save &as…"),
+                  {},
+                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                  [&] { files.save_as(); },
+                  has_part});
+    commands.add({"export",
+                  tr("&Export %1…").arg(text(apt_writer().label)),
+                  Icon::export_program,
+                  {QKeySequence(Qt::CTRL | Qt::Key_E)},
+                  [&] { exports.programs_with_dialog(); },
+                  idle});
+    commands.add(
+        {"setup_sheet", tr("Export set&up sheet…"), {}, {}, [&] { exports.sheet_with_dialog(); }, idle});
+    commands.add({"picture",
+                  tr("Export &picture…"),
+                  Icon::picture,
+                  {},
+                  [&] { exports.picture_with_dialog(); },
+                  has_part});
+    commands.add({"quit", tr("&Quit"), {}, {QKeySequence(QKeySequence::Quit)}, [&w] { w.close(); }});
+}
+
+void add_plan_commands(Commands& commands, MainWindow& w) {
+    const auto can_plan = [&w] { return w.planning().can_plan(); };
+    commands.add({"plan",
+                  tr("&Plan"),
+                  Icon::plan,
+                  {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_P)},
+                  [&w] { w.plan(); },
+                  can_plan,
+                  {},
+                  tr("Plan all operations (F5)")});
+    commands.add({"verify",
+                  tr("&Verify"),
+                  Icon::verify,
+                  {QKeySequence(Qt::Key_F6)},
+                  [&w] { w.verify(); },
+                  can_plan,
+                  {},
+                  tr("Cut a model of the stock with all operations and compare it with the part (F6)")});
+    commands.add({"cancel",
+                  tr("&Cancel"),
+                  Icon::cancel,
+                  {QKeySequence(Qt::Key_Escape)},
+                  [&w] { w.cancel(); },
+                  [&w] { return w.job().running() && !w.job().cancelling(); }});
+}
+
+void add_view_commands(Commands& commands, MainWindow& w) {
+    const auto has_part = [&w] { return w.document().has_part(); };
+    Viewport& viewport = w.viewport();
+    commands.add(
+        {"fit", tr("&Fit"), Icon::fit, {QKeySequence(Qt::Key_F)}, [&] { viewport.fit(); }, has_part});
+    constexpr Icon icons[] = {Icon::view_iso,  Icon::view_front,  Icon::view_top, Icon::view_right,
+                              Icon::view_rear, Icon::view_bottom, Icon::view_left};
+    // The keys count as the list does: 0 isometric, 1 front, 2 top, 3 right, 4 rear, 5 bottom, 6 left.
+    int digit = 0;
+    for (const StandardView view : standard_views())
+        commands.add({"view_" + text(view_name(view)),
+                      text(view_label(view)),
+                      icons[std::size_t(view)],
+                      {QKeySequence(Qt::Key_0 + digit++)},
+                      [&, view] { viewport.set_view(view); },
+                      has_part});
+    for (const auto& [style, label, name] : {std::tuple{PartStyle::smooth, tr("&Smooth"), "shade_smooth"},
+                                             std::tuple{PartStyle::flat, tr("&Flat"), "shade_flat"},
+                                             std::tuple{PartStyle::wire, tr("&Wire"), "shade_wire"}})
+        commands.add({name,
+                      label,
+                      {},
+                      {},
+                      [&, s = style] {
+                          viewport.scene().set_part_style(s);
+                          viewport.refresh();
+                      },
+                      {},
+                      [&, s = style] { return viewport.scene().part_style() == s; }});
+}
+
+void add_setting_commands(Commands& commands, MainWindow& w) {
+    for (const auto& [unit, label, name] : {std::tuple{LengthUnit::mm, tr("&Millimetres"), "unit_mm"},
+                                            std::tuple{LengthUnit::inch, tr("&Inches"), "unit_inch"}})
+        commands.add({name,
+                      label,
+                      {},
+                      {},
+                      [&w, u = unit] { w.set_unit(u); },
+                      [&w] { return w.document().has_part(); },
+                      [&w, u = unit] { return w.document().unit() == u; }});
+    for (const auto& [theme, label] :
+         {std::pair{Theme::system, tr("As the &system")}, std::pair{Theme::light, tr("&Light")},
+          std::pair{Theme::dark, tr("&Dark")}})
+        commands.add({QStringLiteral("theme_") + theme_name(theme),
+                      label,
+                      {},
+                      {},
+                      [&w, t = theme] {
+                          settings::set_theme(t);
+                          w.set_theme(t);
+                      },
+                      {},
+                      [&w, t = theme] { return w.theme() == t; }});
+}
+
+/// Undo and redo follow the document's history by themselves.
+void add_history(Commands& commands, MainWindow& w) {
+    QAction* undo = w.document().undo_stack().createUndoAction(&w, tr("&Undo"));
+    undo->setIcon(icon(Icon::undo));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = w.document().undo_stack().createRedoAction(&w, tr("&Redo"));
+    redo->setIcon(icon(Icon::redo));
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    for (const auto& [name, action] : {std::pair{"undo", undo}, std::pair{"redo", redo}}) {
+        action->setObjectName(QLatin1String(name));
+        commands.adopt(name, action);
+    }
+}
+
+} // namespace
+
+void add_commands(Commands& commands, MainWindow& window) {
+    add_file_commands(commands, window);
+    add_history(commands, window);
+    add_plan_commands(commands, window);
+    add_view_commands(commands, window);
+    add_setting_commands(commands, window);
+    commands.add({"keys", tr("&Keys and mouse"), {}, {QKeySequence(Qt::Key_F1)}, [&window] {
+                      show_shortcuts(&window);
+                  }});
+    commands.add({"about", tr("&About Facetmill"), {}, {}, [&window] { show_about(&window); }});
+}
+
+} // namespace facetmill::ui

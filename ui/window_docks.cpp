@@ -1,0 +1,137 @@
+#include "ui/window_docks.h"
+
+#include "ui/controller.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QTabBar>
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// Width of the docks on the right at which their tabs can be read whole.
+constexpr int right_width = 306;
+/// A window below this width has no room for docks on both sides.
+constexpr int narrow = 1000;
+
+} // namespace
+
+void WindowDocks::add(const Place& place) {
+    auto* dock = new QDockWidget(place.title, &window_);
+    docks_[place.name] = dock;
+    dock->setObjectName(place.name);
+    dock->setWidget(place.content);
+    window_.addDockWidget(place.area, dock);
+    if (!place.beside.isEmpty()) window_.tabifyDockWidget(docks_.at(place.beside), dock);
+    if (place.hidden) dock->hide();
+    if (!place.controller) return;
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [dock](bool on) {
+        if (on) dock->raise();
+    });
+    connect(dock, &QDockWidget::visibilityChanged, place.controller,
+            [this, dock, controller = place.controller,
+             below = place.area == Qt::BottomDockWidgetArea](bool seen) {
+                // The log beside the charts is content with a few lines.
+                if (below && seen && !dock->isFloating() && !std::exchange(charts_sized_, true))
+                    window_.resizeDocks({dock}, {std::clamp(window_.height() * 3 / 10, 150, 300)},
+                                        Qt::Vertical);
+                controller->panel_seen(seen);
+            });
+    connect(place.controller, &Controller::offered, this, [this, dock] { bring_to_light(dock); });
+}
+
+std::vector<QDockWidget*> WindowDocks::all() const {
+    std::vector<QDockWidget*> docks;
+    for (const auto& [name, dock] : docks_)
+        docks.push_back(dock);
+    return docks;
+}
+
+void WindowDocks::clear() {
+    for (const auto& [name, dock] : std::exchange(docks_, {}))
+        delete dock;
+}
+
+void WindowDocks::show(const QString& name) {
+    docks_.at(name)->show();
+    docks_.at(name)->raise();
+}
+
+/// Shows a dock that has something to see for the first time; in a narrow window only its tab.
+void WindowDocks::bring_to_light(QDockWidget* dock) {
+    dock->show();
+    arrange();
+    if (!stands_right(dock)) return;
+    dock->raise();
+    window_.resizeDocks({dock}, {std::max(280, window_.width() * 3 / 10)}, Qt::Horizontal);
+}
+
+bool WindowDocks::stands_right(QDockWidget* dock) const {
+    return !dock->isFloating() && window_.dockWidgetArea(dock) == Qt::RightDockWidgetArea;
+}
+
+void WindowDocks::size_as_new() {
+    const auto at = [this](const char* name) { return docks_.at(QLatin1String(name)); };
+    window_.resizeDocks({at("project_dock"), at("properties_dock")}, {230, 420}, Qt::Vertical);
+    window_.resizeDocks({at("project_dock"), at("report_dock")}, {280, right_width}, Qt::Horizontal);
+    window_.resizeDocks({at("log_dock")}, {96}, Qt::Vertical);
+}
+
+void WindowDocks::arrange() {
+    if (docks_.empty()) return;
+    if (window_.width() < narrow) {
+        if (!make_room()) return;
+    } else {
+        if (made_room_.empty()) return;
+        go_back();
+    }
+    // Qt leaves the bar of tabs that are gone standing, as a line; also after it has laid out the docks.
+    const auto hide_empty_bars = [this] {
+        for (QTabBar* bar : window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+            if (bar->count() == 0) bar->hide();
+    };
+    hide_empty_bars();
+    QTimer::singleShot(0, this, hide_empty_bars);
+}
+
+bool WindowDocks::make_room() {
+    QDockWidget* parameters = docks_.at(QStringLiteral("properties_dock"));
+    if (parameters->isFloating() || window_.dockWidgetArea(parameters) != Qt::LeftDockWidgetArea)
+        return false;
+    bool moved = false;
+    for (const char* name :
+         {"report_dock", "verification_dock", "cspace_dock", "strips_dock", "unrolled_dock"}) {
+        QDockWidget* dock = docks_.at(QLatin1String(name));
+        if (!stands_right(dock) || dock->isHidden()) continue;
+        window_.tabifyDockWidget(parameters, dock);
+        parameters->raise();
+        made_room_.push_back(dock);
+        moved = true;
+    }
+    return moved;
+}
+
+void WindowDocks::go_back() {
+    for (QDockWidget* dock : std::exchange(made_room_, {}))
+        if (!dock->isFloating()) window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+    const auto at = [this](const char* name) { return docks_.at(QLatin1String(name)); };
+    QDockWidget *report = at("report_dock"), *verification = at("verification_dock");
+    const auto beside_report = [&](QDockWidget* dock) {
+        return window_.dockWidgetArea(report) == window_.dockWidgetArea(dock);
+    };
+    if (beside_report(verification)) {
+        window_.tabifyDockWidget(report, verification);
+        for (QDockWidget* dock : {at("cspace_dock"), at("strips_dock"), at("unrolled_dock")})
+            if (beside_report(dock) && !(dock == at("strips_dock") && dock->isHidden()))
+                window_.tabifyDockWidget(verification, dock);
+        report->raise();
+    }
+    window_.resizeDocks({report}, {right_width}, Qt::Horizontal);
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,57 @@
+// The docks around the view: their places at first, how they come to light, and how they make room in a
+// narrow window.
+#pragma once
+
+#include <QMainWindow>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+class QDockWidget;
+
+namespace facetmill::ui {
+
+class Controller;
+
+class WindowDocks : public QObject {
+    Q_OBJECT
+public:
+    struct Place {
+        QString name; ///< of the dock as an object; settings and menus know it by this
+        QString title;
+        QWidget* content = nullptr;
+        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        QString beside = {};              ///< shares its place by tabs with this dock
+        Controller* controller = nullptr; ///< told when it is seen; shows it by `offered`
+        bool hidden = false;              ///< until it is offered or asked for
+    };
+
+    explicit WindowDocks(QMainWindow* window) : QObject(window), window_(*window) {}
+    ~WindowDocks() override { clear(); }
+
+    void add(const Place& place);
+    std::vector<QDockWidget*> all() const;
+    /// Deletes all docks with what is in them.
+    void clear();
+    /// To the front.
+    void show(const QString& name);
+    /// The sizes of a window that was never changed.
+    void size_as_new();
+    /// In a narrow window what stands on the right goes behind the parameters, so that the view keeps room;
+    /// in a wide one it goes back.
+    void arrange();
+
+private:
+    void bring_to_light(QDockWidget* dock);
+    bool make_room();
+    void go_back();
+    bool stands_right(QDockWidget* dock) const;
+
+    QMainWindow& window_;
+    std::map<QString, QDockWidget*> docks_;
+    std::vector<QDockWidget*> made_room_; ///< put behind the parameters because the window is narrow
+    bool charts_sized_ = false;           ///< they had their height given
+};
+
+} // namespace facetmill::ui
