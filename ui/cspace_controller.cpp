@@ -4,6 +4,7 @@
 #include "core/job/cspace_json.h"
 #include "ui/cspace_panel.h"
 #include "ui/cspace_view.h"
+#include "ui/cspace_words.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
 #include "ui/shown_paths.h"
@@ -25,38 +26,35 @@ namespace {
 
 constexpr QSize picture_size(1200, 900);
 
-QString angle_text(double radians) {
-    return QString::number(degrees(radians), 'f', 1).replace(QChar('-'), QChar(0x2212)) + QChar(0x00B0);
-}
-
-/// As the readouts have coordinates: what is below their last digit is nothing.
-QString lift_text(double mm, LengthUnit unit) {
-    return QStringLiteral("%1 %2").arg(
-        QString::number(mm / mm_per(unit), 'f', unit == LengthUnit::inch ? 4 : 3), text(unit_name(unit)));
-}
-
 } // namespace
 
 CSpaceController::CSpaceController(Document& document, QWidget* window)
-    : Controller(window), document_(document), panel_(new CSpacePanel(window)) {
+    : Controller(window), document_(document), panel_(new CSpacePanel(window)),
+      studies_(new CSpaceStudies(this)) {
     connect(panel_, &CSpacePanel::stepped, this, &CSpaceController::step);
-    connect(panel_, &CSpacePanel::cancel_requested, this, [this] { job_.cancel(); });
+    connect(panel_, &CSpacePanel::cancel_requested, this, [this] { studies_->cancel_job(); });
     connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
     connect(panel_, &CSpacePanel::keep_requested, this, &CSpaceController::keep);
     connect(panel_, &CSpacePanel::remove_requested, this, &CSpaceController::remove_kept);
     connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceController::show_hover);
     connect(panel_->view(), &CSpaceView::tried, this, &CSpaceController::try_posture);
     connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceController::show_choice);
-    connect(&job_, &BackgroundJob::started, this, [this] { panel_->set_busy(true); });
-    connect(&job_, &BackgroundJob::progressed, this,
+    connect(&studies_->job(), &BackgroundJob::started, this, [this] { panel_->set_busy(true); });
+    connect(&studies_->job(), &BackgroundJob::progressed, this,
             [this](double fraction, const QString&) { panel_->set_busy(true, fraction); });
-    connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
+    connect(&studies_->job(), &BackgroundJob::ended, this, [this](const JobEnd& end) {
         panel_->set_busy(false);
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
     connect(panel_, &CSpacePanel::picture_requested, this, [this] { export_point(false); });
     connect(panel_, &CSpacePanel::table_requested, this, [this] { export_point(true); });
+    connect(studies_, &CSpaceStudies::ready, this, [this] {
+        if (const auto point = at_ ? studies_->known(*at_) : nullptr) show_point(point);
+    });
+    connect(studies_, &CSpaceStudies::given_up, this, [this] {
+        if (at_ && !shown_) clear_room(tr("Not studied. Step on, or pick a point."));
+    });
     clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
@@ -115,9 +113,7 @@ bool CSpaceController::go_near(int operation, const std::shared_ptr<const Operat
     const auto record = result ? result->path.five_axis() : nullptr;
     if (!record || record->points.empty()) return false;
     if (record != record_) {
-        job_.cancel();
-        known_.clear();
-        study_.reset();
+        studies_->set_record(record);
         record_ = record;
         cutter_ = std::make_shared<const CutterProfile>(record->context.tool.cutter());
     }
@@ -146,9 +142,7 @@ std::size_t CSpaceController::nearest_point(const Vec3& place) const {
 
 void CSpaceController::leave() {
     if (!record_ && !at_) return;
-    job_.cancel();
-    known_.clear();
-    study_.reset();
+    studies_->set_record(nullptr);
     record_.reset();
     result_.reset();
     at_.reset();
@@ -221,7 +215,7 @@ void CSpaceController::show_tool(const std::optional<PostureValue>& posture, con
     QString line = heading();
     if (posture)
         line += tr("   %1: lead %2, yaw %3, lift %4")
-                    .arg(what, angle_text(posture->lead), angle_text(posture->yaw),
+                    .arg(what, posture_angle_text(posture->lead), posture_angle_text(posture->yaw),
                          lift_text(posture->delta, document_.unit()));
     else
         line += QStringLiteral("   ") + what;
@@ -235,52 +229,19 @@ void CSpaceController::panel_seen(bool seen) {
 
 void CSpaceController::study() {
     panel_->heading()->set_text(heading());
-    if (const auto known = known_.find(*at_); known != known_.end()) {
-        job_.cancel(); // of a line that was stepped over
-        wanted_.reset();
-        show_point(known->second);
+    if (const auto point = studies_->known(*at_)) {
+        studies_->cancel(); // of a line that was stepped over
+        show_point(point);
         return;
     }
     clear_room(tr("Looking at the pass…"));
-    if (!panel_->isVisible()) return; // nobody sees it
-    const std::size_t first = record_->line_of(*at_).begin;
-    if (wanted_ == first && job_.running() && !job_.cancelling()) return;
-    wanted_ = first;
-    struct Outcome {
-        std::shared_ptr<const FiveAxisStudy> study;
-        std::vector<FiveAxisStudy::Point> points;
-    };
-    auto outcome = std::make_shared<Outcome>();
-    outcome->study = study_;
-    job_.start(
-        tr("Configuration space"),
-        [outcome, record = record_, first](const Progress& p) {
-            if (!outcome->study)
-                outcome->study = std::make_shared<const FiveAxisStudy>(record, p.part(0, 0.2));
-            outcome->points = outcome->study->line(first, p.part(0.2, 1));
-        },
-        [this, outcome, record = record_, first](const JobEnd& end) {
-            if (record != record_) return;
-            if (wanted_ == first) wanted_.reset();
-            if (!end.done()) {
-                if (at_ && !shown_ && !wanted_) clear_room(tr("Not studied. Step on, or pick a point."));
-                return;
-            }
-            study_ = outcome->study;
-            known_.clear();
-            for (auto& point : outcome->points) {
-                const std::size_t index = point.index;
-                known_[index] = std::make_shared<const FiveAxisStudy::Point>(std::move(point));
-            }
-            if (const auto known = at_ ? known_.find(*at_) : known_.end(); known != known_.end())
-                show_point(known->second);
-        });
+    if (panel_->isVisible()) studies_->look_at(*at_); // else nobody sees it
 }
 
 void CSpaceController::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
     shown_ = std::move(point);
     tried_.reset();
-    auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*study_, *shown_));
+    auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*studies_->study(), *shown_));
     CSpaceScene& scene = panel_->view()->scene();
     scene.set_unit(document_.unit());
     panel_->heading()->set_text(heading());
@@ -302,23 +263,15 @@ void CSpaceController::show_point(std::shared_ptr<const FiveAxisStudy::Point> po
 }
 
 QString CSpaceController::reason_text(const PostureValue& posture, bool with_lift) const {
-    const auto reason = study_->reason(*shown_, posture.lead, posture.yaw);
-    const LengthUnit unit = document_.unit();
-    QString line = tr("lead %1, yaw %2").arg(angle_text(posture.lead), angle_text(posture.yaw));
-    if (with_lift) line += tr(", lift %1").arg(lift_text(posture.delta, unit));
-    line += QStringLiteral(": ") + text(posture_block_label(reason.block)).toLower();
-    if (reason.block != PostureBlock::free && reason.contact.body != ToolBody::none
-        && reason.contact.facet != no_index)
-        line += tr(", facet %1").arg(count_text(reason.contact.facet));
-    const auto limit = [&](double v) {
-        return std::isfinite(v) ? lift_text(v, unit) : QString(v > 0 ? QChar(0x221E) : QChar(0x2013));
-    };
-    line += tr("; bottom %1, top %2").arg(limit(reason.bottom), limit(reason.top));
-    return line;
+    return posture_reason_text(*studies_->study(), *shown_, posture, with_lift, document_.unit());
+}
+
+bool CSpaceController::can_be_kept(const PostureValue& posture) const {
+    return studies_->study()->reason(*shown_, posture.lead, posture.yaw).block == PostureBlock::free;
 }
 
 void CSpaceController::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
-    if (!shown_ || !study_) return;
+    if (!shown_ || !studies_->study()) return;
     if (hit)
         panel_->readout()->setText(reason_text(hit->posture, hit->on != CSpaceRoom::Hit::On::map));
     else if (tried_)
@@ -326,9 +279,9 @@ void CSpaceController::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
 }
 
 void CSpaceController::try_posture(const PostureValue& posture) {
-    if (!shown_ || !study_) return;
+    if (!shown_ || !studies_->study()) return;
     PostureValue p = posture;
-    const auto reason = study_->reason(*shown_, p.lead, p.yaw);
+    const auto reason = studies_->study()->reason(*shown_, p.lead, p.yaw);
     if (!std::isfinite(reason.bottom)) return; // the cutter cannot touch like this
     // Within the free volume; elsewhere as low as nothing is cut.
     p.delta = reason.block == PostureBlock::free
@@ -388,8 +341,8 @@ void CSpaceController::change_kept(const QString& what, std::vector<ManualPostur
 }
 
 void CSpaceController::keep() {
-    if (!tried_ || !shown_ || !study_) return;
-    if (study_->reason(*shown_, tried_->lead, tried_->yaw).block != PostureBlock::free) return;
+    if (!tried_ || !shown_ || !studies_->study()) return;
+    if (!can_be_kept(*tried_)) return;
     const Vec3& place = shown_->place.surface;
     const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lead, tried_->yaw};
     std::vector<ManualPosture> all = all_kept();
@@ -399,7 +352,7 @@ void CSpaceController::keep() {
         all.push_back(posture);
     change_kept(tr("Keep posture"), std::move(all));
     tell(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
-             .arg(angle_text(posture.lead), angle_text(posture.yaw)));
+             .arg(posture_angle_text(posture.lead), posture_angle_text(posture.yaw)));
 }
 
 void CSpaceController::remove_kept() {
@@ -412,8 +365,8 @@ void CSpaceController::remove_kept() {
 }
 
 void CSpaceController::show_kept() {
-    const bool tried = tried_ && shown_ && study_;
-    const bool free = tried && study_->reason(*shown_, tried_->lead, tried_->yaw).block == PostureBlock::free;
+    const bool tried = tried_ && shown_ && studies_->study();
+    const bool free = tried && can_be_kept(*tried_);
     panel_->keep()->setEnabled(free);
     panel_->keep()->setToolTip(!tried  ? tr("Try a posture first: click in the room, or drag a marker")
                                : !free ? tr("The tried posture is not free: it would not be used")
@@ -433,7 +386,8 @@ void CSpaceController::show_kept() {
         const FiveAxisRecord::Line& line = record_->line_of(point);
         menu->addAction(tr("Pass %1, point %2: lead %3, yaw %4")
                             .arg(line.drive + 1)
-                            .arg(count_text(point - line.begin + 1), angle_text(m.lead), angle_text(m.yaw)),
+                            .arg(count_text(point - line.begin + 1), posture_angle_text(m.lead),
+                                 posture_angle_text(m.yaw)),
                         this, [this, point] { stand_at(point); });
     }
     panel_->kept()->setMenu(menu);
@@ -446,7 +400,7 @@ void CSpaceController::palette_changed(Palette palette) {
 }
 
 bool CSpaceController::busy() const {
-    return job_.running() || (panel_->isVisible() && !panel_->view()->finished());
+    return studies_->job().running() || (panel_->isVisible() && !panel_->view()->finished());
 }
 
 bool CSpaceController::save_picture(const QString& path) {
@@ -463,8 +417,8 @@ bool CSpaceController::save_picture(const QString& path) {
 }
 
 bool CSpaceController::save_table(const QString& path) {
-    if (!shown_ || !study_) return false;
-    return report_written(path, write_table(path, cspace_csv(*study_, *shown_, document_.unit())));
+    if (!shown_ || !studies_->study()) return false;
+    return report_written(path, write_table(path, cspace_csv(*studies_->study(), *shown_, document_.unit())));
 }
 
 void CSpaceController::export_point(bool table) {

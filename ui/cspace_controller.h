@@ -3,13 +3,11 @@
 #pragma once
 
 #include "core/job/planner.h"
-#include "core/strategy/five_axis/five_axis_study.h"
 #include "core/strategy/five_axis/manual_posture.h"
-#include "ui/background_job.h"
 #include "ui/controller.h"
+#include "ui/cspace_studies.h"
 #include "viz/cspace_room.h"
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -83,7 +81,8 @@ private:
     void show_point(std::shared_ptr<const FiveAxisStudy::Point> point);
     void clear_room(const QString& text);
     void show_hover(const std::optional<CSpaceRoom::Hit>& hit);
-    QString reason_text(const PostureValue& posture, bool with_lift) const;
+    QString reason_text(const PostureValue& posture, bool with_lift = true) const;
+    bool can_be_kept(const PostureValue& posture) const;
     void show_tool(const std::optional<PostureValue>& posture, const QString& what);
     CutterLocation pose(const PostureValue& posture) const;
     QString heading() const;
@@ -97,11 +96,7 @@ private:
     std::optional<std::size_t> at_;
     std::optional<PostureValue> tried_;
     std::shared_ptr<const FiveAxisStudy::Point> shown_;
-    std::shared_ptr<const FiveAxisStudy> study_; ///< of `record_`
-    /// Points of the lines studied last.
-    std::map<std::size_t, std::shared_ptr<const FiveAxisStudy::Point>> known_;
-    std::optional<std::size_t> wanted_; ///< first point of the line under study
-    BackgroundJob job_;                 // last: it ends first
+    CSpaceStudies* studies_ = nullptr;
 };
 
 } // namespace facetmill::ui

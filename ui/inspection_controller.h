@@ -5,6 +5,7 @@
 
 #include "ui/background_job.h"
 #include "ui/controller.h"
+#include "ui/path_chart.h"
 #include "viz/path_tint.h"
 
 #include <optional>
@@ -15,8 +16,6 @@ namespace facetmill::ui {
 class InspectionPanel;
 class LayerBar;
 class Viewport;
-
-enum class Chart { rotary_over_length, rotary_over_time, stepover };
 
 class InspectionController : public Controller {
     Q_OBJECT
@@ -49,10 +48,6 @@ signals:
 
 private:
     void export_chart(bool table);
-    struct Place {
-        std::size_t source = 0, motion = 0;
-        double share = 1;
-    };
     PathQuantity quantity() const;
     void offer_quantities();
     void update();
@@ -62,8 +57,8 @@ private:
     void go_to(double x);
     void step(int by);
     std::size_t source() const;
-    double x_of(const Place& place) const;
-    std::string table() const;
+    /// The tool's place on the path that is charted.
+    std::optional<ChartPlace> place_here() const;
 
     Document& document_;
     Viewport& viewport_;
@@ -73,17 +68,10 @@ private:
     std::vector<PathFiguresPtr> figures_; ///< of `results_`, or empty
     std::vector<PathSource> shown_;       ///< empty: all of them
     TintedPathPtr tint_;                  ///< of the quantity and unit that are shown
-    LengthUnit tint_unit_ = LengthUnit::mm, chart_unit_ = LengthUnit::mm;
-    std::optional<Place> place_;
-    /// Of the step-over chart: drive planes in the order of their places, with the first motion that cuts in
-    /// each.
-    struct Drive {
-        double offset = 0; ///< mm
-        std::size_t motion = 0;
-        int drive = 0;
-    };
-    std::vector<Drive> drives_;
-    BackgroundJob job_; // last: it ends first
+    LengthUnit tint_unit_ = LengthUnit::mm;
+    PathChart chart_;
+    std::optional<std::pair<std::size_t, ChartPlace>> place_; ///< of the tool: which path, where on it
+    BackgroundJob job_;                                       // last: it ends first
 };
 
 } // namespace facetmill::ui

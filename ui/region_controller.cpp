@@ -6,8 +6,6 @@
 #include "ui/text.h"
 #include "ui/viewport.h"
 
-#include <QScreen>
-
 #include <algorithm>
 #include <utility>
 
@@ -19,6 +17,49 @@ constexpr int wait_ms = 150, commit_ms = 400;
 
 std::array<double, 3> triple(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
+}
+
+/// The edits of an operation after one of its regions was edited. `found_edits`: those that the region was
+/// found with.
+std::vector<RegionEdit> with_region_edited(std::vector<RegionEdit> edits, const ReworkRegion& region,
+                                           const std::vector<RegionEdit>& found_edits,
+                                           const std::function<void(RegionEdit&)>& edit) {
+    std::vector<RegionEdit> own;
+    for (const Vec3& place : region.places) {
+        RegionEdit e{triple(place), region.strip.enabled, region.grow};
+        // Edited again before the regions were found anew.
+        for (const RegionEdit& known : edits)
+            if (known.place == e.place) e = known;
+        edit(e);
+        own.push_back(e);
+    }
+    std::erase_if(edits, [&](const RegionEdit& e) {
+        const bool about = std::any_of(region.edits.begin(), region.edits.end(), [&](std::size_t k) {
+            return k < found_edits.size() && found_edits[k] == e;
+        });
+        return about || std::any_of(own.begin(), own.end(), [&](const RegionEdit& mine) {
+                   return mine.place == e.place;
+               });
+    });
+    for (const RegionEdit& e : own)
+        if (!e.enabled || e.grow != 0) edits.push_back(e);
+    return edits;
+}
+
+/// What the dialog says of the regions that were found, above their list.
+QString regions_text(const ReworkRegions& r) {
+    const auto off = std::count_if(r.regions.begin(), r.regions.end(),
+                                   [](const ReworkRegion& region) { return !region.strip.enabled; });
+    QString status = r.regions.size() == 1 ? RegionController::tr("1 region")
+                                           : RegionController::tr("%1 regions").arg(r.regions.size());
+    if (off > 0) status += RegionController::tr(", %1 switched off").arg(off);
+    const double percent = r.part_area > 0 ? 100 * r.area / r.part_area : 0;
+    status += RegionController::tr("; rework covers %1 of the surface")
+                  .arg(text(format_number(percent, 2)) + QStringLiteral(" %"));
+    if (r.uncut_area >= 0.98 * r.part_area)
+        return RegionController::tr(
+            "This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
+    return status;
 }
 
 } // namespace
@@ -141,15 +182,7 @@ void RegionController::open(std::size_t i) {
     }
     id_ = document_.operation_id(i);
     key_.clear();
-    if (!dialog_->isVisible()) {
-        // Beside the middle of the window, so that the view stays in sight.
-        const QWidget* window = dialog_->parentWidget();
-        const QRect screen = window->screen()->availableGeometry(), frame = window->frameGeometry();
-        dialog_->resize(dialog_->sizeHint().boundedTo(screen.size() - QSize(0, 40)));
-        const int x = std::min(frame.right() + 1 - dialog_->width(), screen.right() + 1 - dialog_->width());
-        const int y = std::min(frame.top() + 60, screen.bottom() + 1 - dialog_->height());
-        dialog_->move(std::max(screen.left(), x), std::max(screen.top(), y));
-    }
+    if (!dialog_->isVisible()) dialog_->place_beside_view();
     dialog_->show();
     dialog_->raise();
     dialog_->activateWindow();
@@ -241,27 +274,7 @@ void RegionController::edit_region(const QString& what, std::size_t region,
     const auto found = found_; // stays while it is replaced
     const ReworkRegion& r = found->found.regions.regions[region];
     change(what, [&](TakesRegionEdits& o) {
-        std::vector<RegionEdit> edits = o.region_edits();
-        std::vector<RegionEdit> own;
-        for (const Vec3& place : r.places) {
-            RegionEdit e{triple(place), r.strip.enabled, r.grow};
-            // Edited again before the regions were found anew.
-            for (const RegionEdit& known : edits)
-                if (known.place == e.place) e = known;
-            edit(e);
-            own.push_back(e);
-        }
-        std::erase_if(edits, [&](const RegionEdit& e) {
-            const bool about = std::any_of(r.edits.begin(), r.edits.end(), [&](std::size_t k) {
-                return k < found_edits_.size() && found_edits_[k] == e;
-            });
-            return about || std::any_of(own.begin(), own.end(), [&](const RegionEdit& mine) {
-                       return mine.place == e.place;
-                   });
-        });
-        for (const RegionEdit& e : own)
-            if (!e.enabled || e.grow != 0) edits.push_back(e);
-        o.set_region_edits(std::move(edits));
+        o.set_region_edits(with_region_edited(o.region_edits(), r, found_edits_, edit));
     });
 }
 
@@ -339,23 +352,13 @@ void RegionController::take(const Found& found) {
     const ReworkRegions& r = found_->found.regions;
     const Project project = tried();
     const auto& settings = static_cast<const GlobalLocal&>(*project.operations[*i]).settings();
-    const auto percent = [&](double area) {
-        return text(format_number(r.part_area > 0 ? 100 * area / r.part_area : 0, 2)) + QStringLiteral(" %");
-    };
     if (r.regions.empty()) {
         dialog_->show_no_regions(
             tr("No place needs a lead above %1°: the main path cuts all of the part, there "
                "is nothing to rework.")
                 .arg(text(format_number(degrees(settings.lead_limit), 3))));
     } else {
-        const auto off = std::count_if(r.regions.begin(), r.regions.end(),
-                                       [](const ReworkRegion& region) { return !region.strip.enabled; });
-        QString status = r.regions.size() == 1 ? tr("1 region") : tr("%1 regions").arg(r.regions.size());
-        if (off > 0) status += tr(", %1 switched off").arg(off);
-        status += tr("; rework covers %1 of the surface").arg(percent(r.area));
-        if (r.uncut_area >= 0.98 * r.part_area)
-            status = tr("This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
-        dialog_->show_regions(r.regions, status);
+        dialog_->show_regions(r.regions, regions_text(r));
     }
     double diameter = 0;
     try {

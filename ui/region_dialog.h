@@ -1,6 +1,6 @@
 // "Settings of Rework Region" of a global-local operation (Wang 3.4): limits and directions that decide the
-// regions, the regions as they would be, and what other limits and tools would take. It shows and asks; the
-// desk (region_controller.h) finds the regions and keeps what is asked.
+// regions, the regions as they would be, and what other limits and tools would take. It shows and asks; its
+// controller (region_controller.h) finds the regions and keeps what is asked.
 #pragma once
 
 #include "core/strategy/global_local/tool_advice.h"
@@ -47,6 +47,8 @@ public:
     void show_advice(const ToolAdvice& advice, double diameter, double lead_limit);
     void clear_advice(const QString& why);
     void set_busy(bool busy, double fraction = 0, const QString& label = {});
+    /// Puts the dialog that is not shown yet beside the middle of its window.
+    void place_beside_view();
 
     std::optional<std::size_t> chosen() const;
     void choose(std::optional<std::size_t> region);

@@ -2,9 +2,7 @@
 
 #include "ui/camera_flight.h"
 #include "ui/elided_label.h"
-#include "ui/icons.h"
 #include "ui/shown_paths.h"
-#include "ui/sorted_item.h"
 #include "ui/strip_panel.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
@@ -26,29 +24,8 @@ namespace facetmill::ui {
 
 namespace {
 
-using Column = StripPanel::Column;
-constexpr int name_column = Column::name_column, type_column = Column::type_column,
-              width_column = Column::width_column, length_column = Column::length_column,
-              reason_column = Column::reason_column;
-constexpr int strip_role = Qt::UserRole;
 /// What the view shows around a strip: this share of its size, and at least this share of the part's.
 constexpr double strip_room = 1.3, part_room = 0.15;
-
-QString type_text(const Strip& strip) {
-    switch (strip.kind) {
-    case StripKind::rework:
-        return StripController::tr("Rework");
-    case StripKind::sharp:
-        return StripController::tr("Normal change");
-    case StripKind::valley:
-        return strip.centers.empty() ? StripController::tr("Hollow") : StripController::tr("Two contacts");
-    case StripKind::no_posture:
-        return StripController::tr("No posture");
-    case StripKind::rest:
-        return StripController::tr("Rest material");
-    }
-    return {};
-}
 
 } // namespace
 
@@ -57,12 +34,10 @@ StripController::StripController(Document& document, Viewport& viewport, QWidget
       flight_(new CameraFlight(viewport)) {
     QTreeWidget* list = panel_->list();
     connect(list, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
-        if (column == name_column) switch_strip(*item);
+        if (column == StripPanel::name_column) switch_strip(*item);
     });
     connect(list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        choose(item ? std::optional(std::size_t(item->data(name_column, strip_role).toULongLong()))
-                    : std::nullopt,
-               true);
+        choose(item ? std::optional(StripPanel::strip_of(*item)) : std::nullopt, true);
     });
     connect(panel_->operation_box(), &QComboBox::currentIndexChanged, this, &StripController::refresh);
     connect(panel_->touch_box(), &QCheckBox::toggled, this, &StripController::take_tool);
@@ -142,7 +117,13 @@ void StripController::refresh() {
         const std::optional<std::size_t> was = chosen_;
         std::string name;
         if (was && listed_name_.size() > *was) name = listed_name_[*was];
-        fill();
+        listed_ = now;
+        listed_unit_ = document_.unit();
+        listed_name_.clear();
+        const std::vector<Strip> strips = now ? now->path.strips : std::vector<Strip>();
+        for (const Strip& s : strips)
+            listed_name_.push_back(s.name);
+        panel_->fill(strips, listed_unit_, viewport_.scene().palette());
         std::optional<std::size_t> again;
         for (std::size_t i = 0; i < listed_name_.size(); ++i)
             if (!name.empty() && listed_name_[i] == name) again = i;
@@ -154,57 +135,6 @@ void StripController::refresh() {
     show_touch();
 }
 
-void StripController::fill() {
-    QTreeWidget* list = panel_->list();
-    const QSignalBlocker quiet(list);
-    listed_ = result();
-    listed_unit_ = document_.unit();
-    listed_name_.clear();
-    list->setSortingEnabled(false);
-    list->clear();
-    if (!listed_) return;
-    const double per = mm_per(listed_unit_);
-    // The same for all, so that points stand one below the other.
-    const int decimals = listed_unit_ == LengthUnit::inch ? 2 : 1;
-    const auto& strips = listed_->path.strips;
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        const Strip& s = strips[i];
-        listed_name_.push_back(s.name);
-        auto* item = new SortedItem;
-        item->setData(name_column, strip_role, qulonglong(i));
-        item->setData(name_column, SortedItem::sort_role, double(i));
-        item->setText(name_column, text(s.name));
-        // It takes its room in the column from the start; the colour comes with the states.
-        item->setIcon(name_column,
-                      swatch(strip_color(i, true, viewport_.scene().palette()), panel_->devicePixelRatioF()));
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
-        item->setText(type_column, type_text(s));
-        const auto number = [&](int column, double mm) {
-            item->setText(column, mm > 0 ? QString::number(mm / per, 'f', decimals) : QStringLiteral("–"));
-            item->setData(column, SortedItem::sort_role, mm);
-            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-        };
-        number(width_column, s.width);
-        number(length_column, s.length);
-        const QString reason = with_lengths_in(sentence(text(s.reason)), listed_unit_);
-        item->setText(reason_column, reason);
-        const QString size = s.width > 0 ? tr("%1 wide, %2 long")
-                                               .arg(shown_length(s.width, listed_unit_, 3),
-                                                    shown_length(s.length, listed_unit_, 3))
-                                         : tr("%1 long").arg(shown_length(s.length, listed_unit_, 3));
-        for (int c = name_column; c <= reason_column; ++c)
-            item->setToolTip(c, tr("%1: %2. %3").arg(text(s.name), size, reason));
-        list->addTopLevelItem(item);
-    }
-    const QString unit = text(unit_name(listed_unit_));
-    list->headerItem()->setText(width_column, tr("Width, %1").arg(unit));
-    list->headerItem()->setText(length_column, tr("Length, %1").arg(unit));
-    list->setSortingEnabled(true);
-    list->sortByColumn(name_column, Qt::AscendingOrder);
-    panel_->fit_columns();
-}
-
 /// Check marks and colours as the operation's settings stand now, planned with them or not.
 void StripController::show_states() {
     const CleanupSettings* now = settings();
@@ -212,19 +142,11 @@ void StripController::show_states() {
         panel_->note()->hide();
         return;
     }
-    const Palette palette = viewport_.scene().palette();
-    QTreeWidget* list = panel_->list();
-    const QSignalBlocker quiet(list);
-    std::size_t on = 0;
-    for (int row = 0; row < list->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* item = list->topLevelItem(row);
-        const auto i = std::size_t(item->data(name_column, strip_role).toULongLong());
-        const bool enabled = !is_switched_off(now->switched_off, listed_name_[i]);
-        on += enabled;
-        item->setCheckState(name_column, enabled ? Qt::Checked : Qt::Unchecked);
-        item->setIcon(name_column, swatch(strip_color(i, enabled, palette), panel_->devicePixelRatioF()));
-    }
-    const auto n = std::size_t(list->topLevelItemCount());
+    std::vector<bool> cut;
+    for (const std::string& name : listed_name_)
+        cut.push_back(!is_switched_off(now->switched_off, name));
+    panel_->show_states(cut, viewport_.scene().palette());
+    const auto on = std::size_t(std::count(cut.begin(), cut.end(), true)), n = cut.size();
     QString note =
         on == n ? tr("%1 strips, all of them cut").arg(n) : tr("%1 of %2 strips cut").arg(on).arg(n);
     if (n == 1) note = on == 1 ? tr("1 strip, cut") : tr("1 strip, switched off");
@@ -238,24 +160,16 @@ void StripController::show_states() {
 /// The check mark was changed by hand.
 void StripController::switch_strip(const QTreeWidgetItem& item) {
     const CleanupSettings* now = settings();
-    const auto i = std::size_t(item.data(name_column, strip_role).toULongLong());
+    const std::size_t i = StripPanel::strip_of(item);
     if (!now || i >= listed_name_.size()) return;
     const std::string name = listed_name_[i];
-    const bool on = item.checkState(name_column) == Qt::Checked;
+    const bool on = item.checkState(StripPanel::name_column) == Qt::Checked;
     if (on == !is_switched_off(now->switched_off, name)) return;
     const std::string list = with_switched(now->switched_off, name, on);
     const std::size_t index = *document_.index_of(ids_[*source()]);
     document_.change(
         (on ? tr("Switch %1 on") : tr("Switch %1 off")).arg(text(name)),
         [index, list](Project& p) { p.operations[index]->set("switched_off", ParameterValue(list)); });
-}
-
-QTreeWidgetItem* StripController::item_of(std::size_t strip) const {
-    QTreeWidget* list = panel_->list();
-    for (int row = 0; row < list->topLevelItemCount(); ++row)
-        if (list->topLevelItem(row)->data(name_column, strip_role).toULongLong() == strip)
-            return list->topLevelItem(row);
-    return nullptr;
 }
 
 void StripController::panel_seen(bool) {
@@ -319,7 +233,7 @@ void StripController::choose(std::optional<std::size_t> strip, bool fly) {
     QTreeWidget* list = panel_->list();
     {
         const QSignalBlocker quiet(list);
-        QTreeWidgetItem* item = strip ? item_of(*strip) : nullptr;
+        QTreeWidgetItem* item = strip ? panel_->item_of(*strip) : nullptr;
         list->setCurrentItem(item);
         if (item) list->scrollToItem(item);
     }

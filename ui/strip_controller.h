@@ -64,14 +64,12 @@ private:
     QString empty_reason() const;
     bool pick(const Vec3& place);
     void refresh();
-    void fill();
     void show_states();
     void show_strips();
     void switch_strip(const QTreeWidgetItem& item);
     void show_place();
     void take_tool();
     void show_touch();
-    QTreeWidgetItem* item_of(std::size_t strip) const;
 
     Document& document_;
     Viewport& viewport_;

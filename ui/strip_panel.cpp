@@ -2,11 +2,15 @@
 
 #include "ui/elided_label.h"
 #include "ui/icons.h"
+#include "ui/sorted_item.h"
+#include "ui/text.h"
+#include "viz/strip_display.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
 #include <QStyle>
@@ -16,6 +20,28 @@
 #include <algorithm>
 
 namespace facetmill::ui {
+
+namespace {
+
+constexpr int strip_role = Qt::UserRole;
+
+QString type_text(const Strip& strip) {
+    switch (strip.kind) {
+    case StripKind::rework:
+        return StripPanel::tr("Rework");
+    case StripKind::sharp:
+        return StripPanel::tr("Normal change");
+    case StripKind::valley:
+        return strip.centers.empty() ? StripPanel::tr("Hollow") : StripPanel::tr("Two contacts");
+    case StripKind::no_posture:
+        return StripPanel::tr("No posture");
+    case StripKind::rest:
+        return StripPanel::tr("Rest material");
+    }
+    return {};
+}
+
+} // namespace
 
 StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("strips"));
@@ -98,6 +124,69 @@ void StripPanel::fit_columns() {
         header->resizeSection(
             c, std::max(cells->sizeHintForColumn(c),
                         header->sectionSizeHint(c) - (c == header->sortIndicatorSection() ? 0 : mark)));
+}
+
+void StripPanel::fill(const std::vector<Strip>& strips, LengthUnit unit, Palette palette) {
+    const QSignalBlocker quiet(list_);
+    list_->setSortingEnabled(false);
+    list_->clear();
+    const double per = mm_per(unit);
+    // The same for all, so that points stand one below the other.
+    const int decimals = unit == LengthUnit::inch ? 2 : 1;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const Strip& s = strips[i];
+        auto* item = new SortedItem;
+        item->setData(name_column, strip_role, qulonglong(i));
+        item->setData(name_column, SortedItem::sort_role, double(i));
+        item->setText(name_column, text(s.name));
+        // It takes its room in the column from the start; the colour comes with the states.
+        item->setIcon(name_column, swatch(strip_color(i, true, palette), devicePixelRatioF()));
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
+        item->setText(type_column, type_text(s));
+        const auto number = [&](int column, double mm) {
+            item->setText(column, mm > 0 ? QString::number(mm / per, 'f', decimals) : QStringLiteral("–"));
+            item->setData(column, SortedItem::sort_role, mm);
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        };
+        number(width_column, s.width);
+        number(length_column, s.length);
+        const QString reason = with_lengths_in(sentence(text(s.reason)), unit);
+        item->setText(reason_column, reason);
+        const QString size =
+            s.width > 0
+                ? tr("%1 wide, %2 long").arg(shown_length(s.width, unit, 3), shown_length(s.length, unit, 3))
+                : tr("%1 long").arg(shown_length(s.length, unit, 3));
+        for (int c = name_column; c <= reason_column; ++c)
+            item->setToolTip(c, tr("%1: %2. %3").arg(text(s.name), size, reason));
+        list_->addTopLevelItem(item);
+    }
+    const QString unit_text = text(unit_name(unit));
+    list_->headerItem()->setText(width_column, tr("Width, %1").arg(unit_text));
+    list_->headerItem()->setText(length_column, tr("Length, %1").arg(unit_text));
+    list_->setSortingEnabled(true);
+    list_->sortByColumn(name_column, Qt::AscendingOrder);
+    fit_columns();
+}
+
+void StripPanel::show_states(const std::vector<bool>& cut, Palette palette) {
+    const QSignalBlocker quiet(list_);
+    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = list_->topLevelItem(row);
+        const std::size_t i = strip_of(*item);
+        item->setCheckState(name_column, cut[i] ? Qt::Checked : Qt::Unchecked);
+        item->setIcon(name_column, swatch(strip_color(i, cut[i], palette), devicePixelRatioF()));
+    }
+}
+
+std::size_t StripPanel::strip_of(const QTreeWidgetItem& item) {
+    return std::size_t(item.data(name_column, strip_role).toULongLong());
+}
+
+QTreeWidgetItem* StripPanel::item_of(std::size_t strip) const {
+    for (int row = 0; row < list_->topLevelItemCount(); ++row)
+        if (strip_of(*list_->topLevelItem(row)) == strip) return list_->topLevelItem(row);
+    return nullptr;
 }
 
 void StripPanel::set_empty_text(const QString& text) {

@@ -53,7 +53,7 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
 VerificationController::VerificationController(Document& document, Viewport& viewport, LayerBar& layers,
                                                BackgroundJob& job, QWidget* window)
     : Controller(window), document_(document), viewport_(viewport), layers_(layers), job_(job),
-      model_(document) {
+      model_(document), display_(viewport, playback_) {
     panel_ = new VerificationPanel(document_, model_, window);
     bar_ = new PlaybackBar(playback_, window);
     bar_->hide();
@@ -74,7 +74,7 @@ VerificationController::VerificationController(Document& document, Viewport& vie
     });
     connect(&playback_, &PlaybackController::loaded_changed, this, [this] {
         engaged_ = stock_offered_ = false;
-        shown_operation_ = std::size_t(-1);
+        display_.forget_tool();
         bar_->setVisible(playback_.loaded());
     });
     connect(&playback_, &PlaybackController::moved, this, &VerificationController::show_playback);
@@ -239,13 +239,13 @@ void VerificationController::layers_toggled() {
 
 void VerificationController::show_playback() {
     if (!playback_.loaded()) {
-        show_stock();
+        display_.show_stock();
         return;
     }
     const bool moved = playback_.target() > 0 || playback_.playing();
     if (moved && !engaged_) engaged_ = true;
     if (!engaged_) {
-        show_stock();
+        display_.show_stock();
         return;
     }
     if (!from_finding_ && !stock_offered_) {
@@ -253,27 +253,18 @@ void VerificationController::show_playback() {
         layers_.set_shown(ViewLayer::stock, true);
         layers_toggled(); // where it was shown already
     }
-    show_stock();
+    display_.show_stock();
     const PlaybackTrack& track = playback_.track();
     const double position = playback_.position();
     const MotionPlace at = track.place(position);
     Scene& scene = viewport_.scene();
-    if (shown_operation_ != at.program || !scene.has(Layer::tool)) {
-        shown_operation_ = at.program;
-        try {
-            scene.set_tool(track.operation(at.program).tool);
-        } catch (const Error&) {
-            scene.set_tool(std::nullopt);
-        }
-    }
-    const CutterLocation tool = playback_.tool();
-    scene.set_tool_pose(tool);
-    turn_view(track.operation(at.program).turning, tool);
+    display_.show_tool(bar_->turns_part(), flight_->flying());
     if (!from_finding_ && marked_at_ != playback_.target()) {
         marked_at_.reset();
         scene.set_marker(std::nullopt);
     }
     viewport_.refresh();
+    const CutterLocation tool = playback_.tool();
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
     const auto number = [&](double v) { return QString::number(v / mm, 'f', digits); };
@@ -284,41 +275,6 @@ void VerificationController::show_playback() {
                              text(unit_name(document_.unit()))));
 }
 
-/// The eye goes round with the tool, so that on the screen the tool stands and the part turns, as on the
-/// machine.
-void VerificationController::turn_view(const std::optional<TurningAxis>& turning,
-                                       const CutterLocation& tool) {
-    const bool turns = turning && bar_->turns_part();
-    const std::optional<Vec3> before =
-        std::exchange(turned_to_, turns ? std::optional(tool.axis) : std::nullopt);
-    if (!turns || !before || flight_->flying()) return;
-    const Vec3& d = turning->direction;
-    const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(d) * d); };
-    const Vec3 a = across(*before), b = across(tool.axis);
-    const double angle = std::atan2(d.dot(a.cross(b)), a.dot(b));
-    if (angle == 0) return;
-    const Eigen::AngleAxisd turn(angle, d);
-    CameraPlace place = viewport_.scene().camera_place();
-    place.target = turning->point + turn * (place.target - turning->point);
-    place.toward_eye = turn * place.toward_eye;
-    place.up = turn * place.up;
-    viewport_.scene().look_at(place);
-}
-
-void VerificationController::show_stock() {
-    const auto stock = playback_.stock(), fine = playback_.fine_stock();
-    Scene& scene = viewport_.scene();
-    // What is all new comes by steps; a few patches more or less are drawn at once.
-    const bool fresh = (!stock.empty() && !stock_shown_) || (!fine.empty() && !fine_shown_);
-    stock_shown_ = !stock.empty();
-    fine_shown_ = !fine.empty();
-    scene.set_cut_stock(stock, fine);
-    if (fresh)
-        viewport_.content_changed();
-    else
-        viewport_.refresh();
-}
-
 void VerificationController::show_stock_after(std::size_t operation) {
     if (!playback_.loaded() || operation >= document_.operation_count()) return;
     const PlaybackTrack& track = playback_.track();
@@ -327,7 +283,7 @@ void VerificationController::show_stock_after(std::size_t operation) {
         if (track.operation(i).id == document_.operation_id(operation) && track.motions_of(i) > 0) last = i;
     if (last == track.operation_count()) return;
     playback_.pause();
-    shown_operation_ = std::size_t(-1);
+    display_.forget_tool();
     engaged_ = true;
     stock_offered_ = false; // it is what was asked for
     playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
@@ -346,7 +302,7 @@ void VerificationController::tool_placed(const ShownPaths& paths, const PathPick
     while (at < track.operation_count() && track.operation(at).result != program)
         ++at;
     if (at == track.operation_count() || motion >= track.motions_of(at)) return;
-    shown_operation_ = std::size_t(-1); // another one showed the tool
+    display_.forget_tool(); // another one showed the tool
     playback_.pause();
     playback_.go_to(MotionPlace{at, motion});
 }

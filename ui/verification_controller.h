@@ -4,7 +4,7 @@
 
 #include "ui/background_job.h"
 #include "ui/controller.h"
-#include "ui/playback_controller.h"
+#include "ui/playback_display.h"
 #include "ui/verification_model.h"
 
 namespace facetmill::ui {
@@ -39,7 +39,7 @@ public:
     /// The user is playing back: keys and clicks on the path mean the playback.
     bool engaged() const { return engaged_; }
     /// The view was given another tool from elsewhere.
-    void tool_taken() { shown_operation_ = std::size_t(-1); }
+    void tool_taken() { display_.forget_tool(); }
 
     void project_changed() override { follow_plan(); }
     void part_changed() override { follow_plan(); }
@@ -70,8 +70,6 @@ private:
     void show_results();
     void show_playback();
     void show_stock_after(std::size_t operation);
-    void turn_view(const std::optional<TurningAxis>& turning, const CutterLocation& tool);
-    void show_stock();
     void use_scale(const DeviationScale& scale);
     void go_to_finding(const Finding& finding);
 
@@ -81,6 +79,7 @@ private:
     BackgroundJob& job_;
     VerificationModel model_;
     PlaybackController playback_;
+    PlaybackDisplay display_;
     VerificationPanel* panel_ = nullptr;
     PlaybackBar* bar_ = nullptr;
     CameraFlight* flight_ = nullptr;
@@ -91,10 +90,7 @@ private:
     bool stock_offered_ = false; ///< the stock was shown once for this plan
     bool from_finding_ = false;
     std::optional<double> marked_at_;                    ///< position at which a finding's marker is shown
-    std::size_t shown_operation_ = std::size_t(-1);      ///< whose tool the view has from here
     std::optional<std::pair<double, double>> own_range_; ///< as the user set it
-    std::optional<Vec3> turned_to_;                      ///< the tool axis that the view stands to
-    bool stock_shown_ = false, fine_shown_ = false;
     const DeviationDisplay* shown_deviation_ = nullptr;
 };
 
