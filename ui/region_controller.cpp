@@ -6,6 +6,8 @@
 #include "ui/text.h"
 #include "ui/viewport.h"
 
+#include <QScreen>
+
 #include <algorithm>
 #include <utility>
 
@@ -44,6 +46,16 @@ std::vector<RegionEdit> with_region_edited(std::vector<RegionEdit> edits, const 
     for (const RegionEdit& e : own)
         if (!e.enabled || e.grow != 0) edits.push_back(e);
     return edits;
+}
+
+/// Puts the dialog beside the middle of its window, so that the view stays in sight.
+void place_beside_view(QWidget& dialog) {
+    const QWidget* window = dialog.parentWidget();
+    const QRect screen = window->screen()->availableGeometry(), frame = window->frameGeometry();
+    dialog.resize(dialog.sizeHint().boundedTo(screen.size() - QSize(0, 40)));
+    const int x = std::min(frame.right() + 1 - dialog.width(), screen.right() + 1 - dialog.width());
+    const int y = std::min(frame.top() + 60, screen.bottom() + 1 - dialog.height());
+    dialog.move(std::max(screen.left(), x), std::max(screen.top(), y));
 }
 
 /// What the dialog says of the regions that were found, above their list.
@@ -182,7 +194,7 @@ void RegionController::open(std::size_t i) {
     }
     id_ = document_.operation_id(i);
     key_.clear();
-    if (!dialog_->isVisible()) dialog_->place_beside_view();
+    if (!dialog_->isVisible()) place_beside_view(*dialog_);
     dialog_->show();
     dialog_->raise();
     dialog_->activateWindow();

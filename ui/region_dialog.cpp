@@ -15,7 +15,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -534,16 +533,6 @@ void RegionDialog::show_cursor() {
     readout_->setText((over_lead() ? tr("At %1: ").arg(angle_text(e.lead_limit))
                                    : tr("With D %1: ").arg(shown_length(e.diameter, unit_, 4)))
                       + estimate_text(e));
-}
-
-void RegionDialog::place_beside_view() {
-    // Beside the middle of the window, so that the view stays in sight.
-    const QWidget* window = parentWidget();
-    const QRect room = window->screen()->availableGeometry(), frame = window->frameGeometry();
-    resize(sizeHint().boundedTo(room.size() - QSize(0, 40)));
-    const int x = std::min(frame.right() + 1 - width(), room.right() + 1 - width());
-    const int y = std::min(frame.top() + 60, room.bottom() + 1 - height());
-    move(std::max(room.left(), x), std::max(room.top(), y));
 }
 
 void RegionDialog::set_busy(bool busy, double fraction, const QString& label) {

@@ -47,8 +47,6 @@ public:
     void show_advice(const ToolAdvice& advice, double diameter, double lead_limit);
     void clear_advice(const QString& why);
     void set_busy(bool busy, double fraction = 0, const QString& label = {});
-    /// Puts the dialog that is not shown yet beside the middle of its window.
-    void place_beside_view();
 
     std::optional<std::size_t> chosen() const;
     void choose(std::optional<std::size_t> region);
