@@ -20,7 +20,7 @@ class QWidget;
 namespace facetmill::ui {
 
 struct CommandSpec {
-    QString name; ///< of the action as an object; menus name their entries by it
+    QString name; ///< object name of the action; menus name their entries by it
     QString text;
     std::optional<Icon> icon;
     QList<QKeySequence> keys;

@@ -39,7 +39,7 @@ signals:
     void picture_requested();
     void table_requested();
     void back_requested(); ///< to the planned posture
-    void keep_requested(); ///< of the tried posture for the point
+    void keep_requested(); ///< the tried posture, for the point
     void remove_requested();
 
 private:

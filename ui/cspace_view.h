@@ -1,5 +1,5 @@
-// The view of the configuration-space room: a canvas around a CSpaceScene. Left drag turns, the wheel or
-// right drag zooms, a double click fits, a click in the room tries that posture, a drag of a marker carries
+// The view of a configuration space: a canvas around a CSpaceScene. Left drag turns, the wheel or
+// right drag zooms, a double click fits, a click in it tries that posture, a drag of a marker carries
 // it along.
 #pragma once
 
@@ -23,7 +23,7 @@ public:
     void refresh();
     /// False while a picture is due.
     bool finished() const;
-    /// The room in this size with its legend, drawn now.
+    /// The configuration space in this size with its legend, drawn now.
     QImage export_picture(const QSize& size);
     QSize sizeHint() const override { return {420, 360}; }
 

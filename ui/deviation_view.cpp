@@ -62,7 +62,7 @@ void DeviationHistogramView::show_deviation(DeviationDisplayPtr display, const D
 
 /// Where things stand in the widget.
 struct DeviationHistogramView::Frame {
-    QRectF bars; ///< of the bins, without the ends
+    QRectF bars; ///< where the bins are, without the ends
     double step = 0;
     double highest = 0; ///< mm^2 of the highest bar
 };

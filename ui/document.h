@@ -27,7 +27,7 @@ struct OperationOutcome {
     int id = 0;
     std::shared_ptr<const OperationResult> result;
     QString failure;
-    std::string fingerprint; ///< of everything the result depends on
+    std::string fingerprint; ///< says everything the result depends on
 };
 
 class Document : public QObject {
@@ -138,7 +138,7 @@ private:
     std::shared_ptr<const PreparedPart> part_;
     std::string part_key_;
     std::map<int, Record> records_;
-    QFileSystemWatcher files_; ///< of part, stock and machine, and their folders
+    QFileSystemWatcher files_; ///< part, stock and machine, and their folders
     QTimer settled_;           ///< a file that is being written changes many times
 };
 

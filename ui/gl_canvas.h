@@ -52,7 +52,7 @@ protected:
     /// False where there is no OpenGL.
     bool make_current();
     void done_current();
-    /// Of the widget, in device pixels.
+    /// Size of the widget in device pixels.
     QSize frame_size() const;
 
     void paintEvent(QPaintEvent* event) override;

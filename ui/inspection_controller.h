@@ -65,12 +65,12 @@ private:
     LayerBar& layers_;
     InspectionPanel* panel_ = nullptr;
     std::vector<std::shared_ptr<const OperationResult>> results_;
-    std::vector<PathFiguresPtr> figures_; ///< of `results_`, or empty
+    std::vector<PathFiguresPtr> figures_; ///< one per result, or empty
     std::vector<PathSource> shown_;       ///< empty: all of them
-    TintedPathPtr tint_;                  ///< of the quantity and unit that are shown
+    TintedPathPtr tint_;                  ///< shows the present quantity and unit
     LengthUnit tint_unit_ = LengthUnit::mm;
     PathChart chart_;
-    std::optional<std::pair<std::size_t, ChartPlace>> place_; ///< of the tool: which path, where on it
+    std::optional<std::pair<std::size_t, ChartPlace>> place_; ///< where the tool is: which path, where on it
     BackgroundJob job_;                                       // last: it ends first
 };
 

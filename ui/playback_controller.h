@@ -50,7 +50,7 @@ public:
     void set_follow(bool on);
     bool follow() const { return follow_; }
 
-    /// Of the position; empty before the first, or while the stock does not follow.
+    /// Surface of the stock at the position; empty before the first, or while the stock does not follow.
     std::vector<std::shared_ptr<const StockPatch>> stock() const;
     /// The finer surface of the same position; empty until it is there.
     std::vector<std::shared_ptr<const StockPatch>> fine_stock() const;

@@ -21,7 +21,7 @@ public:
         std::string name;
         std::optional<Tool> tool; ///< to be shown; none where it makes no cutter
         std::shared_ptr<const OperationResult> result;
-        std::optional<TurningAxis> turning; ///< of the part, as the stock is cut with it
+        std::optional<TurningAxis> turning; ///< how the part turns, as the stock is cut with it
     };
 
     /// The operations of a plan in its order.

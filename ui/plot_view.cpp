@@ -20,7 +20,7 @@ namespace facetmill::ui {
 namespace {
 
 constexpr double margin = 8, tick_length = 4, key_gap = 14, key_sample = 18;
-constexpr double headroom = 0.06; ///< of the height, above and below the curves
+constexpr double headroom = 0.06; ///< share of the height, above and below the curves
 /// Limits are in view from the beginning where they leave the curves at least this share of the height.
 constexpr double min_share = 0.4;
 constexpr double mark_room =

@@ -37,7 +37,7 @@ public:
     /// What is seen of either axis.
     QRectF view() const { return view_; }
     void zoom_x(double about, double factor);
-    /// Of the widget, for a place in the chart.
+    /// Pixel of the widget for a place in the chart.
     QPointF place_of(double x, double y) const;
     /// White ground, with the title; no cursor.
     QImage picture(const QSize& size) const;
@@ -67,7 +67,7 @@ private:
     QPointF place_of(double x, double y, const QRectF& in) const;
     double x_at(double pixel) const;
     void hold_view();
-    void redraw(); ///< of more than the cursor
+    void redraw(); ///< everything, not the cursor alone
     Look look() const;
     void paint(QPainter& p, const QSize& size, const Look& look, bool exported) const;
     void paint_axes(QPainter& p, const QRectF& in, const Look& look) const;

@@ -27,7 +27,7 @@ private:
     Viewport& viewport_;
     PropertiesPanel& properties_;
     Messages& messages_;
-    std::string key_; ///< of the parameter whose point is being picked; empty: none
+    std::string key_; ///< parameter whose point is being picked; empty: none
 };
 
 } // namespace facetmill::ui

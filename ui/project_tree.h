@@ -20,7 +20,7 @@ struct TreeNode {
     /// stock_after: what an operation leaves, below it in the tree.
     enum class Kind { part, stock, machine, tools, tool, operations, operation, stock_after };
     Kind kind = Kind::part;
-    std::size_t index = 0; ///< of the tool or operation
+    std::size_t index = 0; ///< which tool or operation
     bool operator==(const TreeNode&) const = default;
 };
 

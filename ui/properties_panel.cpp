@@ -204,7 +204,7 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
-        // Of the turning axis what says where it runs.
+        // Whatever says where the turning axis runs.
         std::vector<std::string> hidden;
         if (const LatheCommon* turning = operation.turning()) {
             if (through_points(*turning))

@@ -80,7 +80,7 @@ QString regions_text(const ReworkRegions& r) {
 struct RegionController::Found {
     std::shared_ptr<RegionPreview::Result> result;
     StripDisplayPtr display;
-    std::string where; ///< of what is wrong
+    std::string where; ///< the parameter that is wrong
     QString wrong;     ///< empty: nothing is
 };
 
@@ -400,7 +400,7 @@ void RegionController::show_display(StripDisplayPtr display) {
         viewport_.refresh();
 }
 
-/// Of the selected operation, where it has any; otherwise of all.
+/// The regions of the selected operation, where it has any; otherwise of all.
 void RegionController::show_planned() {
     std::vector<std::shared_ptr<const OperationResult>> results;
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {

@@ -35,7 +35,7 @@ public:
     void project_changed() override { refresh(); }
     void part_changed() override { refresh(); }
     void plan_changed() override { refresh(); }
-    /// Of several operations with regions, those of the selected one are shown.
+    /// Where several operations have regions, only those of the selected one are shown.
     void node_chosen(const std::optional<TreeNode>& node) override;
     /// Chooses the region that is clicked, and leaves the click to others.
     bool take_part_pick(const PartPick& pick) override;
@@ -46,7 +46,7 @@ public:
     void commit();
     /// What is drawn; null: nothing.
     const StripDisplayPtr& shown() const { return display_; }
-    /// Of the open dialog: the regions as they would be, of the newest values that were looked at.
+    /// The regions as they would be, while the dialog is open: for the newest values that were looked at.
     const RegionPreview::Result* found() const { return found_.get(); }
     bool busy() const override;
 
@@ -79,7 +79,7 @@ private:
     int id_ = 0;                                   ///< operation of the dialog; 0: it is closed
     std::map<std::string, ParameterValue> values_; ///< tried
     std::optional<BoundaryDrag> drag_;             ///< on its way
-    std::string key_;                              ///< of what was looked at last
+    std::string key_;                              ///< names what was looked at last
     std::shared_ptr<RegionPreview> preview_;
     std::shared_ptr<const RegionPreview::Result> found_;
     std::vector<RegionEdit> found_edits_;                         ///< that it was found with

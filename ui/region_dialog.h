@@ -114,8 +114,8 @@ private:
     std::string marked_; ///< field that carries the problem
     QString marked_with_;
     QString told_;              ///< the status while nothing runs
-    std::vector<double> grown_; ///< of each row, mm
-    double step_ = 1;           ///< of growing, mm
+    std::vector<double> grown_; ///< growth of each row, mm
+    double step_ = 1;           ///< growing goes by this, mm
     std::optional<ToolAdvice> advice_;
     double diameter_ = 0, lead_limit_ = 0;
     bool filling_ = false, built_ = false;

@@ -37,7 +37,7 @@ private:
 void add_turning(Facts& facts, const TurnedPath& turned, const Box3& part, LengthUnit unit,
                  const QString& attention) {
     const auto number = [&](double mm) { return text(format_number(mm / mm_per(unit), 4)); };
-    // Of the part's box: exact for an axis along X, Y or Z.
+    // From the part's box: exact for an axis along X, Y or Z.
     const double length = part.size().dot(turned.axis.direction.cwiseAbs());
     facts.add(QObject::tr("Smallest stock"),
               QStringLiteral("Ø %1 × %2").arg(number(2 * turned.part_radius), shown_length(length, unit, 4)));

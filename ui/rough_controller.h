@@ -50,9 +50,9 @@ private:
     Viewport& viewport_;
     RoughBar* bar_ = nullptr;
     std::optional<TreeNode> node_;
-    int id_ = 0;              ///< of the operation; 0: none
+    int id_ = 0;              ///< operation shown; 0: none
     bool planned_ = false;    ///< the heights are those of its path
-    std::string fingerprint_; ///< of what the heights were found from
+    std::string fingerprint_; ///< says what the heights were found from
     std::vector<double> heights_;
     Box3 box_;
     QString all_; ///< what the bar says of all layers

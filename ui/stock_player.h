@@ -73,7 +73,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     Order order_;
-    std::shared_ptr<Job> job_; ///< of what the thread is doing
+    std::shared_ptr<Job> job_; ///< what the thread is doing
     std::shared_ptr<const StockFrame> finished_;
     std::uint64_t finished_load_ = 0;
     bool announced_ = false;

@@ -53,7 +53,7 @@ signals:
     void strips_shown(bool on);
     /// The previous tool belongs here, touching the part at both points.
     void touch_wanted(const facetmill::Tool& tool, const facetmill::CleanupRecord::Touch& touch);
-    /// The tool of before belongs into the view again.
+    /// The tool that was shown before belongs in the view again.
     void touch_gone();
 
 private:
@@ -77,7 +77,7 @@ private:
     CameraFlight* flight_ = nullptr;
     std::vector<std::shared_ptr<const OperationResult>> results_;
     std::vector<int> ids_;
-    std::vector<std::size_t> sources_; ///< of `results_`, those of clean-up: the entries of the box
+    std::vector<std::size_t> sources_; ///< places of the clean-ups among the results: the entries of the box
     std::optional<std::size_t> chosen_;
     const OperationResult* listed_ = nullptr; ///< whose strips the list has
     LengthUnit listed_unit_ = LengthUnit::mm;

@@ -28,7 +28,7 @@ public:
     /// The tool of a program at any pose over a contact; no pose: the contact alone.
     void show_pose(const std::shared_ptr<const OperationResult>& program,
                    const std::optional<CutterLocation>& pose, const Marker& contact, const QString& readout);
-    /// The tool that cut before, where it touches the part at two places; then the one of before again.
+    /// The tool that cut before, where it touches the part at two places; then the one shown before it again.
     void show_touch(const Tool& tool, const CleanupRecord::Touch& touch);
     void end_touch();
     void hide();

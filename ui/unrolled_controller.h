@@ -53,7 +53,7 @@ private:
     UnrolledView* view_ = nullptr;
     QComboBox* operation_ = nullptr;
     std::vector<std::shared_ptr<const OperationResult>> results_;
-    std::vector<std::size_t> sources_; ///< of `results_`, those of turning parts: the entries of the box
+    std::vector<std::size_t> sources_; ///< places of turning parts among the results: the entries of the box
     std::optional<std::pair<std::size_t, std::size_t>> place_;
     LengthUnit unit_ = LengthUnit::mm;
     BackgroundJob job_; // last: it ends first

@@ -22,7 +22,7 @@ constexpr double margin = 8, tick_length = 4, label_gap = 3, bar_width = 12, bar
 /// Side of the smallest frame.
 constexpr double min_frame = 64;
 constexpr double angle_step = 90, full_turn = 360;
-/// Of all: no less is shown.
+/// Share of the whole below which no less is shown.
 constexpr double max_zoom = 1e-3;
 
 QString number(double v, double step) {
@@ -30,7 +30,7 @@ QString number(double v, double step) {
     return QString::number(v, 'f', digits).replace(QChar('-'), QChar(0x2212));
 }
 
-/// Of the legend, as many as a bar of this height has room for.
+/// Entries of the legend, as many as a bar of this height has room for.
 std::vector<std::pair<double, QString>> depth_ticks(const UnrolledPath& path, double height,
                                                     const QFontMetricsF& fm) {
     const int most = std::max(2, int(height / (2.2 * fm.height())));

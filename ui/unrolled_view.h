@@ -28,7 +28,7 @@ public:
     const UnrolledWindow& window() const { return window_; }
     /// All of it.
     void reset_view();
-    /// Of the widget, for a place; and the picture's frame in it.
+    /// Pixel of the widget for a place; and the picture's frame in it.
     QPointF place_of(double along, double angle) const;
     QRectF frame() const;
     /// White ground, with the operation's name; no mark.
@@ -66,7 +66,7 @@ private:
     QString empty_text_;
     std::optional<std::size_t> motion_;
     UnrolledWindow window_;
-    QImage image_; ///< of the frame, in device pixels; null: to be made
+    QImage image_; ///< what the frame shows, in device pixels; null: to be made
     Drag drag_ = Drag::none;
     QPointF last_;
 };

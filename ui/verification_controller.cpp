@@ -24,8 +24,8 @@ namespace {
 /// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
 /// processor in its place does.
 constexpr double card_triangles = 1.5e6, processor_triangles = 3e4, resting_triangles = 1.5e6;
-constexpr std::size_t max_samples = 400'000; ///< of the deviation: what a processor can still draw
-constexpr double cutter_share = 1.0 / 20;    ///< of the smallest cutter's radius: finer shows nothing more
+constexpr std::size_t max_samples = 400'000; ///< points of the deviation: what a processor can still draw
+constexpr double cutter_share = 1.0 / 20; ///< share of the smallest cutter's radius: finer shows nothing more
 
 /// The lattice whose surface has about so many triangles, about 2.4 to a square of it.
 double resolution_for(const Box3& box, double triangles, double finest) {

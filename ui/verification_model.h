@@ -18,9 +18,9 @@ QString verdict_text(Verdict verdict);
 /// A verification with what it judged.
 struct VerificationOutcome {
     std::shared_ptr<const PlanResult> plan;
-    std::vector<int> ids;                  ///< of the operations in the document
+    std::vector<int> ids;                  ///< ids of the operations in the document
     std::vector<std::string> fingerprints; ///< Document::fingerprint of each
-    /// Of each of the plan's programs: the place of its operation in `ids`.
+    /// For each of the plan's programs, the place of its operation in `ids`.
     std::vector<std::size_t> program_operations;
     std::string part_key;
     std::shared_ptr<const Verification> verification;
@@ -53,9 +53,9 @@ public:
     const VerificationOutcome& outcome() const { return *outcome_; }
     const Verification& verification() const { return *outcome_->verification; }
 
-    /// Of the whole plan. Never `verified` when an operation is not.
+    /// Verdict on the whole plan. Never `verified` when an operation is not.
     Verdict verdict() const;
-    /// Of an operation of the document, with the reason.
+    /// Verdict on an operation of the document, with the reason.
     Verdict verdict(std::size_t operation) const;
     QString why(std::size_t operation) const;
     /// Gouges first, then collisions, then the largest excess.

@@ -72,7 +72,7 @@ signals:
     void path_picked(const facetmill::PathPick& pick);
     void part_picked(const facetmill::PartPick& pick);
     void nothing_picked();
-    /// Of set_picking: a point of the part, or none where the click missed it.
+    /// A click while a point is picked (set_picking): a point of the part, or none where it was missed.
     void point_picked(const std::optional<facetmill::PartPick>& pick, Qt::KeyboardModifiers modifiers);
     /// The point of the part under the resting pointer, or none.
     void hovered(const std::optional<facetmill::PartPick>& pick);
@@ -128,15 +128,15 @@ private:
     Drawing drawing_ = Drawing::nothing;
     QElapsedTimer drawing_since_;
     QTimer hover_timer_, rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
-    bool coarse_ = false;             ///< what is shown is a coarse picture
-    bool fresh_ = false;              ///< the content was not drawn yet
-    bool whole_ = false;              ///< the next picture is a full one in any case
-    int coarseness_ = 1;              ///< of the next coarse picture: what the last ones took decides
-    double full_frame_ms_ = -1;       ///< of the last picture in full detail; below 0: not known
-    std::optional<std::size_t> step_; ///< of the full picture that is being drawn
+    bool coarse_ = false;       ///< what is shown is a coarse picture
+    bool fresh_ = false;        ///< the content was not drawn yet
+    bool whole_ = false;        ///< the next picture is a full one in any case
+    int coarseness_ = 1;        ///< how coarse the next coarse picture is: what the last ones took decides
+    double full_frame_ms_ = -1; ///< what the last picture in full detail took; below 0: not known
+    std::optional<std::size_t> step_; ///< where the full picture that is being drawn has got to
     std::size_t steps_ = 0;
     double step_ms_ = 0;        ///< what the steps took until now
-    std::size_t rehearsed_ = 0; ///< of the scene's rehearsals
+    std::size_t rehearsed_ = 0; ///< how many of the scene's rehearsals are done
     QPointF hover_at_;
     bool without_card_ = true;
     int frames_ = 0;

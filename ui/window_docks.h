@@ -18,7 +18,7 @@ class WindowDocks : public QObject {
     Q_OBJECT
 public:
     struct Place {
-        QString name; ///< of the dock as an object; settings and menus know it by this
+        QString name; ///< object name of the dock; settings and menus know it by this
         QString title;
         QWidget* content = nullptr;
         Qt::DockWidgetArea area = Qt::RightDockWidgetArea;

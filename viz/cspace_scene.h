@@ -1,4 +1,4 @@
-// The configuration-space room as a VTK scene: box with axes, the two surfaces, the free volume, markers of
+// The configuration space as a VTK scene: box with axes, the two surfaces, the free volume, markers of
 // the chosen postures, legend and title. Like Scene it owns a renderer but no window, knows no widgets, runs
 // on the thread that renders, and counts device pixels from the top left.
 #pragma once
@@ -43,7 +43,7 @@ public:
 
     /// Looks from the standard direction and fits.
     void reset_view();
-    /// Fits the room between title and legend, keeping the direction.
+    /// Fits the box between title and legend, keeping the direction.
     void fit();
     /// About the vertical and about the horizontal of the screen, radians.
     void turn(double about_up, double about_right);

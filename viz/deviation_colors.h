@@ -28,7 +28,7 @@ struct DeviationScale {
 DeviationScale default_scale(const Verification& verification, LengthUnit unit);
 
 Rgb deviation_color(const DeviationScale& scale, double deviation);
-/// Of what is not judged.
+/// Colour of what is not judged.
 Rgb unjudged_color();
 /// -1 is red, 0 green, 1 blue.
 Rgb deviation_color_at(double t);

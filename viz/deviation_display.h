@@ -21,14 +21,14 @@ struct DeviationDisplay {
     std::vector<float> points, normals;  ///< 3 per sample; points relative to `centre`
     std::vector<std::int32_t> triangles; ///< 3 per triangle
     std::vector<float> areas;            ///< mm^2 each sample stands for: a third of its triangles
-    DeviationScale scale;                ///< of `colors`
+    DeviationScale scale;                ///< what `colors` were made with
     std::vector<std::uint8_t> colors;    ///< RGBA per sample
-    PartPreview preview;                 ///< of large surfaces only
+    PartPreview preview;                 ///< for large surfaces only
     std::vector<float>
         preview_deviation; ///< mean of what each vertex stands for; NaN where nothing is judged
     std::vector<std::uint8_t> preview_colors;
     bool has_unjudged = false;      ///< some samples are grey
-    double lowest = 0, highest = 0; ///< of the judged samples
+    double lowest = 0, highest = 0; ///< among the judged samples
 };
 
 using DeviationDisplayPtr = std::shared_ptr<const DeviationDisplay>;
@@ -41,7 +41,7 @@ bool judged(std::uint8_t flags, float deviation, double gouge_limit);
 std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
                                            std::span<const std::uint8_t> flags, const DeviationScale& scale);
 
-/// Throws Error(out_of_range) where the surface's arrays do not fit each other; Cancelled within 20 ms.
+/// Throws Error(out_of_range) where the surface's arrays do not fit each other.
 DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSurface> surface,
                                               const DeviationScale& scale, const Progress& progress);
 
@@ -51,7 +51,7 @@ struct DeviationHistogram {
     std::vector<double> bins;               ///< mm^2, of equal stretches from scale.low to scale.high
     double below = 0, above = 0, total = 0; ///< mm^2
 };
-/// Of the judged samples. About 5 ms per million.
+/// Counts of the judged samples. About 5 ms per million.
 DeviationHistogram deviation_histogram(const DeviationDisplay& display, const DeviationScale& scale,
                                        std::size_t bins);
 

@@ -33,7 +33,7 @@ struct LegendEntry {
     enum class Sample { line, dashes, dot, spot, box, surface };
     Sample sample = Sample::line;
     Rgb color;
-    double width = 1; ///< of a line, layout pixels
+    double width = 1; ///< width of a line, layout pixels
     std::string label;
 };
 
@@ -41,7 +41,7 @@ struct LegendEntry {
 struct ColorBar {
     std::string title, note;                           ///< the note stands under the title
     std::vector<Rgb> colors;                           ///< from the low end to the high one
-    Rgb below, above;                                  ///< of what lies beyond the ends
+    Rgb below, above;                                  ///< colours of what lies beyond the ends
     bool has_below = false, has_above = false;         ///< there is something: an arrow is drawn
     std::string low_text, high_text;                   ///< what the ends mean
     std::vector<std::pair<double, std::string>> marks; ///< place (0..1) and text, ascending
@@ -50,7 +50,7 @@ struct ColorBar {
 
 /// A text beside a place, layout pixels.
 struct OverlayNote {
-    Vec2 at = Vec2::Zero(); ///< of the middle of the left end (-1), of the text (0), of the right end (1)
+    Vec2 at = Vec2::Zero(); ///< middle of the left end (-1), of the text (0), of the right end (1)
     int end = 0;
     std::string text;
     bool bold = false;
@@ -101,7 +101,7 @@ public:
 
 private:
     struct Text {
-        double x = 0, y = 0; ///< of the middle of the left end, the right end or the middle of the text
+        double x = 0, y = 0; ///< the middle of the left end, the right end or the middle of the text
         enum class Align { left, right, center } align = Align::left;
         std::string text;
         double size = 12;

@@ -24,10 +24,10 @@ struct Colors {
     Rgb text, faint_text, panel, panel_border;
     Rgb part, part_back, feature_edges, mesh_edges;
     Rgb stock, cut_stock;
-    Rgb gouge, excess, collision; ///< of findings
+    Rgb gouge, excess, collision; ///< findings
     Rgb contacts;
     Rgb left, kept;                        ///< contact points left to clean-up; postures kept by hand
-    std::array<Rgb, motion_kinds> motions; ///< by MotionKind
+    std::array<Rgb, motion_kinds> motions; ///< one per MotionKind
     Rgb cutter, shank, holder;
     Rgb marker, marker_ring;
     std::array<Rgb, 3> axes;

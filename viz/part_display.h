@@ -31,7 +31,7 @@ struct PartDisplay {
         lines; ///< 2 per edge that is open, non-manifold or sharper than the crease angle
     std::vector<std::int32_t> edges; ///< 2 per edge, every edge once
     PartPreview preview;
-    SightTree sights;        ///< of `mesh`, for picking
+    SightTree sights;        ///< lines of sight on `mesh`, for picking
     bool has_border = false; ///< some edge has one facet, or more than two: a back side may be seen
 };
 
@@ -52,7 +52,7 @@ PartPreview make_preview(const std::vector<float>& points, const std::vector<flo
                          const std::vector<std::int32_t>& triangles, const Vec3& size,
                          std::vector<std::int32_t>* merged, const Progress& progress);
 
-/// Any mesh, also open, non-manifold or degenerate. Throws Cancelled within 20 ms.
+/// Any mesh, also open, non-manifold or degenerate.
 PartDisplayPtr prepare_part_display(MeshPtr mesh, const Progress& progress);
 
 } // namespace facetmill

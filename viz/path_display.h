@@ -18,9 +18,9 @@ struct OperationResult; // core/job/planner.h
 struct PathSource {
     std::shared_ptr<const StrategyResult> contacts;
     std::shared_ptr<const ToolMotions> motions;
-    /// Of roughing: only this layer is drawn and picked, with what leads to its cuts; -1: all of the path.
+    /// The layer of a roughing path that alone is drawn and picked, with what leads to its cuts; -1: all.
     int layer = -1;
-    std::shared_ptr<const std::vector<int>> motion_layers; ///< of every motion, where `layer` is one
+    std::shared_ptr<const std::vector<int>> motion_layers; ///< layer of every motion, where `layer` is one
     bool hidden = false; ///< nothing of it is drawn or picked; another's layer is seen alone
 
     bool shows(const Pass& pass) const { return !hidden && (layer < 0 || pass.layer == layer); }
@@ -44,13 +44,13 @@ struct Polylines {
 struct PathDisplay {
     std::vector<PathSource> sources;
     Vec3 center = Vec3::Zero();
-    Box3 box; ///< of all CC and CL points
+    Box3 box; ///< holds all CC and CL points
     Polylines contacts;
     /// Dots, 3 numbers each as in Polylines: contact points left to clean-up, and those of a posture kept by
     /// hand.
     std::vector<float> left_points, kept_points;
     double contact_spacing = 0;                  ///< mean distance of neighbours on a pass, mm
-    std::array<Polylines, motion_kinds> motions; ///< by MotionKind; rapids are dashed
+    std::array<Polylines, motion_kinds> motions; ///< one per MotionKind; rapids are dashed
     /// Fewer points, drawn while the view moves; of long paths only, otherwise empty.
     Polylines contacts_preview;
     std::array<Polylines, motion_kinds> motions_preview;
@@ -61,7 +61,7 @@ using PathDisplayPtr = std::shared_ptr<const PathDisplay>;
 /// A kind of motion with more points than this has a preview of about as many.
 inline constexpr std::size_t largest_path_without_preview = 60'000;
 
-/// Points that are not finite are left out. Throws Cancelled within 20 ms.
+/// Points that are not finite are left out.
 PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress);
 
 } // namespace facetmill

@@ -21,9 +21,9 @@ enum class PathQuantity {
     tilt,        ///< angle between the tool axis and Z
     cusp,        ///< to expect beside the contact point
     feed,        ///< that the machine reaches
-    motion_time, ///< of the single motion
+    motion_time, ///< time of the single motion
     elapsed,     ///< since the beginning of the operation
-    joint_rate,  ///< of the joint that is nearest to its largest speed, as a share of that
+    joint_rate,  ///< share of its largest speed at which the joint nearest to it goes
 };
 inline constexpr std::size_t path_quantities = 8;
 /// "Kind of motion", "Lead", ...
@@ -45,7 +45,7 @@ struct TintedPath {
     };
     PathQuantity quantity = PathQuantity::kind;
     Vec3 center = Vec3::Zero();
-    std::array<Lines, motion_kinds> lines;   ///< by MotionKind; empty where no motion of the kind has a value
+    std::array<Lines, motion_kinds> lines;   ///< one per MotionKind; empty: no motion of it has a value
     std::array<Lines, motion_kinds> preview; ///< fewer segments, of long paths only
     std::string unit;                        ///< "°", "mm", "in/min", "s", "min", "%"
     double low = 0, high = 1;                ///< ends of the scale, low < high
@@ -57,7 +57,6 @@ using TintedPathPtr = std::shared_ptr<const TintedPath>;
 
 /// The scale goes from the least to the largest value, without the outermost hundredth on either side where
 /// the values within lie much closer together. Null for the quantity `kind`, and where no motion has a value.
-/// Throws Cancelled within 100 ms.
 /// `shown`, where not empty, says for each operation which of its motions are drawn.
 TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations, PathQuantity quantity,
                                   LengthUnit unit, const Progress& progress,

@@ -122,7 +122,7 @@ struct PathPick {
     Index pass = no_index, point = no_index; ///< no_index for a motion that cuts no CC
     std::size_t motion = std::size_t(-1);    ///< into ToolMotions, when a CL was picked
     bool is_contact = false;                 ///< a CC was picked, not a CL
-    Vec3 position;                           ///< of the CC or the tool tip
+    Vec3 position;                           ///< the CC or the tool tip
     CutterLocation location;                 ///< the tool that cuts it
 };
 

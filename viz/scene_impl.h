@@ -35,8 +35,8 @@ struct SceneActor {
     std::size_t elements() const;
 };
 
-/// Of a large part in one actor, and about what one step of a picture draws: some 10 ms without a graphics
-/// card.
+/// Triangles of a large part in one actor, and about what one step of a picture draws: some 10 ms without a
+/// graphics card.
 inline constexpr std::size_t elements_in_piece = 30'000;
 
 struct Scene::Impl {
@@ -69,7 +69,7 @@ struct Scene::Impl {
     bool shows_content() const;
     bool shows_cut_stock() const;
     bool shows_deviation() const;
-    std::vector<ColorBar> color_bars() const; ///< of what is shown, the one to be kept first
+    std::vector<ColorBar> color_bars() const; ///< for what is shown, the one to be kept first
     /// True when some patch has a surface. `old` are the patches the actors have now.
     bool swap_patches(const StockPatches& patches, const StockPatches& old,
                       std::vector<std::unique_ptr<SceneActor>>& actors);
@@ -103,7 +103,7 @@ struct Scene::Impl {
     double ratio = 1;
     bool moving = false, antialiasing = true;
     std::optional<std::size_t> step;
-    std::vector<std::vector<SceneActor*>> step_groups; ///< of the picture being drawn in steps
+    std::vector<std::vector<SceneActor*>> step_groups; ///< steps of the picture that is being drawn
     std::size_t first_step =
         0; ///< begins the picture; the ones before only bring points to the graphics card
     bool rehearsing = false, all_overlay = false; ///< for the shaders, not to be shown
@@ -126,7 +126,7 @@ struct Scene::Impl {
     StripDisplayPtr strips;
     std::optional<std::size_t> chosen_strip;
     bool handles_on = false;
-    LayoutRect covered; ///< by a widget over the window
+    LayoutRect covered; ///< where a widget lies over the window
     PathDisplayPtr path;
     TintedPathPtr tint;
     std::optional<ToolShape> tool;

@@ -56,7 +56,7 @@ bool meets(const LayoutRect& r, double by, const Vec2& center, const std::array<
 
 struct Fit {
     double pixels_per_mm = 0;
-    Vec2 center; ///< of the box on the screen, layout pixels, y down
+    Vec2 center; ///< middle of the box on the screen, layout pixels, y down
 };
 
 /// The largest scale at which a box's shadow stays clear of the things in the corners. `half` are the flat

@@ -24,7 +24,7 @@ struct SightHit {
 class SightTree {
 public:
     SightTree() = default;
-    /// Any mesh. Throws Cancelled within 20 ms.
+    /// Any mesh.
     SightTree(const Mesh& mesh, const Progress& progress);
 
     /// The first facet of the mesh (the one that the tree was made from) on origin + t direction, of either
@@ -39,8 +39,8 @@ private:
     };
     bool meets(const Box& box, const Vec3& origin, const Vec3& direction, double before) const;
 
-    Vec3 center_ = Vec3::Zero(); ///< of the boxes' coordinates
-    double slack_ = 0;           ///< of distances, mm
+    Vec3 center_ = Vec3::Zero(); ///< origin of the boxes' coordinates
+    double slack_ = 0;           ///< error of distances, mm
     std::vector<std::uint32_t> order_;
     std::vector<std::vector<Box>> levels_; ///< the boxes of `arity` facets, of `arity` of these, ...
 };

@@ -10,7 +10,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t facets_per_check = 20'000;
-/// Of a boundary's length, at least: how far apart its handles are, and no more than so many.
+/// Handles of a boundary: at least this share of its length apart, and no more than so many.
 constexpr double handles_share = 1.0 / 48;
 
 /// Corners that are the same place become one point: a third of what the facets bring.

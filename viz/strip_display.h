@@ -17,7 +17,7 @@ namespace facetmill {
 struct StripDisplay {
     struct One {
         std::string name,
-            detail; ///< of the label: "Region 2 · 310 mm²", "needs a lead of up to 19° · tool 2"
+            detail; ///< further text of the label: "Region 2 · 310 mm²", "needs a lead of up to 19° · tool 2"
         std::size_t color = 0; ///< see strip_color
         bool enabled = true;
         Vec3 label_at = Vec3::Zero();        ///< on the band, as near to its middle as there is any
@@ -35,7 +35,7 @@ struct StripDisplay {
 
 using StripDisplayPtr = std::shared_ptr<const StripDisplay>;
 
-/// Of strips in the order of their list. Throws Cancelled within 20 ms.
+/// Makes strips ready to be drawn, in the order of their list.
 StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUnit unit,
                                       const Progress& progress);
 

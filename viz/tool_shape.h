@@ -18,7 +18,7 @@ struct RevolvedShape {
 
 struct ToolShape {
     RevolvedShape cutter, shank, holder; ///< shank and holder may be empty
-    double length = 0, radius = 0;       ///< of the whole tool
+    double length = 0, radius = 0;       ///< size of the whole tool
 };
 
 /// Throws Error(out_of_range) where the tool's values make no cutter.

@@ -161,7 +161,7 @@ std::optional<std::size_t> unrolled_pick(const UnrolledPath& path, const Unrolle
         const double dx = (double(p.along) - along) * px;
         const double dy = std::remainder(double(p.angle) - angle, double(full_turn)) * py;
         const double away = dx * dx + dy * dy;
-        // Of passes over each other the deepest, which is the one that is seen.
+        // Where passes lie over each other, the deepest: it is the one that is seen.
         const bool nearer = away < least - 0.25, alike = away < least + 0.25;
         if (nearer || (alike && p.depth > depth)) {
             least = std::min(least, away);

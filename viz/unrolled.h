@@ -28,7 +28,7 @@ struct UnrolledPath {
     double low = 0, high = 1;                         ///< depths, low < high
     double feed = 0;         ///< width that a line of the path stands for, along the axis
     bool lengthwise = false; ///< lines run along the axis: they stand for an angle
-    double feed_angle = 0;   ///< of lengthwise lines, degrees
+    double feed_angle = 0;   ///< angle of lengthwise lines, degrees
     /// What the cutter cannot come to (lathe_reach.h), as boxes within one turn.
     struct Unreached {
         double from = 0, to = 0, low = 0, high = 0; ///< along the axis, angles
@@ -37,7 +37,7 @@ struct UnrolledPath {
 };
 using UnrolledPathPtr = std::shared_ptr<const UnrolledPath>;
 
-/// Null for an operation whose part does not turn. Throws Cancelled within 100 ms.
+/// Null for an operation whose part does not turn.
 UnrolledPathPtr prepare_unrolled(std::shared_ptr<const OperationResult> operation, LengthUnit unit,
                                  const Progress& progress);
 
