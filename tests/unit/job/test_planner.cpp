@@ -516,7 +516,8 @@ private slots:
         QCOMPARE(std::string(InputFile(out / "report.json").bytes()), report_json(w.project, *plan));
         const AptReadResult back = read_apt(out / "02-Second.apt", LengthUnit::mm, {});
         QCOMPARE(back.program.sections.at(0)->operation_name, std::string("Second"));
-        QCOMPARE(back.program.sections.at(0)->motions.motions.size(), plan->operations[1]->program.motions.motions.size());
+        QCOMPARE(back.program.sections.at(0)->motions.motions.size(),
+                 plan->operations[1]->program.motions.motions.size());
         const std::string bytes(InputFile(out / "01-First.apt").bytes());
 
         // A part of a project keeps its place in the name.
