@@ -177,7 +177,7 @@ bool is_inside(const BruteCutter& cutter, double height, const CutterLocation& a
 struct Findings {
     std::size_t poses = 0, gouging = 0;
 };
-Findings gouges(const ClProgram& program, const Mesh& part, const std::vector<Vec3>& points, double limit) {
+Findings gouges(const ClSection& program, const Mesh& part, const std::vector<Vec3>& points, double limit) {
     const BruteCutter cutter(program.cutter);
     const double radius = double(cutter.radius()), height = program.cutter.h;
     const Box3 box = part.box();
@@ -304,7 +304,7 @@ private slots:
     void a_lowered_path_is_found() {
         const Part& part = parts().front();
         Workplace place(part, mills[0], "finish3", ball_tool(6));
-        ClProgram program = place.plan()->operations.front()->program;
+        ClSection program = place.plan()->operations.front()->program;
         const auto points = samples_of(part.mesh, 0.7);
         QCOMPARE(gouges(program, part.mesh, points, tolerance / 10).gouging, std::size_t(0));
         for (Motion& m : program.motions.motions)
