@@ -26,7 +26,8 @@ inline constexpr double sample_share = 0.95;
 inline constexpr double largest_program_coordinate = 1e8;
 /// Length of a tool axis in a CL program may differ from 1 by this when written.
 inline constexpr double unit_axis = 1e-6;
-/// Of the last digit a CL file carries: heights this little above a digit are that digit, not the next.
+/// Share of the last digit that a CL file carries: heights this little above a digit are that digit, not the
+/// next.
 inline constexpr double cl_digit_noise = 1e-2;
 
 /// A mesh file whose largest extent lies outside these (mm) is most likely in another unit.

@@ -8,9 +8,9 @@
 
 namespace facetmill {
 
-/// Lengths in `unit`, angles in degrees: point, frame, `lead_deg`, `yaw_deg`, `delta_bottom`, `delta_top`
-/// and `blocked` ([lambda][omega]; null where a surface is not finite), the causes' meanings, and the
-/// postures of the three methods. Throws Cancelled.
+/// Lengths in `unit`, angles in degrees: point, frame, `lead_deg`, `yaw_deg`, `delta_bottom`, `delta_top` and
+/// `blocked` ([lambda][omega]; null where a surface is not finite), the causes' meanings, and the postures of
+/// the three methods.
 std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit);
 
 /// The same as a table with a line per posture:

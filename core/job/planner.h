@@ -70,7 +70,7 @@ struct PlanResult {
     /// One per program, in the project's order; those asked for. What an operation has `further` stands after
     /// it, too.
     std::vector<std::shared_ptr<const OperationResult>> operations;
-    /// Of a program: the place in `operations` of the one whose operation it belongs to.
+    /// The place in `operations` of the program whose operation a program belongs to.
     std::size_t owner(std::size_t program) const;
 };
 
@@ -84,7 +84,7 @@ public:
 
     /// The part of a project and the mesh of its stock, from the cache when file, time stamp, size, unit and
     /// placement are the same. Throws Error(files, coordinate_range; of a stock that is not closed or holds
-    /// nothing out_of_range) or Cancelled.
+    /// nothing out_of_range).
     std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;

@@ -22,7 +22,7 @@ struct PartSpec {
 };
 
 const ParameterTable<PartSpec>& part_parameters();
-/// Of one holder section: in files the members of "holder" of a tool.
+/// One holder section: in files the members of "holder" of a tool.
 const ParameterTable<HolderSection>& holder_parameters();
 
 /// Newest version of the project file that is read, and the one that is written: key "facetmill".
@@ -45,7 +45,7 @@ struct Project {
 
     std::filesystem::path part_path() const;
     std::filesystem::path stock_path() const; ///< of the mesh; empty where the stock is none
-    /// Of a machine file; the project's `machine` may also be the name of a machine of the program.
+    /// The machine's file; the project's `machine` may also be the name of a machine of the program.
     std::filesystem::path machine_path() const;
     /// Throws Error(missing_reference) that names the operation.
     const Tool& tool_of(const Operation& operation) const;

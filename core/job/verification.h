@@ -41,7 +41,7 @@ std::string findings_line(const Project& project, std::span<const VerifyProgram>
 
 /// Writes stock.stl (closed), deviation.vtp (VTK PolyData: points, `Normals`, `deviation`, `flag`) and
 /// verify.json into `folder` (made if missing), lengths in the project's units: all of them or none. Returns
-/// the paths. Throws Error(unwritable, no_facets where nothing of the stock is left) or Cancelled.
+/// the paths. Throws Error(unwritable, no_facets where nothing of the stock is left).
 std::vector<std::filesystem::path>
 write_verification(const Project& project, std::span<const VerifyProgram> programs,
                    const Verification& result, const std::filesystem::path& folder, const Progress& progress);

@@ -17,8 +17,7 @@ enum class NormalWeight {
 
 /// Unit normals per vertex, oriented as the facets are; zero where no facet has area or the sum vanishes. A
 /// facet that is flatter than the rounding of its corners (tolerance::coordinate_rounding) has no trustworthy
-/// normal: it counts only at vertices that have no other. Cancellation per block of 20 000 vertices; the same
-/// bits for every thread count.
+/// normal: it counts only at vertices that have no other.
 ///
 /// Lu's third normal (3.3, 3.4) is not offered: it is the mean-curvature normal, zero on flat and balanced
 /// saddle points and turned inside out where the surface is concave. It serves `vertex_curvatures`.
@@ -50,8 +49,7 @@ struct VertexCurvature {
 /// the vertex normal enters it undamped, so that it does not converge on uneven meshes, and its weights may
 /// be negative; nor do his k1, k2 from mean and gauss converge there. So (k1 + k2) / 2 is not exactly `mean`.
 /// At umbilic points the directions mean nothing; where the fit has no unique answer k1 and k2 follow from
-/// mean and gauss, and the directions are zero. Cancellation per block of 2 000 vertices; the same bits for
-/// every thread count.
+/// mean and gauss, and the directions are zero.
 std::vector<VertexCurvature> vertex_curvatures(const Mesh& mesh, const std::vector<Vec3>& normals,
                                                const Progress& progress);
 

@@ -20,7 +20,6 @@ struct VertexFacets {
     }
 };
 
-/// Cancellation per 65 536 facets.
 VertexFacets facets_around_vertices(const Mesh& mesh, const Progress& progress);
 
 } // namespace facetmill

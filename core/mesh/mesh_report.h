@@ -64,7 +64,7 @@ std::vector<std::string> warning_words();
 /// from `duplicate` on (and facets, vertices, welded_vertices, file_box where they are still 0), and adds the
 /// warnings that follow from the geometry: degenerate_facets, duplicate_facets, open_edges,
 /// non_manifold_edges, inconsistent_winding, multiple_shells, inside_out, unit_suspect. Lengths are divided
-/// by mm_per(report.assumed_unit). The same bits for every thread count. Cancellation within 20 ms.
+/// by mm_per(report.assumed_unit).
 void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress);
 
 } // namespace facetmill

@@ -23,11 +23,11 @@ struct PatchGrid {
 };
 
 /// Mesh of the patch whose surface points are all within `tolerance` (mm) of it, edges and border included:
-/// facets are halved across their longest edge, together with the facet on the other side (Rivara's
-/// longest-edge bisection), so that there are never T-junctions and angles stay near those of the coarse
-/// grid. Facets are judged at the points of a fine lattice, not only at their middles. The same mesh for
-/// every thread count. Throws Error(out_of_range) naming `what` when the tolerance needs more than
-/// `sample_facet_limit` facets. Cancellation per 256 facets.
+/// facets are halved across their longest edge, together with the facet on the other side (Rivara's longest-
+/// edge bisection), so that there are never T-junctions and angles stay near those of the coarse grid. Facets
+/// are judged at the points of a fine lattice, not only at their middles. The same mesh for every thread
+/// count. Throws Error(out_of_range) naming `what` when the tolerance needs more than `sample_facet_limit`
+/// facets.
 Mesh tessellate_patch(const PatchFunction& patch, const PatchGrid& grid, double tolerance,
                       const std::string& what, const Progress& progress);
 

@@ -36,7 +36,7 @@ struct Topology {
 };
 
 /// Linear in the number of facets, whatever the valence of vertices. Throws Error(limit_exceeded) for more
-/// than 300 million facets. Cancellation per 20 000 facets.
+/// than 300 million facets.
 std::shared_ptr<const Topology> build_topology(const Mesh& mesh, const Progress& progress);
 
 } // namespace facetmill

@@ -25,8 +25,7 @@ struct ProgramWriter {
     /// Empty where this writer has nothing to say about the program.
     std::function<std::vector<std::string>(const ClProgram& program)> files;
     /// Writes the text of one of them; the caller commits the file. The same program gives the same bytes: no
-    /// time stamp. Throws what check_writable throws before it writes anything, Error(unwritable) or
-    /// Cancelled.
+    /// time stamp. Throws what check_writable throws before it writes anything, Error(unwritable).
     std::function<void(const ClProgram& program, std::size_t file, OutputFile& out, const Progress& progress)>
         write;
 };

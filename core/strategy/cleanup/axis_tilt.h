@@ -34,7 +34,7 @@ struct TiltedPass {
     double largest = 0;           ///< largest inclination used
 };
 
-/// A pass as it was where nothing touches, else with inclined axes. Throws Cancelled.
+/// A pass as it was where nothing touches, else with inclined axes.
 TiltedPass tilted_where_held(const TiltInput& input, const Pass& pass, const Progress& progress);
 
 /// The location of a tool inclined to `axis` that cuts at `contact` what the upright one at `tip` does

@@ -14,8 +14,7 @@ struct BandFacet {
     double size; ///< distance of its farthest corner from the middle
 };
 
-/// All facets no farther than `within` from a band, and some a little farther, in the mesh's order. Throws
-/// Cancelled.
+/// All facets no farther than `within` from a band, and some a little farther, in the mesh's order.
 std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, const RestBand& band,
                                      double within, const Progress& progress);
 

@@ -18,7 +18,6 @@ struct OutlinedBands {
     std::vector<BandPoint> band_points; ///< in order, none twice
 };
 
-/// Throws Cancelled.
 OutlinedBands cut_out(const ValleyInput& input, const Valleys& valleys, RestFacets rest, const RestGaps& gaps,
                       const RestOwners& owners, const Progress& progress);
 

@@ -5,7 +5,7 @@
 
 namespace facetmill {
 
-/// Fills in length, width, reach and flank of every valley's band. Throws Cancelled.
+/// Fills in length, width, reach and flank of every valley's band.
 void measure_reach(OutlinedBands& outlined, const Valleys& valleys, double radius, const Progress& progress);
 
 } // namespace facetmill

@@ -14,7 +14,6 @@ struct ClearedPasses {
     double largest_tilt = 0;
 };
 
-/// Throws Cancelled.
 ClearedPasses with_clear_body(const CleanupJob& job, const std::vector<Pass>& passes,
                               const Progress& progress);
 

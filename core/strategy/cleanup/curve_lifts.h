@@ -11,7 +11,7 @@
 namespace facetmill {
 
 /// The lift to use at each point of the curve; points near each other share one, null where no facet faces
-/// along the vector. Throws Cancelled.
+/// along the vector.
 std::vector<std::shared_ptr<const VectorLift>> lifts_along(const StripCutting& with, const ValleyCurve& curve,
                                                            const RestBand& band, const Progress& progress);
 

@@ -19,13 +19,12 @@ struct LeftStrip {
 };
 
 /// Strips around places that are about `spacing` apart: gaps up to that are closed. They go on for `offset`
-/// beyond the places; those that measure less than `smallest` without it are left out. The largest area
-/// comes first. Throws Error(limit_exceeded), Cancelled.
+/// beyond the places; those that measure less than `smallest` without it are left out. The largest area comes
+/// first. Throws Error(limit_exceeded).
 std::vector<LeftStrip> left_strips(const PlanContext& context, const std::vector<LeftPlace>& places,
                                    double spacing, double offset, double smallest, const Progress& progress);
 
-/// A vertical tool's passes over a strip, held off the whole part; none where it can stand nowhere. Throws
-/// Cancelled.
+/// A vertical tool's passes over a strip, held off the whole part; none where it can stand nowhere.
 StrategyResult cut_left(const PlanContext& context, const OperationCommon& common, bool one_way,
                         const LeftStrip& strip, const Progress& progress);
 

@@ -15,8 +15,8 @@ struct Clearing {
     double dip_share = 0.5;
 };
 
-/// Puts in the points that moves need to stay clear of the part within the chord tolerance: out of the
-/// valley where that helps, else up. Throws Cancelled.
+/// Puts in the points that moves need to stay clear of the part within the chord tolerance: out of the valley
+/// where that helps, else up.
 void clear_passes(const StripCutting& with, std::vector<Pass>& passes, const Progress& progress,
                   const Clearing& clearing = {});
 

@@ -65,7 +65,7 @@ private:
 PencilPoint turned_round(PencilPoint p);
 
 /// Places on valleys, from the samples where the cutter leaves something: its tip is moved away from the
-/// flank that holds it up until another one does. Throws Cancelled.
+/// flank that holds it up until another one does.
 std::vector<PencilPoint> pencil_seeds(const ValleyInput& input, const std::vector<RestSample>& samples,
                                       const Progress& progress);
 

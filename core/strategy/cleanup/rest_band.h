@@ -36,7 +36,7 @@ struct RestBand {
 };
 
 /// One band a curve, in their order, then hollows by area, the largest first. Curves whose band is empty are
-/// left out. Throws Cancelled.
+/// left out.
 std::vector<RestBand> rest_bands(const ValleyInput& input, const Valleys& valleys, const Progress& progress);
 
 /// Unit vectors along a curve at its points, towards its end; zero where it has no length.

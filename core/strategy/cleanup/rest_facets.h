@@ -16,7 +16,6 @@ struct RestFacets {
     std::vector<RestFacet> facets; ///< where material may be left; no cracks between them
 };
 
-/// Throws Cancelled.
 RestFacets divided_near_rest(const ValleyInput& input, const std::vector<RestSample>& samples,
                              const Progress& progress);
 

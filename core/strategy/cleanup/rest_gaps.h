@@ -10,7 +10,6 @@ struct RestGaps {
     std::vector<int> curve;  ///< the valley it belongs to; -1: none comes near
 };
 
-/// Throws Cancelled.
 RestGaps measure_gaps(const ValleyInput& input, const Valleys& valleys, const RestFacets& rest,
                       const Progress& progress);
 

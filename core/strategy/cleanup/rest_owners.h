@@ -10,7 +10,6 @@ struct RestOwners {
     int count = 0;       ///< curves and hollows
 };
 
-/// Throws Cancelled.
 RestOwners share_out(double tolerance, std::size_t curves, const RestFacets& rest, const RestGaps& gaps,
                      const Progress& progress);
 

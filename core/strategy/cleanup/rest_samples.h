@@ -6,7 +6,7 @@
 namespace facetmill {
 
 /// The samples on which the cutter, let down as near to touching them as the part allows, leaves more than
-/// the tolerance. Throws Cancelled.
+/// the tolerance.
 std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& progress);
 
 } // namespace facetmill

@@ -40,11 +40,10 @@ struct StripCut {
     double blocked = 0;  ///< length of passes left out because the cutter cannot stand there
 };
 
-/// Passes along a valley. Throws Cancelled.
+/// Passes along a valley.
 StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const RestBand& band,
                     const Progress& progress);
-/// Passes over a hollow without a valley: parallel lines over it, as deep as the cutter goes. Throws
-/// Cancelled.
+/// Passes over a hollow without a valley: parallel lines over it, as deep as the cutter goes.
 StripCut cut_hollow(const StripCutting& with, const RestBand& band, const Progress& progress);
 
 } // namespace facetmill

@@ -16,7 +16,7 @@ struct FoundStrip {
     LeftStrip left; ///< only around places that were left: `band` has its facets
 };
 
-/// Throws Error(limit_exceeded), Cancelled.
+/// Throws Error(limit_exceeded).
 std::vector<FoundStrip> find_strips(const CleanupJob& job, const Progress& progress);
 
 /// The strips as a result gives them: with names, reasons, and which of them are switched off.

@@ -30,7 +30,6 @@ struct TouchUpSampling {
     double stand_share = 0.02;
 };
 
-/// Throws Cancelled.
 void touch_up(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress,
               const TouchUpSampling& sampling = {});
 

@@ -18,7 +18,7 @@ struct UncutStrips {
     Vec3 missed_at = Vec3::Zero();
 };
 
-/// Strips that are switched off in `described` are left out. Throws Cancelled.
+/// Strips that are switched off in `described` are left out.
 UncutStrips measure_uncut(const CleanupJob& job, const std::vector<FoundStrip>& found,
                           const std::vector<Strip>& described, const std::vector<Pass>& passes,
                           const Progress& progress);

@@ -81,7 +81,6 @@ struct Valleys {
     double step = 0;         ///< typical distance between the points of a curve
 };
 
-/// Throws Cancelled.
 Valleys find_valleys(const ValleyInput& input, const Progress& progress);
 
 /// Says of every tip which curve it belongs to: the one with a tip nearest to it, within a step.

@@ -11,7 +11,7 @@ struct ValleyRun {
     std::array<bool, 2> open{}; ///< ends at which a third flank stopped the cutter
 };
 
-/// In the order of the traced curves; a valley seen twice comes once. Throws Cancelled.
+/// In the order of the traced curves; a valley seen twice comes once.
 std::vector<ValleyRun> valley_runs(const ValleyInput& input, const std::vector<TracedValley>& traced,
                                    const Progress& progress);
 

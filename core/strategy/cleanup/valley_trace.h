@@ -14,7 +14,7 @@ struct TracedValley {
     std::array<CurveEnd, 2> ends{CurveEnd::lost, CurveEnd::lost};
 };
 
-/// Curves that two seeds are on come once. Throws Cancelled.
+/// Curves that two seeds are on come once.
 std::vector<TracedValley> trace_valleys(const ValleyInput& input, const std::vector<PencilPoint>& seeds,
                                         const Progress& progress);
 

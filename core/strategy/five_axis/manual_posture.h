@@ -18,7 +18,7 @@ struct ManualPosture {
     bool operator==(const ManualPosture&) const = default;
 };
 
-/// Of one of them: in files the members of the list `manual_postures` of an operation.
+/// One posture: in files the members of the list `manual_postures` of an operation.
 const ParameterTable<ManualPosture>& manual_posture_parameters();
 
 /// An operation that takes such postures, beside its parameters.

@@ -61,7 +61,8 @@ struct PlanContext {
     std::shared_ptr<const EarlierLeft> left;
     /// Those of Operation::further_tools, in their order.
     std::vector<Tool> further_tools;
-    /// Of the part's vertices, where they are known better than its facets tell (a piece cut out of a part).
+    /// Curvatures of the part's vertices, where more is known of them than its facets tell (a piece cut out
+    /// of a part).
     std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
 };
 
@@ -91,7 +92,7 @@ class Operation : public Parameterized {
 public:
     virtual std::string_view kind() const = 0;
     virtual std::unique_ptr<Operation> clone() const = 0;
-    /// Throws Error(empty_result) with the reason when nothing can be cut; Cancelled within 100 ms.
+    /// Throws Error(empty_result) with the reason when nothing can be cut.
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;

@@ -13,8 +13,8 @@ namespace facetmill {
 double travel_between(const Vec3& from, const Vec3& to, double clear_z);
 
 /// Puts passes in an order in which the tool travels less between them; the first stays first. `either_way`:
-/// passes may be turned round. Where that is no better than before, they stay as they are. Throws Cancelled
-/// within 20 ms. The same order for the same passes.
+/// passes may be turned round. Where that is no better than before, they stay as they are. The same order for
+/// the same passes.
 void order_by_travel(std::vector<Pass>& passes, bool either_way, double clear_z, const Progress& progress);
 
 } // namespace facetmill

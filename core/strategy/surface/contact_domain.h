@@ -37,8 +37,7 @@ struct Interval {
 
 class ContactDomain {
 public:
-    /// `allowance`: stock left along the surface normal. `mesh` must outlive the domain. Throws Cancelled
-    /// within 20 000 facets.
+    /// `allowance`: stock left along the surface normal. `mesh` must outlive the domain.
     ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover, double allowance,
                   const Progress& progress);
 

@@ -61,8 +61,7 @@ struct ReworkRegions {
     double part_area = 0;
 };
 
-/// Throws Error(limit_exceeded) for more than four million facets, Cancelled within 100 ms. The same bits for
-/// every thread count.
+/// Throws Error(limit_exceeded) for more than four million facets.
 ReworkRegions rework_regions(const RegionInput& input, std::span<const UncutPlace> uncut,
                              const Progress& progress);
 
