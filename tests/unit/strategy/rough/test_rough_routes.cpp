@@ -241,7 +241,7 @@ private slots:
                 for (const Vec2& p : r.points)
                     QVERIFY(distance_to(points, p) < 1e-6);
         }
-        QVERIFY(busy > 1000 && idle > 100);
+        QVERIFY(busy > trials(std::size_t(1000)) && idle > trials(std::size_t(100)));
     }
 };
 

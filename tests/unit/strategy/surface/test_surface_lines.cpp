@@ -204,7 +204,7 @@ private slots:
                     }
             }
         }
-        QVERIFY2(found > trials(50, 4) && none > trials(50, 4),
+        QVERIFY2(found > trials(std::size_t(50)) && none > trials(std::size_t(50)),
                  qPrintable(QString("%1 %2").arg(found).arg(none)));
     }
 
