@@ -1,6 +1,7 @@
 #include "core/mesh/refine.h"
 
 #include "core/base/error.h"
+#include "core/mesh/index_pair.h"
 #include "core/mesh/topology.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,22 +16,18 @@ namespace {
 
 constexpr std::size_t facets_per_check = 20000;
 
-std::uint64_t edge_key(Index a, Index b) {
-    return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
-}
-
 /// New vertices on edges, one per edge.
 class EdgeVertices {
 public:
     explicit EdgeVertices(DerivedMesh& to) : to_(to) {}
 
     Index find(Index a, Index b) const {
-        const auto it = made_.find(edge_key(a, b));
+        const auto it = made_.find(pair_of(a, b));
         return it == made_.end() ? no_index : it->second;
     }
     /// At (1 - t) a + t b; the first call for an edge decides.
     Index make(Index a, Index b, double t) {
-        const auto [it, is_new] = made_.try_emplace(edge_key(a, b), Index(to_.mesh.vertices.size()));
+        const auto [it, is_new] = made_.try_emplace(pair_of(a, b), Index(to_.mesh.vertices.size()));
         if (is_new) {
             to_.mesh.vertices.push_back((1 - t) * to_.mesh.vertices[a] + t * to_.mesh.vertices[b]);
             to_.added.push_back({a, b, t});
@@ -207,7 +204,7 @@ std::vector<std::size_t> connected_pieces(const Mesh& mesh, std::span<const Inde
     for (std::size_t i = 0; i < facets.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             const Facet& f = mesh.facets[facets[i]];
-            const auto [it, is_new] = first.try_emplace(edge_key(f[k], f[(k + 1) % 3]), i);
+            const auto [it, is_new] = first.try_emplace(pair_of(f[k], f[(k + 1) % 3]), i);
             if (is_new) continue;
             const std::size_t a = root(i), b = root(it->second);
             parent[std::max(a, b)] = std::min(a, b);

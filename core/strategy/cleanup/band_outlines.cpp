@@ -1,6 +1,6 @@
 #include "core/strategy/cleanup/band_outlines.h"
 
-#include "core/strategy/cleanup/index_pair.h"
+#include "core/mesh/index_pair.h"
 
 #include <map>
 #include <unordered_map>

@@ -1,7 +1,7 @@
 #include "core/strategy/cleanup/rest_facets.h"
 
 #include "core/base/tolerances.h"
-#include "core/strategy/cleanup/index_pair.h"
+#include "core/mesh/index_pair.h"
 #include "core/strategy/cleanup/mark_grid.h"
 
 #include <unordered_map>
