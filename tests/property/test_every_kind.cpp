@@ -184,8 +184,7 @@ Findings gouges(const ClSection& program, const Mesh& part, const std::vector<Ve
     Findings found;
     const auto look = [&](const CutterLocation& at) {
         ++found.poses;
-        if ((at.tip.array() > box.hi.array() + radius).any() && at.axis.z() > 0
-            && at.tip.z() > box.hi.z() + radius)
+        if (at.axis.z() > 0 && at.tip.z() > box.hi.z() + radius) // above the part
             return;
         found.gouging += std::any_of(points.begin(), points.end(),
                                      [&](const Vec3& p) { return is_inside(cutter, height, at, p, limit); });
