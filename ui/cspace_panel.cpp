@@ -5,6 +5,7 @@
 #include "ui/flow_layout.h"
 #include "ui/icons.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "viz/overlay.h"
 
 #include <QHBoxLayout>
@@ -28,10 +29,10 @@ QPixmap sample_of(const LegendEntry& entry, double ratio) {
     pixmap.fill(Qt::transparent);
     QPainter p(&pixmap);
     p.setRenderHint(QPainter::Antialiasing);
-    QColor color = QColor::fromRgbF(float(entry.color.r), float(entry.color.g), float(entry.color.b));
+    QColor color = to_qt(entry.color);
     switch (entry.sample) {
     case LegendEntry::Sample::spot:
-        p.setPen(QPen(Qt::white, 1.5));
+        p.setPen(QPen(to_qt(fixed_colors().outline_ring), 1.5));
         p.setBrush(color);
         p.drawEllipse(QPointF(width / 2.0, height / 2.0), 5.0, 5.0);
         break;

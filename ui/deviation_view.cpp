@@ -2,6 +2,7 @@
 
 #include "ui/icons.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "viz/palette.h"
 
 #include <QDoubleSpinBox>
@@ -22,10 +23,6 @@ namespace {
 
 constexpr std::size_t bins = 60;
 constexpr int end_width = 7, end_gap = 2; // of the bars for what lies beyond the range
-
-QColor color_of(const Rgb& c) {
-    return QColor::fromRgbF(float(c.r), float(c.g), float(c.b));
-}
 
 /// Without the zeros behind the last digit that says something.
 class LengthBox : public QDoubleSpinBox {
@@ -108,9 +105,9 @@ void DeviationHistogramView::paintEvent(QPaintEvent*) {
         const double x0 = std::round(f.bars.x() + f.step * double(i)),
                      x1 = std::round(f.bars.x() + f.step * double(i + 1));
         bar(x0, std::max(1.0, x1 - x0), h.bins[i],
-            color_of(deviation_color(s, s.low + range * (double(i) + 0.5) / double(bins))));
+            to_qt(deviation_color(s, s.low + range * (double(i) + 0.5) / double(bins))));
     }
-    const QColor red = color_of(deviation_color_at(-1)), blue = color_of(deviation_color_at(1));
+    const QColor red = to_qt(deviation_color_at(-1)), blue = to_qt(deviation_color_at(1));
     bar(f.bars.x() - end_gap - end_width, end_width, h.below, red);
     bar(f.bars.right() + end_gap, end_width, h.above, blue);
 

@@ -2,6 +2,7 @@
 
 #include "ui/flow_layout.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "viz/palette.h"
 #include "viz/scene.h"
 
@@ -81,8 +82,7 @@ protected:
         p.setPen(palette().color(QPalette::WindowText));
         p.drawText(QRect(0, 0, x, height()), int(Qt::AlignLeft | Qt::AlignVCenter), low_);
         for (int i = 0; i < bar; ++i) {
-            const Rgb c = path_tint_color((i + 0.5) / bar);
-            p.fillRect(x + i, y, 1, high, QColor::fromRgbF(float(c.r), float(c.g), float(c.b)));
+            p.fillRect(x + i, y, 1, high, to_qt(path_tint_color((i + 0.5) / bar)));
         }
         p.drawText(QRect(x + bar + gap, 0, width(), height()), int(Qt::AlignLeft | Qt::AlignVCenter), high_);
     }

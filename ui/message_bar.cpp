@@ -58,9 +58,7 @@ void MessageBar::color() {
                                                  : signal.busy;
     const QColor ground = window.color(QPalette::Window);
     QPalette own = window;
-    own.setColor(QPalette::Window,
-                 QColor((ground.red() * 6 + mark.red()) / 7, (ground.green() * 6 + mark.green()) / 7,
-                        (ground.blue() * 6 + mark.blue()) / 7));
+    own.setColor(QPalette::Window, mixed(ground, 6, mark));
     setPalette(own);
     icon_->setPixmap(icon(kind_ == Kind::error     ? Icon::error
                           : kind_ == Kind::warning ? Icon::warning

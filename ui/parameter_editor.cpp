@@ -26,9 +26,7 @@ void mark_line(QWidget* widget, bool invalid) {
         const QColor ground = base.color(QPalette::Base);
         palette = base;
         palette.setColor(QPalette::Text, bad);
-        palette.setColor(QPalette::Base,
-                         QColor((ground.red() * 5 + bad.red()) / 6, (ground.green() * 5 + bad.green()) / 6,
-                                (ground.blue() * 5 + bad.blue()) / 6));
+        palette.setColor(QPalette::Base, mixed(ground, 5, bad));
     }
     widget->setPalette(palette);
 }

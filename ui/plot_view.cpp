@@ -3,6 +3,7 @@
 #include "core/base/vec.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "viz/palette.h"
 #include "viz/round_ticks.h"
 
 #include <QKeyEvent>
@@ -30,6 +31,11 @@ QString number(double v, double step) {
     // As many digits as tell neighbouring ticks apart.
     const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
     return QString::number(v, 'f', digits).replace(QChar('-'), QChar(0x2212));
+}
+
+std::array<QColor, 3> lines_of(const Colors& colors) {
+    const auto& lines = colors.chart_lines;
+    return {to_qt(lines[0]), to_qt(lines[1]), to_qt(lines[2])};
 }
 
 } // namespace
@@ -364,8 +370,7 @@ PlotView::Look PlotView::look() const {
             palette().color(QPalette::PlaceholderText),
             grid,
             palette().color(QPalette::Highlight),
-            dark ? std::array{QColor(0x5CC0F5), QColor(0xFF9A4A), QColor(0x7BD88F)}
-                 : std::array{QColor(0x005FA8), QColor(0xC75300), QColor(0x1C7C46)},
+            lines_of(view_colors(palette())),
             font()};
 }
 
@@ -402,21 +407,19 @@ void PlotView::paintEvent(QPaintEvent*) {
 }
 
 QImage PlotView::picture(const QSize& size) const {
+    const auto& paper = fixed_colors().paper;
+    QColor grid = to_qt(paper.ink);
+    grid.setAlpha(28);
     QImage image(size, QImage::Format_RGB32);
     // As large as a chart of 800 points width, in as many pixels as asked for.
     const double scale = std::max(1.0, size.width() / 800.0);
     QPainter p(&image);
     p.scale(scale, scale);
     const QSize inner(int(size.width() / scale), int(size.height() / scale));
-    p.fillRect(QRect(QPoint(0, 0), inner + QSize(1, 1)), Qt::white);
+    p.fillRect(QRect(QPoint(0, 0), inner + QSize(1, 1)), to_qt(paper.ground));
     paint(p, inner,
-          {Qt::white,
-           Qt::black,
-           QColor(0x5A6470),
-           QColor(0, 0, 0, 28),
-           QColor(0x2f7fc1),
-           {QColor(0x005FA8), QColor(0xC75300), QColor(0x1C7C46)},
-           font()},
+          {to_qt(paper.ground), to_qt(paper.ink), to_qt(paper.quiet), grid, to_qt(paper.cursor),
+           lines_of(colors_of(facetmill::Palette::light)), font()},
           true);
     return image;
 }

@@ -1,5 +1,7 @@
 #include "ui/theme.h"
 
+#include "viz/palette.h"
+
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
@@ -11,37 +13,32 @@ namespace facetmill::ui {
 
 namespace {
 
-struct Shades {
-    QColor window, base, alternate, button, text, quiet, light, midlight, mid, dark, shadow, highlight,
-        on_highlight, link, disabled, tip, on_tip;
-};
-
-QPalette palette_of(const Shades& s) {
+QPalette palette_of(const WidgetColors& s) {
     QPalette p;
-    p.setColor(QPalette::Window, s.window);
-    p.setColor(QPalette::WindowText, s.text);
-    p.setColor(QPalette::Base, s.base);
-    p.setColor(QPalette::AlternateBase, s.alternate);
-    p.setColor(QPalette::Text, s.text);
-    p.setColor(QPalette::PlaceholderText, s.quiet);
-    p.setColor(QPalette::Button, s.button);
-    p.setColor(QPalette::ButtonText, s.text);
-    p.setColor(QPalette::BrightText, Qt::white);
-    p.setColor(QPalette::Light, s.light);
-    p.setColor(QPalette::Midlight, s.midlight);
-    p.setColor(QPalette::Mid, s.mid);
-    p.setColor(QPalette::Dark, s.dark);
-    p.setColor(QPalette::Shadow, s.shadow);
-    p.setColor(QPalette::Highlight, s.highlight);
-    p.setColor(QPalette::HighlightedText, s.on_highlight);
-    p.setColor(QPalette::Link, s.link);
-    p.setColor(QPalette::LinkVisited, s.link);
-    p.setColor(QPalette::ToolTipBase, s.tip);
-    p.setColor(QPalette::ToolTipText, s.on_tip);
+    p.setColor(QPalette::Window, to_qt(s.window));
+    p.setColor(QPalette::WindowText, to_qt(s.text));
+    p.setColor(QPalette::Base, to_qt(s.base));
+    p.setColor(QPalette::AlternateBase, to_qt(s.alternate));
+    p.setColor(QPalette::Text, to_qt(s.text));
+    p.setColor(QPalette::PlaceholderText, to_qt(s.quiet));
+    p.setColor(QPalette::Button, to_qt(s.button));
+    p.setColor(QPalette::ButtonText, to_qt(s.text));
+    p.setColor(QPalette::BrightText, to_qt(s.bright));
+    p.setColor(QPalette::Light, to_qt(s.light));
+    p.setColor(QPalette::Midlight, to_qt(s.midlight));
+    p.setColor(QPalette::Mid, to_qt(s.mid));
+    p.setColor(QPalette::Dark, to_qt(s.dark));
+    p.setColor(QPalette::Shadow, to_qt(s.shadow));
+    p.setColor(QPalette::Highlight, to_qt(s.highlight));
+    p.setColor(QPalette::HighlightedText, to_qt(s.on_highlight));
+    p.setColor(QPalette::Link, to_qt(s.link));
+    p.setColor(QPalette::LinkVisited, to_qt(s.link));
+    p.setColor(QPalette::ToolTipBase, to_qt(s.tip));
+    p.setColor(QPalette::ToolTipText, to_qt(s.on_tip));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        p.setColor(QPalette::Disabled, role, s.disabled);
-    p.setColor(QPalette::Disabled, QPalette::Highlight, s.mid);
-    p.setColor(QPalette::Disabled, QPalette::HighlightedText, s.disabled);
+        p.setColor(QPalette::Disabled, role, to_qt(s.disabled));
+    p.setColor(QPalette::Disabled, QPalette::Highlight, to_qt(s.mid));
+    p.setColor(QPalette::Disabled, QPalette::HighlightedText, to_qt(s.disabled));
     return p;
 }
 
@@ -98,43 +95,25 @@ QString theme_name(Theme theme) {
 }
 
 QPalette light_palette() {
-    return palette_of({.window = QColor(0xf1f3f5),
-                       .base = QColor(0xffffff),
-                       .alternate = QColor(0xf6f8fa),
-                       .button = QColor(0xf4f6f8),
-                       .text = QColor(0x1f2933),
-                       .quiet = QColor(0x7b8794),
-                       .light = QColor(0xffffff),
-                       .midlight = QColor(0xe9edf1),
-                       .mid = QColor(0xc4ccd4),
-                       .dark = QColor(0xa3aeb9),
-                       .shadow = QColor(0x5f6b77),
-                       .highlight = QColor(0x1f6fb2),
-                       .on_highlight = QColor(0xffffff),
-                       .link = QColor(0x1a66a5),
-                       .disabled = QColor(0x9aa5b1),
-                       .tip = QColor(0x26323d),
-                       .on_tip = QColor(0xf1f3f5)});
+    return palette_of(colors_of(Palette::light).widgets);
 }
 
 QPalette dark_palette() {
-    return palette_of({.window = QColor(0x23282e),
-                       .base = QColor(0x2c333a),
-                       .alternate = QColor(0x30373f),
-                       .button = QColor(0x2d343b),
-                       .text = QColor(0xdde3e9),
-                       .quiet = QColor(0x8794a1),
-                       .light = QColor(0x4a545f),
-                       .midlight = QColor(0x3b444d),
-                       .mid = QColor(0x3d464f),
-                       .dark = QColor(0x15181c),
-                       .shadow = QColor(0x0c0e10),
-                       .highlight = QColor(0x2f7fc1),
-                       .on_highlight = QColor(0xffffff),
-                       .link = QColor(0x6cb2ee),
-                       .disabled = QColor(0x69747f),
-                       .tip = QColor(0x39434d),
-                       .on_tip = QColor(0xf1f3f5)});
+    return palette_of(colors_of(Palette::dark).widgets);
+}
+
+QColor to_qt(const Rgb& color) {
+    return QColor::fromRgbF(float(color.r), float(color.g), float(color.b));
+}
+
+const Colors& view_colors(const QPalette& palette) {
+    return colors_of(is_dark(palette) ? Palette::dark : Palette::light);
+}
+
+QColor mixed(const QColor& ground, int parts, const QColor& mark) {
+    const auto mix = [&](int g, int m) { return (g * parts + m) / (parts + 1); };
+    return QColor(mix(ground.red(), mark.red()), mix(ground.green(), mark.green()),
+                  mix(ground.blue(), mark.blue()));
 }
 
 bool is_dark(const QPalette& palette) {
@@ -152,9 +131,8 @@ void apply_theme(QApplication& app, Theme theme) {
 }
 
 SignalColors signal_colors(const QPalette& palette) {
-    if (is_dark(palette))
-        return {QColor(0x5cc98a), QColor(0xf0b849), QColor(0xff7b72), QColor(0x6cb2ee), QColor(0x8794a1)};
-    return {QColor(0x1c7c46), QColor(0xa86400), QColor(0xc0271d), QColor(0x1f6fb2), QColor(0x66727f)};
+    const SignalShades& s = view_colors(palette).signal;
+    return {to_qt(s.good), to_qt(s.attention), to_qt(s.bad), to_qt(s.busy), to_qt(s.quiet)};
 }
 
 } // namespace facetmill::ui

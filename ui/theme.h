@@ -7,6 +7,11 @@
 class QApplication;
 class QPalette;
 
+namespace facetmill {
+struct Colors; // viz/palette.h
+struct Rgb;
+} // namespace facetmill
+
 namespace facetmill::ui {
 
 enum class Theme { system, light, dark };
@@ -20,6 +25,12 @@ QString theme_name(Theme theme);
 void apply_theme(QApplication& app, Theme theme);
 QPalette light_palette();
 QPalette dark_palette();
+
+QColor to_qt(const Rgb& color);
+/// Those of the look, light or dark, that the palette belongs to.
+const Colors& view_colors(const QPalette& palette);
+/// `parts` of the ground to one of the mark.
+QColor mixed(const QColor& ground, int parts, const QColor& mark);
 
 /// Colours with a meaning, in the shade that is readable on the palette's window.
 struct SignalColors {

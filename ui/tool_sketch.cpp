@@ -2,6 +2,7 @@
 
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "viz/palette.h"
 
 #include <QPainter>
 
@@ -17,14 +18,14 @@ struct Colors {
 };
 
 Colors colors_of(const QPalette& palette) {
-    const bool dark = is_dark(palette);
+    const ToolSketchColors& c = view_colors(palette).sketch;
     return {palette.color(QPalette::Base),
             palette.color(QPalette::Text),
             palette.color(QPalette::PlaceholderText),
-            dark ? QColor(0xc9973a) : QColor(0xf3c66b),
-            dark ? QColor(0x7d8894) : QColor(0xc3ccd5),
-            dark ? QColor(0x56616c) : QColor(0x9aa7b4),
-            dark ? QColor(0xff7b72) : QColor(0xc0271d)};
+            to_qt(c.cutter),
+            to_qt(c.shank),
+            to_qt(c.holder),
+            to_qt(c.axis)};
 }
 
 /// A dimension line between two points with arrows and its text in the middle; `off` moves the text off the

@@ -2,6 +2,7 @@
 
 #include "core/base/vec.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "viz/palette.h"
 #include "viz/path_tint.h"
 #include "viz/round_ticks.h"
@@ -165,7 +166,7 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
                          bool titled) const {
     const QFontMetricsF fm(p.font());
     const QRectF in = frame(size, fm, titled);
-    const QColor ink = titled ? QColor(Qt::black) : palette().color(QPalette::WindowText);
+    const QColor ink = titled ? to_qt(fixed_colors().paper.ink) : palette().color(QPalette::WindowText);
     QColor grid = ink;
     grid.setAlphaF(0.18f);
     p.drawImage(in, image);
@@ -218,9 +219,9 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
         };
         const QRectF box = QRectF(QPointF(x(r.from), y_of(r.high)), QPointF(x(r.to), y_of(r.low)))
                                .adjusted(-2, -2, 2, 2); // seen, however small
-        p.setPen(QPen(Qt::white, 2.5));
+        p.setPen(QPen(to_qt(fixed_colors().outline_ring), 2.5));
         p.drawRect(box);
-        p.setPen(QPen(Qt::black, 1.2, Qt::DashLine));
+        p.setPen(QPen(to_qt(fixed_colors().outline), 1.2, Qt::DashLine));
         p.drawRect(box);
     }
     p.restore();
@@ -237,10 +238,9 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
     const QRectF bar(in.right() + bar_gap, in.top(), bar_width, in.height());
     const int rows = std::max(2, int(bar.height()));
     for (int k = 0; k < rows; ++k) {
-        const Rgb c = path_tint_color(1 - (k + 0.5) / rows);
         p.fillRect(
             QRectF(bar.left(), bar.top() + bar.height() * k / rows, bar.width(), bar.height() / rows + 1),
-            QColor::fromRgbF(float(c.r), float(c.g), float(c.b)));
+            to_qt(path_tint_color(1 - (k + 0.5) / rows)));
     }
     p.drawRect(bar);
     for (const auto& [v, label] : depth_ticks(*path_, bar.height(), fm)) {
@@ -277,16 +277,16 @@ void UnrolledView::paintEvent(QPaintEvent*) {
     if (!place) return;
     const QPointF at = place_of(double(place->along), double(place->angle));
     if (!in.adjusted(-1, -1, 1, 1).contains(at)) return;
-    p.setPen(QPen(Qt::black, 3));
+    p.setPen(QPen(to_qt(fixed_colors().outline), 3));
     p.setBrush(Qt::NoBrush);
     p.drawEllipse(at, 6, 6);
-    p.setPen(QPen(Qt::white, 1.5));
+    p.setPen(QPen(to_qt(fixed_colors().outline_ring), 1.5));
     p.drawEllipse(at, 6, 6);
 }
 
 QImage UnrolledView::picture(const QSize& size) const {
     QImage image(size, QImage::Format_RGB32);
-    image.fill(Qt::white);
+    image.fill(to_qt(fixed_colors().paper.ground));
     if (!path_) return image;
     QPainter p(&image);
     p.setRenderHint(QPainter::Antialiasing);

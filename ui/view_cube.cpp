@@ -2,6 +2,7 @@
 
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "viz/palette.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -89,10 +90,8 @@ std::optional<StandardView> ViewCube::face_at(const QPointF& at) const {
 void ViewCube::paintEvent(QPaintEvent*) {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
-    const bool dark = is_dark(palette());
-    const QColor ink = dark ? QColor(0xdde3e9) : QColor(0x26323d);
-    const QColor body = dark ? QColor(0x46515c) : QColor(0xf7f9fb);
-    const QColor edge = dark ? QColor(0x8a97a4) : QColor(0x8593a1);
+    const ViewCubeColors& colors = view_colors(palette()).cube;
+    const QColor ink = to_qt(colors.ink), body = to_qt(colors.body), edge = to_qt(colors.edge);
     const QColor accent = palette().color(QPalette::Highlight);
     for (const Face& f : faces()) {
         if (!seen(f.outward)) continue;
@@ -112,7 +111,7 @@ void ViewCube::paintEvent(QPaintEvent*) {
         font.setPixelSize(21);
         font.setBold(true);
         p.setFont(font);
-        p.setPen(hover_ == f.view ? QColor(Qt::white) : ink);
+        p.setPen(hover_ == f.view ? to_qt(colors.on_accent) : ink);
         p.drawText(QRectF(0, 0, 100, 100), Qt::AlignCenter, QLatin1String(f.label));
         p.restore();
     }

@@ -26,27 +26,28 @@ const char* posture_block_label(PostureBlock block) {
 }
 
 Rgb posture_block_color(PostureBlock block) {
+    const auto& colors = fixed_colors().postures;
     switch (block) {
     case PostureBlock::free:
-        return rgb(0x2FA876);
+        return colors.free;
     case PostureBlock::local:
-        return rgb(0xD55E00);
+        return colors.near_contact;
     case PostureBlock::global:
-        return rgb(0xEDB120);
+        return colors.elsewhere;
     case PostureBlock::shank:
-        return rgb(0xD487B6);
+        return colors.shank;
     case PostureBlock::holder:
-        return rgb(0x7B3FA0);
+        return colors.holder;
     case PostureBlock::lift:
-        return rgb(0x7FB8E6);
+        return colors.lift;
     case PostureBlock::machine:
-        return rgb(0x5A6470);
+        return colors.machine;
     }
     return {};
 }
 
 Rgb cspace_top_color() {
-    return rgb(0x1F6FB5);
+    return fixed_colors().postures.top;
 }
 
 const char* cspace_choice_label(std::size_t choice) {
@@ -55,8 +56,7 @@ const char* cspace_choice_label(std::size_t choice) {
 }
 
 Rgb cspace_choice_color(std::size_t choice) {
-    constexpr Rgb colors[] = {rgb(0xFFE14D), rgb(0x4DB8FF), rgb(0xE0218A), rgb(0x14181E)};
-    return colors[choice];
+    return fixed_colors().postures.choices[choice];
 }
 
 CSpaceContent CSpaceContent::of(const FiveAxisStudy& study, const FiveAxisStudy::Point& point) {

@@ -43,7 +43,7 @@ Rgb from_lab(const Vec3& lab) {
 using Table = std::array<Rgb, table_size + 1>;
 
 /// Straight lines in OKLab from colour to colour, at a constant pace.
-Table even(const std::vector<Rgb>& through) {
+Table even(const std::array<Rgb, 4>& through) {
     std::vector<Vec3> lab;
     std::vector<double> at{0};
     for (const Rgb& c : through) {
@@ -63,11 +63,11 @@ Table even(const std::vector<Rgb>& through) {
 }
 
 const Table& reds() {
-    static const Table table = even({rgb(0x6CCB5F), rgb(0xE8B530), rgb(0xE8682A), rgb(0xB40F20)});
+    static const Table table = even(fixed_colors().missing);
     return table;
 }
 const Table& blues() {
-    static const Table table = even({rgb(0x6CCB5F), rgb(0x35B5C4), rgb(0x2F7FDD), rgb(0x24309E)});
+    static const Table table = even(fixed_colors().standing);
     return table;
 }
 
@@ -114,7 +114,7 @@ Rgb deviation_color(const DeviationScale& scale, double d) {
 }
 
 Rgb unjudged_color() {
-    return rgb(0xA4A9AE);
+    return fixed_colors().unjudged;
 }
 
 std::vector<ScaleMark> scale_marks(const DeviationScale& scale, LengthUnit unit, double min_gap) {

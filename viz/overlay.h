@@ -3,6 +3,8 @@
 // what does not fit is left out rather than drawn over something else.
 #pragma once
 
+#include "core/base/units.h"
+#include "core/base/vec.h"
 #include "viz/palette.h"
 
 #include <vtkSmartPointer.h>

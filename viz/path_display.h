@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/setup/motion.h"
 #include "core/strategy/plan/path.h"
+#include "viz/palette.h"
 
 #include <array>
 #include <cstdint>
@@ -31,8 +32,6 @@ struct PathSource {
 
 /// Shares the operation's result.
 PathSource path_source(const std::shared_ptr<const OperationResult>& operation, int layer = -1);
-
-inline constexpr std::size_t motion_kinds = 5; ///< number of MotionKind's enumerators
 
 /// Open polylines in flat arrays: line i runs over points[offsets[i]] .. points[offsets[i + 1] - 1].
 struct Polylines {

@@ -18,11 +18,6 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double worth_cutting = 0.4;
 constexpr double minute = 60, longest_in_seconds = 300; // s
 
-const Rgb& unknown_color() {
-    static const Rgb color = rgb(0x9AA3AD);
-    return color;
-}
-
 /// Values at the ends of the motions of one operation; of what belongs to a whole motion the same at both.
 struct Values {
     std::vector<double> at;
@@ -111,7 +106,8 @@ void find_range(TintedPath& path, std::vector<float> known) {
 void color(TintedPath::Lines& lines, double low, double high) {
     lines.rgba.reserve(4 * lines.values.size());
     for (const float v : lines.values) {
-        const Rgb c = std::isfinite(v) ? path_tint_color((double(v) - low) / (high - low)) : unknown_color();
+        const Rgb c =
+            std::isfinite(v) ? path_tint_color((double(v) - low) / (high - low)) : fixed_colors().no_quantity;
         for (const double channel : {c.r, c.g, c.b})
             lines.rgba.push_back(std::uint8_t(std::lround(255 * channel)));
         lines.rgba.push_back(255);
@@ -156,9 +152,7 @@ std::string path_quantity_missing(PathQuantity quantity, const OperationResult& 
 }
 
 Rgb path_tint_color(double t) {
-    static const std::array<Rgb, 9> stops{rgb(0x440154), rgb(0x472D7B), rgb(0x3B528B),
-                                          rgb(0x2C728E), rgb(0x21918C), rgb(0x28AE80),
-                                          rgb(0x5EC962), rgb(0xADDC30), rgb(0xFDE725)};
+    const auto& stops = fixed_colors().quantity;
     const double at = std::clamp(t, 0.0, 1.0) * double(stops.size() - 1);
     const auto i = std::min(std::size_t(at), stops.size() - 2);
     const double f = at - double(i);
@@ -267,7 +261,7 @@ ColorBar TintedPath::bar() const {
         if (const double at = (v - low) / (high - low); at > min_gap && at < 1 - min_gap)
             bar.marks.emplace_back(at, format_number(v, 3));
     bar.marks.emplace_back(1.0, format_number(high, 3));
-    if (unknown) bar.other = {unknown_color(), "no value"};
+    if (unknown) bar.other = {fixed_colors().no_quantity, "no value"};
     return bar;
 }
 

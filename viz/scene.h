@@ -17,6 +17,7 @@
 #include "core/setup/tool.h"
 #include "core/verify/stock_model.h"
 #include "viz/deviation_display.h"
+#include "viz/palette.h"
 #include "viz/part_display.h"
 #include "viz/path_display.h"
 #include "viz/path_tint.h"
@@ -37,8 +38,6 @@ namespace facetmill {
 
 struct StripDisplay; // strip_display.h
 using StripDisplayPtr = std::shared_ptr<const StripDisplay>;
-
-enum class Palette { light, dark };
 
 /// All have Z up on the screen, but top and bottom, where Y is up. `front` looks along +Y, `right` along -X.
 enum class StandardView { iso, front, top, right, rear, bottom, left };

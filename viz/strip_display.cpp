@@ -43,12 +43,8 @@ std::string area_text(double mm2, LengthUnit unit) {
 }
 
 Rgb strip_color(std::size_t number, bool enabled, Palette palette) {
-    static constexpr std::array<unsigned, 8> light{0xE4572E, 0x17A2A2, 0x8E44AD, 0xD99A00,
-                                                   0x2E8B57, 0xC2185B, 0x3F51B5, 0x795548};
-    static constexpr std::array<unsigned, 8> dark{0xFF7B54, 0x3FD0D0, 0xC07BE0, 0xFFC233,
-                                                  0x5CC98A, 0xF0649A, 0x8291FF, 0xB58A76};
-    if (!enabled) return rgb(palette == Palette::dark ? 0xA0A8B0 : 0x707A84);
-    return rgb((palette == Palette::dark ? dark : light)[number % light.size()]);
+    const Colors& colors = colors_of(palette);
+    return enabled ? colors.strips[number % colors.strips.size()] : colors.strip_off;
 }
 
 StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUnit unit,
