@@ -1,8 +1,10 @@
-// The workbench's icons, drawn in code in the colours of the palette they are painted with: sharp at every
-// size, right in the light and in the dark theme, and nothing to find on disk.
+// The workbench's icons: resources/icons/NAME.svg, compiled in and painted in the colours of the palette, so
+// that they are sharp at every size and right in the light and in the dark theme.
 #pragma once
 
+#include <QColor>
 #include <QIcon>
+#include <QObject>
 
 namespace facetmill {
 struct Rgb; // viz/palette.h
@@ -10,6 +12,9 @@ struct Rgb; // viz/palette.h
 
 namespace facetmill::ui {
 
+Q_NAMESPACE
+
+/// The names are those of the files.
 enum class Icon {
     // files and edits
     new_project,
@@ -52,7 +57,6 @@ enum class Icon {
     part,
     stock,
     machine,
-    tools,
     tool,
     operations,
     operation,
@@ -61,7 +65,6 @@ enum class Icon {
     planning,
     planned,
     stale,
-    failed,
     verified,
     verify_failed,
     verify_stale,
@@ -69,8 +72,25 @@ enum class Icon {
     warning,
     error,
 };
+Q_ENUM_NS(Icon)
 
 QIcon icon(Icon which);
+
+/// What the words for colours in the files stand for.
+struct IconColors {
+    QColor ink;       ///< currentColor
+    QColor accent;    ///< blue: what the icon is about
+    QColor good;      ///< green
+    QColor attention; ///< orange
+    QColor bad;       ///< red
+    QColor busy;      ///< royalblue
+    QColor quiet;     ///< gray
+};
+/// The text of a file with its words replaced, also where an editor has written them as numbers. Others stay.
+QString with_colors(const QString& svg, const IconColors& colors);
+/// An icon from the text of a file.
+QIcon svg_icon(const QString& svg);
+
 /// A facet with a cutter over it.
 QIcon application_icon();
 

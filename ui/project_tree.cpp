@@ -30,7 +30,7 @@ Icon state_icon(OperationState state) {
     case OperationState::stale:
         return Icon::stale;
     case OperationState::failed:
-        return Icon::failed;
+        return Icon::error;
     }
     return Icon::not_planned;
 }
@@ -244,7 +244,7 @@ void ProjectTree::rebuild() {
         for (const Machine& m : machines())
             if (m.name == project.machine) machine = text(m.label);
         add(nullptr, {TreeNode::Kind::machine, 0}, Icon::machine, machine);
-        auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tools, tr("Tools"));
+        auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tool, tr("Tools"));
         for (std::size_t i = 0; i < project.tools.size(); ++i) {
             const Tool& t = project.tools[i];
             const QString size = QStringLiteral("⌀ %1").arg(shown_length(t.diameter, unit, 5));

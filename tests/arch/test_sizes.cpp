@@ -30,8 +30,6 @@ const std::vector<Exception> long_functions = {
      "Older than this rule: to be split where it is next changed"},
     {"core/verify/stock_surface.cpp", "facetmill::StockSurface::patch", 183,
      "Older than this rule: to be split where it is next changed"},
-    {"ui/icons.cpp", "facetmill::ui::draw", 283,
-     "a table in code: the drawing of each icon, one case after the other"},
     {"ui/playback_bar.cpp", "facetmill::ui::PlaybackBar::PlaybackBar", 109,
      "Older than this rule: to be split where it is next changed"},
     {"ui/project_tree.cpp", "facetmill::ui::ProjectTree::ProjectTree", 106,
