@@ -8,26 +8,31 @@ namespace facetmill {
 
 namespace {
 
-/// A link on the surface is halved this often at most before it is given up for a clearance move.
+/// How often a link on the surface is halved before it is given up for a clearance move: pieces are 1/512 of
+/// it then, and what is not clear of the part at that fineness will not become so.
 constexpr int max_divisions = 9;
-/// ... with those of ways too long or turning too far to be looked at in one piece.
+/// The halvings in all, those included of pieces that are too long, or turn too far, to be looked at whole.
 constexpr int max_depth = 16;
-/// Of the cutter's diameter: a link on the surface is lifted by no more.
+/// How far a link on the surface is lifted at most, in diameters of the cutter: higher up a clearance move is
+/// as short.
 constexpr double max_lift_share = 1.5;
-/// Of the chord tolerance, as for passes.
+/// The share of the chord tolerance that a link may use, as passes do (strategy/five_axis): the rest is left
+/// to the machine, which turns its joints between two locations, not the axis in one plane.
 constexpr double chord_share = 0.6;
-/// Where the axis turns by more, a tool goes up between places that are no neighbours: rotary axes take their
-/// time, and near their pole they swing.
+/// By how much the axis may turn between places that are no neighbours. Beyond it the tool goes up: rotary
+/// axes take their time, and near their pole they swing.
 const double max_turn = radians(45);
-/// ... and on the way turns by no more than this with a motion.
+/// By how much the axis may turn in one motion of such a link, so that what the machine does between two
+/// locations is near to what was looked at.
 const double turn_at_once = radians(5);
-/// A straight piece of a link is no longer than so many steps at which it is looked at.
+/// The length of a piece of a link, in steps at which it is looked at. A longer one is halved first: no check
+/// looks at more places than that.
 constexpr double longest_steps = 200;
-/// How far a tool comes off that turns over, in what it has to be clear by.
+/// How far a tool comes off before it turns over, in the distance by which it has to be clear then.
 constexpr double off_share = 2;
 
-/// A way between two locations that keeps clear of the part to within the chord tolerance, lifted along the
-/// tool axis where it has to be.
+/// Finds a route between two locations that keeps clear of the part to within the chord tolerance, lifted
+/// along the tool axis where it has to be.
 class SurfaceLink {
 public:
     SurfaceLink(const ToolLift& lift, double chord, const Progress& progress)
@@ -38,7 +43,7 @@ public:
         double lift = 0;  ///< of a place between, at most
         double turn = pi; ///< of the axis in one motion
     };
-    /// Appends what stands between a and b; false where there is no such way.
+    /// Appends the places between a and b; false where there is no such route.
     bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits,
                  std::vector<CutterLocation>& route) {
         return between(a, b, limits, 0, 0, route);
@@ -48,7 +53,7 @@ private:
     bool between(const CutterLocation& a, const CutterLocation& b, const Limits& limits, int divisions,
                  int depth, std::vector<CutterLocation>& route) {
         progress_.check();
-        // Only so far one sees by steps; and machines move their joints evenly, not the axis in one plane.
+        // Steps show only so much; and machines move their joints evenly, not the axis in one plane.
         const bool far =
             (b.tip - a.tip).norm() > longest_steps * step_ || a.axis.dot(b.axis) < std::cos(limits.turn);
         if (!far && keeps_clear_between(lift_, a, b, step_, chord_, hint_)) return true;
@@ -88,68 +93,113 @@ double reach_below(const Tool& tool, double cutter_radius, const Vec3& axis) {
     return below;
 }
 
-} // namespace
+/// Joins the passes of one path one after the other.
+class FiveAxisLinker {
+public:
+    FiveAxisLinker(const PlanContext& context, const ToolClearance& clearance, const LinkOptions& options,
+                   const Progress& progress)
+        : context_(context), clearance_(clearance), options_(options), progress_(progress),
+          lift_(context.contact, context.tool, clearance), radius_(lift_.cutter().max_radius()),
+          chord_(chord_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
+          apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
+          clear_lift_(context.contact, context.tool,
+                      {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),
+          over_surface_(clear_lift_, chord_, progress) {}
 
-ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
-                           const ToolClearance& clearance, const LinkOptions& options,
-                           const Progress& progress) {
-    check_link_options(options);
-    const ToolLift lift(context.contact, context.tool, clearance);
-    const double diameter = 2 * lift.cutter().max_radius();
-    // Between two axes an arc of axes is never flatter than the flatter of the two, so at this level the tool
-    // may turn from any to any.
-    double top = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + clearance.cutter, below = 0;
-    for (const Pass& pass : path.passes)
-        for (const CutterLocation& c : pass.cl) {
-            top = std::max(top, c.tip.z());
-            below = std::max(below, reach_below(context.tool, lift.cutter().max_radius(), c.axis));
-            if (!(c.axis.z() >= tolerance::lowest_axis_z * (1 - tolerance::level_angle)))
-                throw Error(ErrorCode::internal, "link", "a tool axis lies down", "report this");
+    ToolMotions link(const StrategyResult& path) {
+        result_.clearance_z = clear_level(path);
+        const Pass* before = nullptr;
+        for (std::size_t i = 0; i < path.passes.size(); ++i) {
+            progress_.set(double(i) / double(path.passes.size()));
+            const Pass& pass = path.passes[i];
+            if (pass.cl.empty()) continue;
+            go_to(pass, Index(i), before);
+            for (std::size_t k = 1; k < pass.cl.size(); ++k)
+                result_.motions.push_back({MotionKind::cut, pass.cl[k], Index(i), Index(k)});
+            before = &pass;
         }
-    ToolMotions result;
-    result.clearance_z = top + below + options.clearance;
-    const auto at_clearance = [&](const CutterLocation& c) {
-        const double up = (result.clearance_z - c.tip.z()) / c.axis.z();
-        CutterLocation above{c.tip + up * c.axis, c.axis};
-        above.tip.z() = result.clearance_z; // to the last digit: rapids are level
-        return above;
-    };
+        if (before) between_passes(MotionKind::retract, at_clearance(before->cl.back()));
+        progress_.set(1);
+        return std::move(result_);
+    }
 
-    const double chord = chord_share * options.chord_tolerance, max_lift = max_lift_share * diameter;
-    SurfaceLink on_surface(lift, chord, progress);
-    // Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact, and
-    // the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and goes
-    // in along its axis. The rim sweeps inclined over borders of the part: clear by as much as it is looked
-    // at apart.
-    const double apart = looking_step(0.5 * diameter, chord);
-    const ToolLift clear_lift(context.contact, context.tool,
-                              {clearance.cutter + apart, clearance.shank + apart, clearance.holder + apart});
-    SurfaceLink over_surface(clear_lift, chord, progress);
-    const auto off = [&](const CutterLocation& c) {
-        return CutterLocation{c.tip + off_share * apart * c.axis, c.axis};
-    };
-    const auto turned_over = [&](const Pass& from, const Pass& to, std::vector<CutterLocation>& route) {
+private:
+    using Route = std::vector<CutterLocation>;
+
+    /// A level at which the tool may turn from any axis of the path to any other: between two axes an arc of
+    /// axes is never flatter than the flatter of the two.
+    double clear_level(const StrategyResult& path) const {
+        double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + clearance_.cutter,
+               below = 0;
+        for (const Pass& pass : path.passes)
+            for (const CutterLocation& c : pass.cl) {
+                top = std::max(top, c.tip.z());
+                below = std::max(below, reach_below(context_.tool, radius_, c.axis));
+                if (!(c.axis.z() >= tolerance::lowest_axis_z * (1 - tolerance::level_angle)))
+                    throw Error(ErrorCode::internal, "link", "a tool axis lies down", "report this");
+            }
+        return top + below + options_.clearance;
+    }
+
+    CutterLocation at_clearance(const CutterLocation& c) const {
+        const double up = (result_.clearance_z - c.tip.z()) / c.axis.z();
+        CutterLocation above{c.tip + up * c.axis, c.axis};
+        above.tip.z() = result_.clearance_z; // to the last digit: rapids are level
+        return above;
+    }
+
+    /// The place beside a pass's end where the tool may turn over.
+    CutterLocation off(const CutterLocation& c) const {
+        return {c.tip + off_share * apart_ * c.axis, c.axis};
+    }
+
+    void between_passes(MotionKind kind, const CutterLocation& to) {
+        result_.motions.push_back({kind, to, no_index, no_index});
+    }
+
+    /// To the start of a pass, from the end of the pass before, if there is one.
+    void go_to(const Pass& pass, Index pass_index, const Pass* before) {
+        const CutterLocation& start = pass.cl.front();
+        Route route;
+        if (before && find_link(*before, pass, route)) {
+            for (const CutterLocation& c : route)
+                between_passes(MotionKind::link, c);
+            result_.motions.push_back({MotionKind::link, start, pass_index, 0});
+            return;
+        }
+        if (before) between_passes(MotionKind::retract, at_clearance(before->cl.back()));
+        between_passes(MotionKind::rapid, at_clearance(start));
+        result_.motions.push_back({MotionKind::approach, start, pass_index, 0});
+    }
+
+    /// The places between two passes, on the way that suits how far they are from each other; false where
+    /// only the clearance is left.
+    bool find_link(const Pass& from, const Pass& to, Route& route) {
+        const CutterLocation &last = from.cl.back(), &start = to.cl.front();
+        const bool near = (start.tip - last.tip).norm() <= options_.link_distance;
+        if (near ? on_surface_.between(last, start, {max_lift_}, route) : turn_over(from, to, route))
+            return true;
+        return go_over(last, start, route);
+    }
+
+    /// Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact,
+    /// and the contacts are neighbours. The tool comes off along its axis, turns over clear of the part, and
+    /// goes in along its axis.
+    bool turn_over(const Pass& from, const Pass& to, Route& route) {
         if (from.cc.empty() || to.cc.empty()
-            || (to.cc.front().point - from.cc.back().point).norm() > options.link_distance)
+            || (to.cc.front().point - from.cc.back().point).norm() > options_.link_distance)
             return false;
-        const CutterLocation up = off(from.cl.back()), down = off(to.cl.front());
-        route.assign(1, up);
-        if (!over_surface.between(up, down, {max_lift}, route)) return false;
-        route.push_back(down);
-        return true;
-    };
-    // Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
-    // stands there of the stock it cuts as passes do.
-    const auto over = [&](const CutterLocation& from, const CutterLocation& to,
-                          std::vector<CutterLocation>& route) {
+        return clear_route(from.cl.back(), to.cl.front(), {max_lift_}, route);
+    }
+
+    /// Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
+    /// stands there of the stock it cuts as passes do.
+    bool go_over(const CutterLocation& from, const CutterLocation& to, Route& route) {
         const double detour =
             (at_clearance(from).tip - from.tip).norm() + (at_clearance(to).tip - to.tip).norm();
         if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(max_turn))
             return false;
-        const CutterLocation up = off(from), down = off(to);
-        route.assign(1, up);
-        if (!over_surface.between(up, down, {0.5 * detour, turn_at_once}, route)) return false;
-        route.push_back(down);
+        if (!clear_route(from, to, {0.5 * detour, turn_at_once}, route)) return false;
         double length = 0;
         const CutterLocation* at = &from;
         for (const CutterLocation& c : route) {
@@ -157,42 +207,39 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
             at = &c;
         }
         return length + (to.tip - at->tip).norm() < detour;
-    };
-    const Pass* last_pass = nullptr;
-    const CutterLocation* last = nullptr;
-    for (std::size_t i = 0; i < path.passes.size(); ++i) {
-        progress.set(double(i) / double(path.passes.size()));
-        const Pass& pass = path.passes[i];
-        if (pass.cl.empty()) continue;
-        const CutterLocation& start = pass.cl.front();
-        const auto pass_index = Index(i);
-        bool linked = false;
-        std::vector<CutterLocation> route;
-        if (last && (start.tip - last->tip).norm() <= options.link_distance) {
-            linked = on_surface.between(*last, start, {max_lift}, route);
-        } else if (last) {
-            linked = turned_over(*last_pass, pass, route);
-        }
-        if (last && !linked) linked = over(*last, start, route);
-        if (linked) {
-            for (const CutterLocation& c : route)
-                result.motions.push_back({MotionKind::link, c, no_index, no_index});
-            result.motions.push_back({MotionKind::link, start, pass_index, 0});
-        }
-        if (!linked) {
-            if (last)
-                result.motions.push_back({MotionKind::retract, at_clearance(*last), no_index, no_index});
-            result.motions.push_back({MotionKind::rapid, at_clearance(start), no_index, no_index});
-            result.motions.push_back({MotionKind::approach, start, pass_index, 0});
-        }
-        for (std::size_t k = 1; k < pass.cl.size(); ++k)
-            result.motions.push_back({MotionKind::cut, pass.cl[k], pass_index, Index(k)});
-        last_pass = &pass;
-        last = &pass.cl.back();
     }
-    if (last) result.motions.push_back({MotionKind::retract, at_clearance(*last), no_index, no_index});
-    progress.set(1);
-    return result;
+
+    /// Off the part at one end, over it clear of it, and down to where the other end is entered from.
+    bool clear_route(const CutterLocation& from, const CutterLocation& to, const SurfaceLink::Limits& limits,
+                     Route& route) {
+        const CutterLocation up = off(from), down = off(to);
+        route.assign(1, up);
+        if (!over_surface_.between(up, down, limits, route)) return false;
+        route.push_back(down);
+        return true;
+    }
+
+    const PlanContext& context_;
+    const ToolClearance& clearance_;
+    const LinkOptions& options_;
+    const Progress& progress_;
+    ToolLift lift_;
+    double radius_, chord_, max_lift_;
+    double apart_; ///< The places of a route at which the part is looked at are no farther from each other.
+    SurfaceLink on_surface_;
+    /// Keeps clear by `apart_` more: the rim of an inclined tool sweeps over borders of the part.
+    ToolLift clear_lift_;
+    SurfaceLink over_surface_;
+    ToolMotions result_;
+};
+
+} // namespace
+
+ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
+                           const ToolClearance& clearance, const LinkOptions& options,
+                           const Progress& progress) {
+    check_link_options(options);
+    return FiveAxisLinker(context, clearance, options, progress).link(path);
 }
 
 } // namespace facetmill
