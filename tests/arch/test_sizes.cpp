@@ -22,8 +22,6 @@ struct Exception {
 };
 
 const std::vector<Exception> long_functions = {
-    {"core/mesh/topology.cpp", "facetmill::build_topology", 106,
-     "Older than this rule: to be split where it is next changed"},
     {"core/verify/removal.cpp", "facetmill::MaterialRemoval::flush", 159,
      "Older than this rule: to be split where it is next changed"},
     {"core/verify/stock_surface.cpp", "facetmill::StockSurface::patch", 183,
