@@ -13,6 +13,8 @@
 
 namespace facetmill {
 
+struct CellRange; // stock_patch.h
+
 /// Blocks of the lattice, each with its part of the surface.
 class StockSurface {
 public:
@@ -24,10 +26,7 @@ public:
     std::shared_ptr<const StockPatch> patch(const StockModel& stock, std::size_t patch) const;
 
 private:
-    struct Range {
-        std::array<int, 3> from, to; ///< cells, from -1 (half outside the lattice) on
-    };
-    Range range(std::size_t patch) const;
+    CellRange range(std::size_t patch) const;
     StockLattice lattice_;
     std::array<int, 3> blocks_{1, 1, 1};
 };
