@@ -1,14 +1,11 @@
 #include "core/verify/removal.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
-#include "core/verify/stock_tiles.h"
-#include "core/verify/sweep.h"
+#include "core/verify/removal_batch.h"
 
 #include <map>
-#include <tuple>
 
 namespace facetmill {
 
@@ -16,7 +13,6 @@ namespace {
 
 /// Straight moves of one batch: enough to keep all threads busy, few enough for a quick cancel.
 constexpr std::size_t items_per_batch = 1024;
-constexpr std::size_t items_per_check = 64;
 
 std::string goto_name(const VerifyProgram& program, std::size_t motion) {
     return "'" + program.name + "', GOTO " + std::to_string(motion + 1);
@@ -63,32 +59,6 @@ struct MaterialRemoval::Bodies {
     double reach;                  ///< of the cutter
 };
 
-struct MaterialRemoval::Item {
-    const TurnedBody* body;
-    StraightMove move;
-    Box3 box;
-    std::size_t program, motion;
-    bool cuts;
-    Collision::Kind kind;
-};
-
-/// The longest overlap that the rays of each family saw.
-struct MaterialRemoval::Touch {
-    std::size_t program = 0, motion = 0;
-    Collision::Kind kind = Collision::Kind::rapid;
-    std::array<double, 3> overlap{0, 0, 0};
-    std::array<Vec3, 3> place{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-
-    auto key() const { return std::tuple(program, motion, kind); }
-    void join(const Touch& other) {
-        for (std::size_t k = 0; k < 3; ++k)
-            if (other.overlap[k] > overlap[k]) {
-                overlap[k] = other.overlap[k];
-                place[k] = other.place[k];
-            }
-    }
-};
-
 MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
                                  std::size_t max_bytes)
     : programs_(programs), motion_bound_(motion_bound), touch_(touch), max_bytes_(max_bytes) {
@@ -112,23 +82,6 @@ MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double
 MaterialRemoval::~MaterialRemoval() = default;
 
 namespace {
-
-/// The tiles of a family that a box reaches: from, to; in both directions.
-struct TileRange {
-    std::array<int, 2> from, to;
-};
-
-TileRange tiles_in(const Box3& box, const StockLattice& lattice, int axis) {
-    TileRange r{};
-    for (const std::size_t n : {0u, 1u}) {
-        const int k = n == 0 ? first_across(axis) : second_across(axis);
-        const auto at = [&](double x) { return (x - lattice.origin[k]) / lattice.spacing[k]; };
-        const double most = lattice.nodes[std::size_t(k)] - 1;
-        r.from[n] = int(std::clamp(std::ceil(at(box.lo[k])), 0.0, most)) / RayTile::side;
-        r.to[n] = int(std::clamp(std::floor(at(box.hi[k])), 0.0, most)) / RayTile::side;
-    }
-    return r;
-}
 
 bool apart(const Box3& a, const Box3& b) {
     return (a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any();
@@ -190,7 +143,7 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
     const VerifyProgram& p = programs_[program];
     const Bodies& bodies = bodies_[program];
     const auto& motions = p.motions->motions;
-    std::vector<Item> items;
+    std::vector<RemovalItem> items;
     std::vector<StraightMove> moves;
     const Box3 stock_box = stock.solid().box;
     for (std::size_t i = first; i < last; ++i) {
@@ -221,141 +174,11 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
     progress.set(1.0);
 }
 
-void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const Progress& progress) {
+void MaterialRemoval::flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress) {
     if (items.empty()) return;
-    const StockLattice& lattice = stock.lattice();
-    const Vec3 middle = stock.solid().box.center();
-
-    // Which tiles an item may change.
-    struct Work {
-        int axis, tile_i, tile_j;
-        std::vector<std::uint32_t> items;
-    };
-    std::vector<Work> work;
-    std::vector<std::array<bool, 3>> used(items.size(), {false, false, false});
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u = first_across(axis), v = second_across(axis);
-        const int tu = tiles_of(lattice.nodes[std::size_t(u)]), tv = tiles_of(lattice.nodes[std::size_t(v)]);
-        std::vector<std::int32_t> of_tile(std::size_t(tu) * std::size_t(tv), -1);
-        for (std::size_t n = 0; n < items.size(); ++n) {
-            const Box3& box = items[n].box;
-            const TileRange reached = tiles_in(box, lattice, axis);
-            for (int j = reached.from[1]; j <= reached.to[1]; ++j)
-                for (int i = reached.from[0]; i <= reached.to[0]; ++i) {
-                    const std::size_t index = std::size_t(i) + std::size_t(tu) * std::size_t(j);
-                    const auto& tile = stock.tiles_[std::size_t(axis)][index];
-                    if (tile
-                        && (tile->lo > tile->hi || box.lo[axis] - middle[axis] > tile->hi
-                            || box.hi[axis] - middle[axis] < tile->lo))
-                        continue;
-                    if (of_tile[index] < 0) {
-                        of_tile[index] = std::int32_t(work.size());
-                        work.push_back({axis, i, j, {}});
-                    }
-                    work[std::size_t(of_tile[index])].items.push_back(std::uint32_t(n));
-                    used[n][std::size_t(axis)] = true;
-                }
-        }
-    }
-
-    std::vector<std::array<std::optional<SweepRays>, 3>> rays(items.size());
-    const Progress quiet = progress.part(0, 0); // cancels, and leaves the fraction alone
-    parallel_for(items.size(), 32, quiet, [&](std::size_t n) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (used[n][std::size_t(axis)])
-                rays[n][std::size_t(axis)].emplace(*items[n].body, items[n].move, Vec3(Vec3::Unit(axis)));
-    });
-
-    std::vector<std::vector<Touch>> touches(work.size());
-    std::vector<std::ptrdiff_t> grown(work.size(), 0);
-    parallel_for(work.size(), 1, quiet, [&](std::size_t w) {
-        const Work& job = work[w];
-        const int axis = job.axis, u = first_across(axis), v = second_across(axis);
-        const int tu = tiles_of(lattice.nodes[std::size_t(u)]);
-        auto& place = stock.tiles_[std::size_t(axis)]
-                                  [std::size_t(job.tile_i) + std::size_t(tu) * std::size_t(job.tile_j)];
-        std::shared_ptr<RayTile> tile;
-        const auto bytes_of = [](const RayTile& t) {
-            return std::ptrdiff_t(sizeof t + t.more.capacity() * sizeof(RayTile::Piece));
-        };
-        const std::ptrdiff_t before = place ? bytes_of(*place) : 0;
-        if (!place)
-            tile = solid_tile(stock.solid(), lattice, axis, job.tile_i, job.tile_j);
-        else if (place.use_count() > 1) // shared with a copy of the model, which stays as it is
-            tile = std::make_shared<RayTile>(*place);
-        else
-            tile = place;
-        const int i0 = job.tile_i * RayTile::side, j0 = job.tile_j * RayTile::side;
-        const auto range = [&](const Box3& box, int k, int start) {
-            const auto at = [&](double x) { return (x - lattice.origin[k]) / lattice.spacing[k] - start; };
-            const int most = std::min(RayTile::side, lattice.nodes[std::size_t(k)] - start);
-            return std::pair(int(std::clamp(std::ceil(at(box.lo[k])), 0.0, double(most))),
-                             int(std::clamp(std::floor(at(box.hi[k])) + 1, 0.0, double(most))));
-        };
-        bool changed = false;
-        std::size_t done = 0;
-        for (const std::uint32_t n : job.items) {
-            if (++done % items_per_check == 0) progress.check();
-            const Item& item = items[n];
-            const SweepRays& stretch_of = *rays[n][std::size_t(axis)];
-            const float low = float(item.box.lo[axis] - middle[axis]),
-                        high = float(item.box.hi[axis] - middle[axis]);
-            const auto [ib, ie] = range(item.box, u, i0);
-            const auto [jb, je] = range(item.box, v, j0);
-            Touch touch{item.program, item.motion, item.kind, {}, {}};
-            Vec3 p = middle;
-            for (int j = jb; j < je; ++j) {
-                p[v] = lattice.origin[v] + (j0 + j) * lattice.spacing[v];
-                p[u] = lattice.origin[u] + i0 * lattice.spacing[u];
-                double first = ib, last = ie - 1;
-                for (const SweepRays::Strip& strip : stretch_of.strips()) {
-                    const double start = strip.value.dot(p), step = strip.value[u] * lattice.spacing[u];
-                    if (step == 0) {
-                        if (start < strip.low || start > strip.high) last = -1;
-                        continue;
-                    }
-                    const double a = (strip.low - start) / step, b = (strip.high - start) / step;
-                    first = std::max(first, std::ceil(std::min(a, b)));
-                    last = std::min(last, std::floor(std::max(a, b)));
-                }
-                if (!(first <= last)) continue;
-                for (int i = int(first); i <= int(last); ++i) {
-                    const int ray = i + RayTile::side * j;
-                    const RayTile::Piece* piece = &tile->first[std::size_t(ray)];
-                    if (piece->empty() || piece->lo >= high) continue;
-                    while (piece->hi <= low && piece->next != RayTile::none)
-                        piece = &tile->more[piece->next];
-                    if (piece->hi <= low || piece->lo >= high) continue;
-                    p[u] = lattice.origin[u] + (i0 + i) * lattice.spacing[u];
-                    const Stretch s =
-                        stretch_of(p, piece->lo, piece->next == RayTile::none ? piece->hi : infinity);
-                    if (s.empty()) continue;
-                    const float from = float(s.lo), to = float(s.hi);
-                    if (item.cuts) {
-                        changed |= tile->remove(ray, from, to);
-                        continue;
-                    }
-                    for (piece = &tile->first[std::size_t(ray)];; piece = &tile->more[piece->next]) {
-                        const double a = std::max(from, piece->lo), b = std::min(to, piece->hi);
-                        if (b - a > touch.overlap[std::size_t(axis)]) {
-                            touch.overlap[std::size_t(axis)] = b - a;
-                            touch.place[std::size_t(axis)] = p;
-                            touch.place[std::size_t(axis)][axis] += 0.5 * (a + b);
-                        }
-                        if (piece->next == RayTile::none) break;
-                    }
-                }
-            }
-            if (touch.overlap[std::size_t(axis)] > 0) touches[w].push_back(touch);
-        }
-        if (!changed) return; // what nothing was cut from stays as the solid is, and costs nothing
-        tile->find_bounds();
-        tile->stamp = RayTile::next_stamp();
-        grown[w] = bytes_of(*tile) - before;
-        place = std::move(tile);
-    });
-    for (const std::ptrdiff_t bytes : grown)
-        grown_ += bytes;
+    RemovalBatch batch(stock.solid(), stock.lattice(), stock.tiles_, items);
+    batch.run(progress);
+    grown_ += batch.grown();
     if (grown_ > 0 && std::size_t(grown_) > max_bytes_)
         throw Error(ErrorCode::limit_exceeded, "resolution",
                     "the stock has more than " + format_number(double(max_bytes_) / 1e9, 3)
@@ -363,27 +186,30 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<Item>& items, const P
                         + goto_name(programs_[items.front().program], items.front().motion),
                     "use a coarser resolution");
 
-    if (std::any_of(touches.begin(), touches.end(), [](const auto& t) { return !t.empty(); })) {
-        std::map<std::tuple<std::size_t, std::size_t, Collision::Kind>, Touch> joined;
-        const auto take = [&](const Touch& t) { joined.try_emplace(t.key(), t).first->second.join(t); };
-        // A motion may have begun in the batch before.
-        while (!touches_.empty() && touches_.back().program == items.front().program
-               && touches_.back().motion >= items.front().motion) {
-            take(touches_.back());
-            touches_.pop_back();
-        }
-        for (const auto& list : touches)
-            for (const Touch& t : list)
-                take(t);
-        for (const auto& [key, t] : joined)
-            touches_.push_back(t);
-    }
+    keep(batch.touches(), items.front());
     items.clear();
+}
+
+void MaterialRemoval::keep(const std::vector<std::vector<RemovalTouch>>& touches, const RemovalItem& first) {
+    if (std::all_of(touches.begin(), touches.end(), [](const auto& t) { return t.empty(); })) return;
+    std::map<std::tuple<std::size_t, std::size_t, Collision::Kind>, RemovalTouch> joined;
+    const auto take = [&](const RemovalTouch& t) { joined.try_emplace(t.key(), t).first->second.join(t); };
+    // A motion may have begun in the batch before.
+    while (!touches_.empty() && touches_.back().program == first.program
+           && touches_.back().motion >= first.motion) {
+        take(touches_.back());
+        touches_.pop_back();
+    }
+    for (const auto& list : touches)
+        for (const RemovalTouch& t : list)
+            take(t);
+    for (const auto& [key, t] : joined)
+        touches_.push_back(t);
 }
 
 std::vector<Collision> MaterialRemoval::collisions() const {
     std::vector<Collision> found;
-    for (const Touch& t : touches_) {
+    for (const RemovalTouch& t : touches_) {
         // A ray that runs along the surface of what is touched sees a long overlap where the depth is small:
         // the shortest of the three says most.
         Collision c;

@@ -12,6 +12,9 @@
 
 namespace facetmill {
 
+struct RemovalItem; // removal_batch.h
+struct RemovalTouch;
+
 struct Collision {
     /// Of a motion at feed the body that touches; `rapid`: a rapid, whatever part of the tool touches.
     enum class Kind : std::uint8_t { shank, holder, rapid };
@@ -57,16 +60,15 @@ public:
 
 private:
     struct Bodies;
-    struct Item;
-    struct Touch;
-    void flush(StockModel& stock, std::vector<Item>& items, const Progress& progress);
+    void flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress);
+    void keep(const std::vector<std::vector<RemovalTouch>>& touches, const RemovalItem& first);
 
     std::span<const VerifyProgram> programs_;
     double motion_bound_, touch_;
     std::size_t max_bytes_;
     std::ptrdiff_t grown_ = 0;   ///< bytes of the rays cut so far
     std::vector<Bodies> bodies_; ///< per program
-    std::vector<Touch> touches_;
+    std::vector<RemovalTouch> touches_;
 };
 
 } // namespace facetmill

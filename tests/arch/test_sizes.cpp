@@ -22,8 +22,6 @@ struct Exception {
 };
 
 const std::vector<Exception> long_functions = {
-    {"core/verify/removal.cpp", "facetmill::MaterialRemoval::flush", 159,
-     "Older than this rule: to be split where it is next changed"},
     {"ui/playback_bar.cpp", "facetmill::ui::PlaybackBar::PlaybackBar", 109,
      "Older than this rule: to be split where it is next changed"},
     {"ui/project_tree.cpp", "facetmill::ui::ProjectTree::ProjectTree", 106,

@@ -1,0 +1,203 @@
+#include "core/verify/removal_batch.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace facetmill {
+
+namespace {
+
+/// Items between two looks at whether the job was cancelled: one item takes a tile's 256 rays a few
+/// microseconds at most.
+constexpr std::size_t items_per_check = 64;
+/// Items whose rays one thread prepares at a time, which is less work than to hand them out one by one.
+constexpr std::size_t items_per_block = 32;
+
+std::ptrdiff_t bytes_of(const RayTile& tile) {
+    return std::ptrdiff_t(sizeof tile + tile.more.capacity() * sizeof(RayTile::Piece));
+}
+
+/// One tile, and what items do to it one after the other.
+class TileCut {
+public:
+    TileCut(RayTile& tile, const StockLattice& lattice, const Vec3& middle, int axis, int tile_i, int tile_j)
+        : tile_(tile), lattice_(lattice), middle_(middle), axis_(axis), u_(first_across(axis)),
+          v_(second_across(axis)), i0_(tile_i * RayTile::side), j0_(tile_j * RayTile::side) {}
+
+    bool has_changed() const { return changed_; }
+
+    /// The longest overlap with what must not touch.
+    const RemovalTouch& apply(const RemovalItem& item, const SweepRays& swept) {
+        touch_ = {item.program, item.motion, item.kind, {}, {}};
+        low_ = float(item.box.lo[axis_] - middle_[axis_]);
+        high_ = float(item.box.hi[axis_] - middle_[axis_]);
+        const auto [ib, ie] = rays_within(item.box, u_, i0_);
+        const auto [jb, je] = rays_within(item.box, v_, j0_);
+        Vec3 p = middle_;
+        for (int j = jb; j < je; ++j) {
+            p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
+            p[u_] = lattice_.origin[u_] + i0_ * lattice_.spacing[u_];
+            const auto [first, last] = rays_met(swept, p, ib, ie);
+            if (!(first <= last)) continue;
+            for (int i = int(first); i <= int(last); ++i) {
+                p[u_] = lattice_.origin[u_] + (i0_ + i) * lattice_.spacing[u_];
+                apply_to_ray(item, swept, i + RayTile::side * j, p);
+            }
+        }
+        return touch_;
+    }
+
+private:
+    /// Rays of the tile across which a box lies, along one of the two directions: from, and one past the
+    /// last.
+    std::pair<int, int> rays_within(const Box3& box, int k, int start) const {
+        const auto at = [&](double x) { return (x - lattice_.origin[k]) / lattice_.spacing[k] - start; };
+        const int most = std::min(RayTile::side, lattice_.nodes[std::size_t(k)] - start);
+        return {int(std::clamp(std::ceil(at(box.lo[k])), 0.0, double(most))),
+                int(std::clamp(std::floor(at(box.hi[k])) + 1, 0.0, double(most)))};
+    }
+
+    /// Those of the rays [begin, end) of the row at `p` that can meet what is swept: first and last, none
+    /// where first > last.
+    std::pair<double, double> rays_met(const SweepRays& swept, const Vec3& p, int begin, int end) const {
+        double first = begin, last = end - 1;
+        for (const SweepRays::Strip& strip : swept.strips()) {
+            const double start = strip.value.dot(p), step = strip.value[u_] * lattice_.spacing[u_];
+            if (step == 0) {
+                if (start < strip.low || start > strip.high) last = -1;
+                continue;
+            }
+            const double a = (strip.low - start) / step, b = (strip.high - start) / step;
+            first = std::max(first, std::ceil(std::min(a, b)));
+            last = std::min(last, std::floor(std::max(a, b)));
+        }
+        return {first, last};
+    }
+
+    void apply_to_ray(const RemovalItem& item, const SweepRays& swept, int ray, const Vec3& p) {
+        const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];
+        if (piece->empty() || piece->lo >= high_) return;
+        while (piece->hi <= low_ && piece->next != RayTile::none)
+            piece = &tile_.more[piece->next];
+        if (piece->hi <= low_ || piece->lo >= high_) return;
+        const Stretch s = swept(p, piece->lo, piece->next == RayTile::none ? piece->hi : infinity);
+        if (s.empty()) return;
+        const float from = float(s.lo), to = float(s.hi);
+        if (item.cuts)
+            changed_ |= tile_.remove(ray, from, to);
+        else
+            see_overlaps(ray, from, to, p);
+    }
+
+    void see_overlaps(int ray, float from, float to, const Vec3& p) {
+        const auto k = std::size_t(axis_);
+        for (const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];;
+             piece = &tile_.more[piece->next]) {
+            const double a = std::max(from, piece->lo), b = std::min(to, piece->hi);
+            if (b - a > touch_.overlap[k]) {
+                touch_.overlap[k] = b - a;
+                touch_.place[k] = p;
+                touch_.place[k][axis_] += 0.5 * (a + b);
+            }
+            if (piece->next == RayTile::none) break;
+        }
+    }
+
+    RayTile& tile_;
+    const StockLattice& lattice_;
+    const Vec3& middle_;
+    int axis_, u_, v_, i0_, j0_;
+    float low_ = 0, high_ = 0; ///< of the item, along the rays
+    bool changed_ = false;
+    RemovalTouch touch_;
+};
+
+} // namespace
+
+RemovalBatch::RemovalBatch(const StockSolid& solid, const StockLattice& lattice, TileFamilies& tiles,
+                           const std::vector<RemovalItem>& items)
+    : solid_(solid), lattice_(lattice), tiles_(tiles), items_(items),
+      used_(items.size(), {false, false, false}), rays_(items.size()) {
+    for (int axis = 0; axis < 3; ++axis)
+        find_work(axis);
+    touches_.resize(work_.size());
+    grown_.assign(work_.size(), 0);
+}
+
+/// Which tiles of a family an item may change.
+void RemovalBatch::find_work(int axis) {
+    const Vec3 middle = solid_.box.center();
+    const auto k = std::size_t(axis);
+    const auto tu = std::size_t(tiles_of(lattice_.nodes[std::size_t(first_across(axis))]));
+    std::vector<std::int32_t> of_tile(tiles_[k].size(), -1);
+    for (std::size_t n = 0; n < items_.size(); ++n) {
+        const Box3& box = items_[n].box;
+        const TileRange reached = tiles_in(box, lattice_, axis);
+        for (int j = reached.from[1]; j <= reached.to[1]; ++j)
+            for (int i = reached.from[0]; i <= reached.to[0]; ++i) {
+                const std::size_t index = std::size_t(i) + tu * std::size_t(j);
+                const auto& tile = tiles_[k][index];
+                if (tile
+                    && (tile->lo > tile->hi || box.lo[axis] - middle[axis] > tile->hi
+                        || box.hi[axis] - middle[axis] < tile->lo))
+                    continue;
+                if (of_tile[index] < 0) {
+                    of_tile[index] = std::int32_t(work_.size());
+                    work_.push_back({axis, i, j, {}});
+                }
+                work_[std::size_t(of_tile[index])].items.push_back(std::uint32_t(n));
+                used_[n][k] = true;
+            }
+    }
+}
+
+std::shared_ptr<RayTile>& RemovalBatch::place_of(const Work& work) const {
+    const auto tu = std::size_t(tiles_of(lattice_.nodes[std::size_t(first_across(work.axis))]));
+    return tiles_[std::size_t(work.axis)][std::size_t(work.tile_i) + tu * std::size_t(work.tile_j)];
+}
+
+void RemovalBatch::run(const Progress& progress) {
+    const Progress quiet = progress.part(0, 0); // cancels, and leaves the fraction alone
+    parallel_for(items_.size(), items_per_block, quiet, [&](std::size_t n) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (used_[n][std::size_t(axis)])
+                rays_[n][std::size_t(axis)].emplace(*items_[n].body, items_[n].move, Vec3(Vec3::Unit(axis)));
+    });
+    parallel_for(work_.size(), 1, quiet, [&](std::size_t w) { apply(w, progress); });
+}
+
+void RemovalBatch::apply(std::size_t w, const Progress& progress) {
+    const Work& work = work_[w];
+    const auto axis = std::size_t(work.axis);
+    auto& place = place_of(work);
+    const std::ptrdiff_t before = place ? bytes_of(*place) : 0;
+    std::shared_ptr<RayTile> tile;
+    if (!place)
+        tile = solid_tile(solid_, lattice_, work.axis, work.tile_i, work.tile_j);
+    else if (place.use_count() > 1) // shared with a copy of the model, which stays as it is
+        tile = std::make_shared<RayTile>(*place);
+    else
+        tile = place;
+    const Vec3 middle = solid_.box.center();
+    TileCut cut(*tile, lattice_, middle, work.axis, work.tile_i, work.tile_j);
+    std::size_t done = 0;
+    for (const std::uint32_t n : work.items) {
+        if (++done % items_per_check == 0) progress.check();
+        const RemovalTouch& touch = cut.apply(items_[n], *rays_[n][axis]);
+        if (touch.overlap[axis] > 0) touches_[w].push_back(touch);
+    }
+    if (!cut.has_changed()) return; // what nothing was cut from stays as the solid is, and costs nothing
+    tile->find_bounds();
+    tile->stamp = RayTile::next_stamp();
+    grown_[w] = bytes_of(*tile) - before;
+    place = std::move(tile);
+}
+
+std::ptrdiff_t RemovalBatch::grown() const {
+    return std::accumulate(grown_.begin(), grown_.end(), std::ptrdiff_t(0));
+}
+
+} // namespace facetmill
