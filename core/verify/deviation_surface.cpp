@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/edge_table.h"
 #include "core/mesh/geometry.h"
 #include "core/verify/box_tree.h"
 #include "core/verify/sweep.h"
@@ -13,8 +14,16 @@ namespace facetmill {
 
 namespace {
 
+/// What a thread takes at a time, between two looks at whether the job was cancelled: about a millisecond.
 constexpr std::size_t facets_per_block = 8192, samples_per_block = 2048;
-constexpr double crease_degrees = 15, curved_degrees = 5, axis_degrees = 2;
+/// Facets whose normal is farther than this from that of a vertex are at a crease: the mean normal there is
+/// that of neither side. Beyond the angle between neighbours of a curved surface that is usual in meshes.
+constexpr double crease_degrees = 15;
+/// The normal turns by more than this within a facet where the surface curves: samples are twice as dense.
+constexpr double curved_degrees = 5;
+/// Axes nearer than this to each other are one, to keep them few. The flag `away` is exact to that angle.
+constexpr double axis_degrees = 2;
+/// Every sample asks all axes; where there are more, they are merged within twice the angle.
 constexpr std::size_t max_axes = 512;
 
 /// A facet in rows of points: a grid parallel to its edges, or, of a sliver, across its longest edge. A row
@@ -102,21 +111,13 @@ double spacing_of(Division::Kind kind, double spacing) {
 }
 
 std::vector<std::array<Index, 2>> open_edges(const Mesh& part, const Progress& progress) {
-    std::vector<std::array<Index, 2>> edges;
-    edges.reserve(3 * part.facet_count());
-    for (const Facet& f : part.facets)
-        for (std::size_t k = 0; k < 3; ++k)
-            edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
-    progress.check();
-    std::sort(edges.begin(), edges.end());
-    progress.check();
+    const EdgeTable table(part, progress);
     std::vector<std::array<Index, 2>> open;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t next = i + 1;
-        while (next < edges.size() && edges[next] == edges[i])
-            ++next;
-        if (next == i + 1) open.push_back(edges[i]);
-        i = next;
+    for (std::size_t low = 0; low < table.vertex_count(); ++low) {
+        if (low % facets_per_block == 0) progress.check();
+        table.for_edges(low, [&](Index high, std::span<const EdgeSide> sides) {
+            if (sides.size() == 1) open.push_back({Index(low), high});
+        });
     }
     return open;
 }
@@ -254,7 +255,7 @@ private:
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset) {
     const std::vector<Vec3> normals = vertex_normals(part, NormalWeight::angle, progress.part(0.0, 0.2));
-    auto open = open_edges(part, progress);
+    auto open = open_edges(part, progress.part(0.2, 0.2));
     const std::vector<char> edged = edged_facets(part, normals, open, progress.part(0.2, 0.22));
     Division division = divide(part, normals, edged, spacing, progress.part(0.22, 0.3));
     std::size_t own = 0;

@@ -111,50 +111,33 @@ void CreaseSearch::thin_out(std::vector<ReachSample>& samples) const {
 }
 
 std::vector<CreaseSearch::Crease> CreaseSearch::creases(const Progress& progress) const {
-    // Filed under their lower corner.
-    const std::size_t facets = mesh_.facet_count(), corners = mesh_.vertices.size();
-    std::vector<std::size_t> first(corners + 1, 0);
-    for (std::size_t f = 0; f < facets; ++f)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++first[std::min(mesh_.facets[f][k], mesh_.facets[f][(k + 1) % 3]) + 1];
-    for (std::size_t v = 0; v < corners; ++v)
-        first[v + 1] += first[v];
-    std::vector<Half> halves(3 * facets);
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for (std::size_t f = 0; f < facets; ++f) {
-        if (f % facets_per_check == 0) progress.check();
-        const Facet& v = mesh_.facets[f];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Index a = v[k], b = v[(k + 1) % 3];
-            halves[next[std::min(a, b)]++] = {std::max(a, b), Index(f), v[(k + 2) % 3]};
-        }
-    }
+    const Progress quiet = progress.part(0, 0); // cancels, and leaves the fraction alone
+    const EdgeTable table(mesh_, quiet);
     // The fillet of the largest ball that could be in the cutter.
     const double least = 1 + min_fillet * probe_.allowed() / probe_.radius();
     std::vector<Crease> all;
-    for (std::size_t v = 0; v < corners; ++v) {
+    for (std::size_t v = 0; v < table.vertex_count(); ++v) {
         if (v % facets_per_check == 0) progress.check();
-        const auto begin = halves.begin() + std::ptrdiff_t(first[v]),
-                   end = halves.begin() + std::ptrdiff_t(first[v + 1]);
-        std::stable_sort(begin, end, [](const Half& a, const Half& b) { return a.high < b.high; });
-        for (auto h = begin; h != end && h + 1 != end; ++h)
-            if (h->high == (h + 1)->high) add_crease(Index(v), *h, *(h + 1), least, all);
+        table.for_edges(v, [&](Index, std::span<const EdgeSide> sides) {
+            for (std::size_t i = 1; i < sides.size(); ++i)
+                add_crease(Index(v), sides[i - 1], sides[i], least, all);
+        });
     }
     return all;
 }
 
-void CreaseSearch::add_crease(Index low, const Half& h, const Half& other, double least,
+void CreaseSearch::add_crease(Index low, const EdgeSide& side, const EdgeSide& other, double least,
                               std::vector<Crease>& creases) const {
-    const Vec3 &a = mesh_.vertices[low], &b = mesh_.vertices[h.high];
+    const Vec3 &a = mesh_.vertices[low], &b = mesh_.vertices[side.high];
     const Vec3 middle = 0.5 * (a + b), r = probe_.frame().radial(probe_.angle_of(middle));
-    std::array<Vec3, 2> n{mesh_.facet_normal(h.facet), mesh_.facet_normal(other.facet)};
-    if (sampler_.is_end(h.facet, n[0]) || sampler_.is_end(other.facet, n[1])) return;
+    std::array<Vec3, 2> n{mesh_.facet_normal(side.facet()), mesh_.facet_normal(other.facet())};
+    if (sampler_.is_end(side.facet(), n[0]) || sampler_.is_end(other.facet(), n[1])) return;
     for (Vec3& v : n)
         if (v.dot(r) < 0) v = -v;
     const double half_cosine = std::sqrt(std::max(0.5 * (1 + n[0].dot(n[1])), 0.0));
     if (half_cosine * least >= 1) return;
-    if (!(n[0].dot(mesh_.vertices[other.across] - a) > 0)) return; // bulges
-    creases.push_back({{low, h.high}, n});
+    if (!(n[0].dot(mesh_.vertices[side_across(mesh_, other.side)] - a) > 0)) return; // bulges
+    creases.push_back({{low, side.high}, n});
 }
 
 /// A place of a hollow edge of which it stands for `length`, or (0) where such edges meet; normals of the

@@ -3,6 +3,7 @@
 // turns leave on it. Millimetres, radians.
 #pragma once
 
+#include "core/mesh/edge_table.h"
 #include "core/strategy/lathe/lathe_samples.h"
 
 #include <array>
@@ -36,10 +37,6 @@ private:
         std::array<Index, 2> ends;
         std::array<Vec3, 2> normal;
     };
-    /// A facet's edge: its higher corner, the facet, and the facet's third corner.
-    struct Half {
-        Index high, facet, across;
-    };
     /// Creases filed under their ends: those that meet at a corner v are meeting[first[v]] to meeting[first[v
     /// + 1]].
     struct Corners {
@@ -48,7 +45,7 @@ private:
     };
 
     std::vector<Crease> creases(const Progress& progress) const;
-    void add_crease(Index low, const Half& h, const Half& other, double least,
+    void add_crease(Index low, const EdgeSide& side, const EdgeSide& other, double least,
                     std::vector<Crease>& creases) const;
     Corners corners_of(const std::vector<Crease>& creases, const Progress& progress) const;
     void along(const Crease& crease, LatheField::Hint& hint, Found& found, const Progress& progress) const;
