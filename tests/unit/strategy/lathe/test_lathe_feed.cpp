@@ -80,9 +80,10 @@ struct Feed {
     LatheField field;
     SideFeed feed;
 
-    Feed(const Mesh& part, double diameter, double from, double to, double cusp)
-        : context(context_of(part, ball_tool(diameter))), field({}, context, 0, Progress()),
-          feed(field, true, from, to, cusp, Progress()) {}
+    Feed(const Mesh& part, double diameter, double from, double to, double cusp, double allowance = 0,
+         bool across_turns = true)
+        : context(context_of(part, ball_tool(diameter))), field({}, context, allowance, Progress()),
+          feed(field, across_turns, from, to, cusp, Progress()) {}
 };
 
 } // namespace
@@ -100,6 +101,49 @@ private slots:
         const double found = f.feed.cusp_of(advance, Progress());
         QVERIFY2(std::abs(found - exact) < 0.06 * exact,
                  qPrintable(QString("%1 of %2").arg(found).arg(exact)));
+    }
+
+    /// What is to stay on the part is no cusp.
+    void an_allowance_is_no_cusp() {
+        const double r = 3, advance = 1.1, exact = r - std::sqrt(r * r - 0.25 * advance * advance);
+        for (const double allowance : {0.0, 0.4, 1.5}) {
+            const Feed f(turned_part([](double) { return 15.0; }, 20, 1, 720), 2 * r, 4, 16, 0.05, allowance);
+            const double found = f.feed.cusp_of(advance, Progress());
+            QVERIFY2(std::abs(found - exact) < 0.02 * exact,
+                     qPrintable(QString("%1 of %2 over %3").arg(found).arg(exact).arg(allowance)));
+        }
+    }
+
+    /// Between lines along a cylinder two balls, seen along it, are circles whose middles are an angle apart.
+    void lengthwise_lines_on_a_cylinder() {
+        const double radius = 12, r = 3, cusp = 0.05;
+        for (const double allowance : {0.0, 0.4}) {
+            Feed f(turned_part([](double) { return 12.0; }, 20, 1, 1440), 2 * r, 4, 16, cusp, allowance,
+                   false);
+            const double out = radius + allowance + r;
+            const auto left = [&](double angle) {
+                const double half = 0.5 * angle, aside = out * std::sin(half);
+                return out * std::cos(half) - std::sqrt(r * r - aside * aside) - radius - allowance;
+            };
+            for (const double angle : {0.06, 0.1}) {
+                const double found = f.feed.cusp_of(angle, Progress());
+                QVERIFY2(std::abs(found - left(angle)) < 0.04 * left(angle),
+                         qPrintable(QString("%1 of %2").arg(found).arg(left(angle))));
+            }
+            f.feed.measure(Progress());
+            for (double a = 0; a < 6.2; a += 0.1) {
+                const double leaves = left(f.feed.allowed(a));
+                QVERIFY2(leaves < 1.04 * cusp && leaves > 0.9 * cusp, qPrintable(QString::number(leaves)));
+            }
+            // A limit just behind the closing line shortens the last advances, which pass over it.
+            SideFeed limited = f.feed;
+            const double tight = 0.3 * f.feed.allowed(0), at = 0.5 * tight;
+            const std::vector<FeedLimit> limits{{at, tight}};
+            limited.limit(limits);
+            for (const double a : {0.0, at, 2 * pi - 0.5 * tight + 1e-6, 2 * pi - 1e-6})
+                QVERIFY2(std::abs(limited.allowed(a) - tight) < 1e-9, qPrintable(QString::number(a)));
+            QVERIFY(std::abs(limited.allowed(3) - f.feed.allowed(3)) < 1e-9);
+        }
     }
 
     void cusps_of_random_profiles_against_a_section() {
@@ -160,32 +204,52 @@ private slots:
     }
 
     /// No advance that passes over a limit's place is longer, and none is shorter than the limits ask for.
+    ///
+    /// The longest that limits allow is known: a limit is felt from where an advance of its length comes to
+    /// its place, and from there to either side it wears off by half of the way. Feeds are that at the places
+    /// that were looked at, ends of limits included, and run straight between these. There every limit is
+    /// straight and the least of them is concave, so a feed is never longer, and where two limits meet
+    /// between two places it is shorter: by a quarter of the places' distance at most, since the slopes are a
+    /// half. Over a cylinder the places are no farther apart than a quarter of the feed.
     void random_limits_against_every_place() {
         Random rng(31);
         const Mesh part = turned_part([](double) { return 15.0; }, 30, 30, 360);
         Feed plain(part, 6, 2, 28, 0.05);
         plain.feed.measure(Progress());
+        double widest = 0;
+        for (double a = 2; a < 28; a += 0.01)
+            widest = std::max(widest, plain.feed.allowed(a));
+        const double between = 0.25 * 0.25 * widest;
+        double shortest = 0;
         for (int trial = 0; trial < trials(20, 5); ++trial) {
             SideFeed feed = plain.feed;
             std::vector<FeedLimit> limits;
             for (int k = whole(rng, 1, 5); k-- > 0;)
                 limits.push_back({uniform(rng, 2, 28), uniform(rng, 0.05, 1.2)});
             feed.limit(limits);
+            const auto longest = [&](double a) {
+                double most = plain.feed.allowed(a);
+                for (const FeedLimit& l : limits)
+                    most = std::min(most, l.advance + 0.5 * std::max({l.at - l.advance - a, a - l.at, 0.0}));
+                return most;
+            };
             for (double a = 2; a < 28; a += 0.01) {
-                const double here = feed.allowed(a);
-                double floor = plain.feed.allowed(a);
-                for (const FeedLimit& l : limits) {
+                const double here = feed.allowed(a), most = longest(a);
+                for (const FeedLimit& l : limits)
                     QVERIFY(!(a <= l.at && a + here >= l.at) || here <= l.advance + 1e-9);
-                    // A limit is felt from where an advance of its length comes to its place, and from there
-                    // to either side it wears off by half of the way.
-                    const double off = std::max({l.at - l.advance - a, a - l.at, 0.0});
-                    floor = std::min(floor, l.advance + 0.5 * off);
-                }
-                QVERIFY2(here >= 0.9 * floor, // feeds run straight between places that were looked at
-                         qPrintable(QString("%1 < %2 at %3").arg(here).arg(floor).arg(a)));
+                QVERIFY2(here <= most + 1e-9,
+                         qPrintable(QString("%1 > %2 at %3").arg(here).arg(most).arg(a)));
+                QVERIFY2(here >= most - between - 1e-9,
+                         qPrintable(QString("%1 < %2 at %3").arg(here).arg(most).arg(a)));
+                shortest = std::max(shortest, most - here);
                 QVERIFY(std::abs(feed.allowed(a + 0.01) - here) <= 0.5 * 0.01 + 1e-12);
             }
+            for (const FeedLimit& l : limits)
+                for (const double a : {std::max(l.at - l.advance, 2.0), l.at})
+                    QVERIFY2(std::abs(feed.allowed(a) - longest(a)) < 1e-9,
+                             qPrintable(QString("%1 at %2").arg(feed.allowed(a)).arg(a)));
         }
+        qInfo("shorter than the limits ask for by up to %g of %g mm", shortest, between);
     }
 };
 
