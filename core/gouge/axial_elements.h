@@ -11,6 +11,7 @@
 
 namespace facetmill::simd {
 
+/// The lift over what is not under the cutter.
 inline constexpr double no_lift = -__builtin_inf();
 
 struct Point4 {
@@ -136,8 +137,9 @@ FACETMILL_LANES Double4 line_contact(const SurfaceTable& surface, const Mask4& w
     return s;
 }
 
-/// The whole closed edge; of one that is parallel to the axis, its upper end. Lu 3.61-3.72. An edge that
-/// passes the rim by no more than `slack` touches it. Lanes that are not wanted give anything.
+/// The lift over the whole closed edge; over one that is parallel to the axis, that over its upper end. Lu
+/// 3.61-3.72. An edge that passes the rim by no more than `slack` touches it. Lanes that are not wanted give
+/// anything.
 FACETMILL_LANES Lift4 edge_lift(const SurfaceTable& surface, const Mask4& wanted, const Point4& a,
                                 const Point4& b, const Double4& slack) {
     const Double4 dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -185,12 +187,13 @@ struct PlaneLift4 {
     Mask4 inside;       ///< touched surely inside: no edge can ask for more
     Mask4 border;       ///< not inside, but by no more than rounding
     Mask4 outside;      ///< touched surely outside
-    Double4 side[3];    ///< of edge k: twice the area with the point of contact, positive inside
+    Double4 side[3];    ///< twice the area between edge k and the point of contact, positive inside
     Double4 edge_slack; ///< of edges that are asked because of `border`
 };
 
-/// Corner 0 to 1 is the longest edge seen along the axis. Lu 3.73-3.81. Lanes that are not wanted, because
-/// the facet's projection has no area, are not inside and have no border.
+/// How the planes of four facets meet the cutter. Corners 0 and 1 must be the ends of the longest edge seen
+/// along the axis. Lu 3.73-3.81. Lanes that are not wanted, because the facet's projection has no area, are
+/// not inside and have no border.
 FACETMILL_LANES PlaneLift4 plane_lift(const SurfaceTable& surface, const Mask4& wanted, const Point4 (&p)[3],
                                       double roundings) {
     const Point4 &a = p[0], &b = p[1], &c = p[2];

@@ -6,13 +6,14 @@
 
 namespace facetmill {
 
+/// No facet, where one is named by block and lane.
 inline constexpr std::uint32_t no_slot = 0xFFFFFFFFu;
 
-/// One cutter over one place.
+/// One cutter over one place. Millimetres, part coordinates.
 struct AxialQuery {
     double place[3] = {0, 0, 0}; ///< origin of the cutter's frame
     double frame[3][3] = {};     ///< rows: across, across, along the axis (upward); not read when upright
-    /// What is known: the lift is wanted only if it is higher. Along the axis from `place`.
+    /// What is known already, along the axis from `place`: the lift is wanted only if it is higher.
     double least = -__builtin_inf();
     /// The search ends as soon as it is sure that something is higher than this; then the answer's tip is
     /// between this and the lift, its slot that of a facet that reaches higher,
@@ -42,28 +43,29 @@ struct AxialPacket {
     PreparedBlocks* prepared = nullptr; ///< of this index and surface only, or cleared; wanted
 };
 
-/// Axis along Z, and any axis.
+/// Answers one query: one kernel for an axis along Z, one for any axis.
 using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
-/// The tips over the places of a packet, the bits that one query each would give.
+/// Gives the tips over the places of a packet, the same bits as one query for each.
 using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&,
                               double (&tips)[AxialPacket::max_places]);
-/// The highest lift over a polyline of `count` points (x, y, z each), any axis. Of the query the place and
-/// frame are read, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number of
-/// a segment); the answer's `slot` is that of the segment. -inf and no_slot where no point is under the
-/// cutter.
+/// Gives the highest lift over a polyline of `count` points (x, y, z each), any axis. It reads of the query
+/// `place`, `frame`, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number
+/// of a segment); the answer's `slot` is the number of a segment. -inf and no_slot where no point is under
+/// the cutter.
 using CurveKernel = void (*)(const SurfaceTable&, const AxialQuery&, const double* points,
                              std::uint32_t count, AxialAnswer&);
+/// The kernels of one instruction set.
 struct AxialKernels {
     AxialKernel upright, tilted;
     PacketKernel packet;
     CurveKernel curve;
-    int packet_places; ///< a packet has room for
+    int packet_places; ///< how many places a packet has room for
     const char* name;
 };
 
-/// Those for this processor. The environment variable FACETMILL_KERNEL=baseline chooses the slowest.
+/// The kernels for this processor. The environment variable FACETMILL_KERNEL=baseline chooses the slowest.
 const AxialKernels& axial_kernels();
-/// All that this processor can run, the baseline first; all give the same bits.
+/// All kernels that this processor can run, the baseline first; all give the same bits. Returns their number.
 int axial_kernel_sets(const AxialKernels* (&sets)[4]);
 
 } // namespace facetmill

@@ -27,8 +27,8 @@ struct AxialContact {
     enum class Feature { none, vertex, edge, facet } feature = Feature::none;
 };
 
-/// Where the last lift came from. Lifts of neighbouring places that share one are found faster; the heights
-/// are the same. For one index and one thread at a time.
+/// Where the last lift came from. Lifts of neighbouring places are found faster when they share a hint; the
+/// heights are the same. For one index and one thread at a time.
 class LiftHint {
     friend class AxialLift;
     std::uint32_t slot_ = 0xFFFFFFFFu;
@@ -46,7 +46,8 @@ public:
     /// Tip height only.
     double tip_z(double x, double y) const;
     double tip_z(double x, double y, LiftHint& hint) const;
-    /// The tip height, or `least` where that is higher: what cannot be, is passed over early.
+    /// The tip height, or `least` where that is higher: what cannot lift the tip above `least` is passed over
+    /// early.
     double tip_z(double x, double y, LiftHint& hint, double least) const;
     /// True when the tip height is above z, but for rounding where it is z itself. Found much sooner than the
     /// height, where z is well above or below it.
@@ -55,8 +56,8 @@ public:
     /// from the cutter.
     AxialContact contact(double x, double y) const;
     /// Tip heights for many points, in parallel; the same bits as `tip_z` one by one. Throws Error(internal)
-    /// when the two spans differ in length. Cancellation per 512 points. Points are arranged by where they
-    /// are; those of a grid that is fine for the cutter are several times faster than one by one.
+    /// when the two spans differ in length. Points are arranged by where they are; those of a grid that is
+    /// fine for the cutter are several times faster than one by one.
     void tip_z(std::span<const Vec2> points, std::span<double> heights, const Progress& progress) const;
 
     /// The cutter as given, without the allowance.

@@ -9,17 +9,17 @@
 namespace facetmill {
 
 namespace tolerance {
-/// What slopes around a contact say of where it is on the cutter is believed to this, of a slope and as a
-/// share of the cutter's radius: so much more than rounding that what is passed over is lower in more than
-/// the last digits. And only around facets whose height is more than these shares of their longest edge and
-/// of the mesh's coordinates.
+/// The slopes around a contact say where on the cutter it is. They are believed to within `slope_slack` (of a
+/// slope) and `contact_slack` (of the cutter's radius): so much more than rounding that what is passed over
+/// is lower by more than the last digits. And they are believed only around facets whose height is more than
+/// `needle` of their longest edge and `smallest_facet` of the mesh's coordinates.
 inline constexpr double slope_slack = 1e-4, contact_slack = 2e-3, needle = 1e-4, smallest_facet = 1e-7;
 } // namespace tolerance
 
+/// Facets in a block and children of a node: as many as a register of AVX2 has floats.
 inline constexpr std::size_t block_width = 8;
 
-/// What a facet of a block has to test beside its inside, as bits: edge k runs from corner k to k + 1, both
-/// ends included.
+/// What of a facet has to be tested, as bits. Edge k runs from corner k to k + 1, both ends included.
 enum FacetDuty : std::uint8_t {
     duty_edge = 1,                             ///< << k: by a cutter that comes down along Z
     duty_edge_anyway = 8,                      ///< << k: by a cutter of any axis

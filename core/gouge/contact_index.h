@@ -10,10 +10,11 @@
 
 namespace facetmill {
 
+/// The facets of a mesh as the kernels of this room ask for them.
 class ContactIndex {
 public:
-    /// Throws Error(non_finite) for corners that are not finite or beyond tolerance::largest_coordinate.
-    /// Cancellation within 20 ms. Memory at most 100 bytes a facet beside the mesh.
+    /// Takes at most 100 bytes of memory a facet, the mesh not counted. Throws Error(non_finite) for corners
+    /// that are not finite or beyond tolerance::largest_coordinate.
     ContactIndex(MeshPtr mesh, const Progress& progress);
     ~ContactIndex();
     ContactIndex(const ContactIndex&) = delete;

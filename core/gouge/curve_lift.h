@@ -21,21 +21,21 @@ struct SurfaceTable;
 /// not numbers are not met.
 class CurveLift {
 public:
-    /// The segment that was touched last: with it, the next curve much like the last is answered faster, with
-    /// the same result.
+    /// The segment that was touched last. It makes the answer for a curve much like the last one faster, and
+    /// does not change it.
     struct Hint {
         std::uint32_t segment = 0xFFFFFFFFu;
     };
 
-    /// `flutes`: the height above the tip up to which the cutter removes material; of a lower surface that is
-    /// higher, the part below counts. 0: the cutter's own height. Throws Error(out_of_range) for a negative
-    /// one.
+    /// `flutes` (mm): the height above the tip up to which the cutter removes material; where its lower
+    /// surface reaches higher, only what is below counts. 0: the cutter's own height. Throws
+    /// Error(out_of_range) for a negative one.
     explicit CurveLift(const CutterProfile& cutter, double flutes = 0);
 
-    /// Along the axis from the pose (tip in part coordinates, unit axis); -inf when no point of the polyline
-    /// is within the largest radius of the axis, or there are no points. One point is a curve; points may
-    /// repeat. When the lift is surely above `enough` the answer is any number above it that is no higher
-    /// than the lift.
+    /// The lift along the axis from the pose (tip in part coordinates, mm; unit axis); -inf when no point of
+    /// the polyline is within the largest radius of the axis, or there are no points. One point is a curve;
+    /// points may repeat. When the lift is surely above `enough` the answer is any number above it that is no
+    /// higher than the lift.
     double lift(const ToolPose& pose, std::span<const Vec3> curve, Hint& hint,
                 double enough = infinity) const;
     double lift(const ToolPose& pose, std::span<const Vec3> curve) const;

@@ -9,7 +9,7 @@
 
 namespace facetmill {
 
-/// FacetDuty bits per facet, corners as in the mesh.
+/// The FacetDuty bits of each facet; its edges are numbered by its corners as in the mesh.
 ///
 /// Every edge is owned by one facet, for cutters of any axis. For a cutter that comes down along Z it is left
 /// out when it is surely a valley: two facets, on different sides of it seen along Z, the one above the plane
@@ -17,10 +17,10 @@ namespace facetmill {
 /// other facet, so the lift over that plane has a maximum at q too, and the plane's own contact is found
 /// there (or at another point as high, and going there the lift never falls). A vertex belongs to its edges,
 /// so it is left out when they all are. Open, folded, vertical, coplanar and non-manifold neighbourhoods keep
-/// everything; so does a facet that names a vertex twice. Cancellation per 20 000 facets.
+/// everything; so does a facet that names a vertex twice.
 ///
 /// `is_open`, if wanted, becomes 1 for every vertex whose facets do not surely lie around it as seen along Z:
-/// one has an edge there that has not two facets, on different sides of it.
+/// some edge there does not have exactly two facets, one on each side of it.
 std::vector<std::uint8_t> facet_duties(const Mesh& mesh, const Progress& progress,
                                        std::vector<std::uint8_t>* is_open = nullptr);
 

@@ -9,8 +9,6 @@ namespace facetmill {
 
 namespace {
 
-constexpr float infinity_f = std::numeric_limits<float>::infinity();
-
 double slope_of(double angle, bool vertical) {
     return vertical ? infinity : std::tan(angle);
 }

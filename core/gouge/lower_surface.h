@@ -10,6 +10,7 @@
 
 namespace facetmill {
 
+/// The lower surface of a cutter, mm. Throws Error(internal) for more than max_surface_pieces.
 SurfaceTable lower_surface(const CutterProfile& profile);
 
 } // namespace facetmill

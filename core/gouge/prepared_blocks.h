@@ -24,9 +24,10 @@ struct alignas(64) PreparedBlock {
     float contact_x[block_width], contact_y[block_width], contact_doubt[block_width];
     float slope_x[block_width], slope_y[block_width];
     float plane[block_width], plane_x[block_width], plane_y[block_width];
-    float noise_in[block_width], noise_out[block_width]; ///< of `plane` touched inside, anywhere
+    float noise_in[block_width],
+        noise_out[block_width]; ///< `plane` is wrong by less: touched inside, anywhere
     float noise_tangent[block_width];
-    float loss[block_width];   ///< of a lift a little inside of the rim
+    float loss[block_width];   ///< how much lower a lift a little inside of the rim is
     float corner[block_width]; ///< a side of more than this is inside
     float position[block_width], height_noise[block_width];
     Edges edge[3]; ///< when has_edges

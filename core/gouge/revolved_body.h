@@ -13,12 +13,14 @@
 
 namespace facetmill {
 
+/// Lengths in mm.
 class RevolvedBody {
 public:
     /// The body of `profile` raised by `height` along its axis. Throws Error(internal) for more than
     /// max_pieces.
     explicit RevolvedBody(const CutterProfile& profile, double height = 0);
 
+    /// More pieces than any cutter or section has, grown by an allowance: the search has room for them.
     static constexpr std::size_t max_pieces = 12;
 
     /// A line or an arc of the chain. Unit normals, outward, (rho, z); those of an arc turn by at most 90
@@ -37,7 +39,7 @@ public:
         double rho = 0, z = 0;
         unsigned piece = 0; ///< the piece below
     };
-    /// As in the profile, then the flat top (when the body has one).
+    /// The pieces as in the profile, then the flat top (when the body has one).
     std::span<const Piece> pieces() const { return pieces_; }
     std::span<const Circle> circles() const { return circles_; }
     double max_radius() const { return max_radius_; }

@@ -8,12 +8,14 @@
 
 namespace facetmill {
 
+/// A cut through the tree, as a few nodes to start from.
 class SharedCut {
 public:
     static constexpr std::size_t max_nodes = 4;
 
-    /// As far down as the children for which `reached(node, lane)` is true fit into `wanted_nodes` <=
-    /// max_nodes nodes. What is below a child that is not reached must not matter to any of the queries.
+    /// Makes the cut as far down as the children for which `reached(node, lane)` is true fit into
+    /// `wanted_nodes` <= max_nodes nodes. What is below a child that is not reached must not matter to any of
+    /// the queries.
     template <class Reached>
     void make(const IndexView& index, std::size_t wanted_nodes, Reached&& reached) {
         Children children, finer;
@@ -50,9 +52,9 @@ public:
         fill(children, size);
     }
 
-    /// Nothing is reached.
+    /// True when nothing is reached.
     bool empty() const { return empty_; }
-    /// At least one node.
+    /// The nodes to start from, at least one.
     const TreeNode* nodes() const { return nodes_.data(); }
     int count() const { return count_; }
 

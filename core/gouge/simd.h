@@ -16,6 +16,7 @@
 
 namespace facetmill::simd {
 
+/// 32 bytes, a register of AVX2.
 inline constexpr int double_lanes = 4, float_lanes = 8;
 
 typedef double Double4 __attribute__((vector_size(32)));
@@ -53,8 +54,8 @@ FACETMILL_LANES Double4 select(const Mask4& mask, const Double4& a, const Double
 FACETMILL_LANES Float8 select(const Int8& mask, const Float8& a, const Float8& b) {
     return mask ? a : b;
 }
-// Of these the second where either is not a number or both are zero. With intrinsics, since the compiler
-// makes two instructions of the operators.
+// The larger and the smaller of two: the second of them where either is not a number or both are zero. With
+// intrinsics, since the compiler makes two instructions of the operators.
 #ifdef __AVX2__
 FACETMILL_LANES Double4 larger(const Double4& a, const Double4& b) {
     return Double4(_mm256_max_pd(__m256d(a), __m256d(b)));
@@ -111,7 +112,7 @@ FACETMILL_LANES Double4 root(const Double4& v) {
 FACETMILL_LANES Float8 root(const Float8& v) {
     return Float8(_mm256_sqrt_ps(__m256(v)));
 }
-/// Bit k is lane k.
+/// A mask as bits: bit k is lane k.
 FACETMILL_LANES unsigned bits(const Mask4& mask) {
     return unsigned(_mm256_movemask_pd(__m256d(mask)));
 }
@@ -152,7 +153,7 @@ FACETMILL_LANES Float8 narrow(const Double4& low, const Double4& high) {
 }
 #endif
 
-/// Eight bytes as numbers.
+/// Eight bytes as eight integers.
 FACETMILL_LANES Int8 widened(const std::uint8_t* p) {
     typedef std::uint8_t Bytes __attribute__((vector_size(8)));
     Bytes bytes;

@@ -3,6 +3,7 @@
 
 namespace facetmill {
 
+/// More pieces than any cutter has, grown by an allowance: tables have this size.
 inline constexpr int max_surface_pieces = 8;
 
 /// A line or an arc of g over rho0 <= rho <= rho1.

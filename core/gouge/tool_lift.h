@@ -19,12 +19,14 @@
 
 namespace facetmill {
 
+/// The body of a tool that is stopped first.
 enum class ToolBody { none, cutter, shank, holder };
 /// "cutter", "shank", "holder"; "none".
 const char* tool_body_name(ToolBody body);
 
+/// What the bodies of a tool keep from the part, mm.
 struct ToolClearance {
-    double cutter = 0; ///< the stock allowance: the cutter keeps that distance
+    double cutter = 0; ///< the stock allowance
     double shank = 0, holder = 0;
 };
 
@@ -32,21 +34,23 @@ struct ToolClearance {
 struct ToolContact {
     double lift = -infinity; ///< along the axis from the pose; -inf: it meets nothing
     ToolBody body = ToolBody::none;
-    int section = -1;          ///< of the holder
+    int section = -1;          ///< the section of the holder; -1: another body
     Index facet = no_index;    ///< a facet it touches
-    Vec3 point = Vec3::Zero(); ///< of the mesh, part coordinates
+    Vec3 point = Vec3::Zero(); ///< the touched point of the mesh, part coordinates
 };
 
 /// Why a posture at a contact point is not free (Lu 3.5.5: local and global gouging, collision).
 enum class BlockCause { none, local, global, shank, holder };
 const char* block_cause_name(BlockCause cause);
 
+/// One tool over one mesh; safe to use from many threads at once.
 class ToolLift {
 public:
+    /// Cutter, shank and up to 14 sections of a holder: more than holders have, and hints have this size.
     static constexpr std::size_t max_bodies = 16;
 
-    /// What was touched last, body by body. Poses near to each other that share one are found faster; the
-    /// lifts are the same. For one ToolLift and one thread at a time.
+    /// What was touched last, body by body. Lifts of neighbouring poses are found faster when they share a
+    /// hint; the lifts are the same. For one ToolLift and one thread at a time.
     class Hint {
         friend class ToolLift;
         std::array<std::uint32_t, max_bodies> slot_;
@@ -55,7 +59,7 @@ public:
         Hint() { slot_.fill(0xFFFFFFFFu); }
     };
 
-    /// Poses near to each other, for which it has been found out what of the mesh matters above some depth.
+    /// What of the mesh matters to poses near to each other, above some depth.
     class Group {
     public:
         Group();
@@ -67,9 +71,9 @@ public:
         std::unique_ptr<Cuts> cuts_;
     };
 
-    /// Bodies whose shadow along the axis lies in that of a body below are left out: they never stop the
-    /// tool. Throws Error(out_of_range) for a tool that check_tool refuses, for negative clearances and for
-    /// more than max_bodies bodies.
+    /// A whole tool. Bodies whose shadow along the axis lies in that of a body below are left out: they never
+    /// stop the tool. Throws Error(out_of_range) for a tool that check_tool refuses, for negative clearances
+    /// and for more than max_bodies bodies.
     ToolLift(ContactIndexPtr index, const Tool& tool, const ToolClearance& clearance = {});
     /// A cutter alone.
     ToolLift(ContactIndexPtr index, const CutterProfile& cutter, double allowance = 0);
@@ -81,11 +85,11 @@ public:
     double lift(const ToolPose& pose, Hint& hint) const;
     /// The same lift, and where it comes from.
     ToolContact contact(const ToolPose& pose) const;
-    /// What stops it above `depth`: lift = max(depth, lift(pose)), and where that comes from; no body where
-    /// nothing stops it higher than `depth`.
+    /// What stops the tool above `depth`: the lift is max(depth, lift(pose)); no body where nothing stops it
+    /// higher than `depth`.
     ToolContact contact_above(const ToolPose& pose, double depth, Hint& hint) const;
-    /// Makes `group` one of these poses and of depths from `depth` upward. Worth its while from about eight
-    /// poses on that differ by no more than the cutter's radius and some twenty degrees.
+    /// Makes `group` that of these poses and of depths from `depth` upward. It pays from about eight poses on
+    /// that differ by no more than the cutter's radius and some twenty degrees.
     void gather(std::span<const ToolPose> poses, double depth, Group& group) const;
     /// The same lift as without a group, faster. `pose` and `depth` must be of the group.
     ToolContact contact_above(const ToolPose& pose, double depth, Hint& hint, const Group& group) const;
@@ -93,7 +97,7 @@ public:
     bool is_deeper(const ToolPose& pose, double depth, Hint& hint) const;
 
     /// Lifts of many poses, in parallel; the same bits as one by one. Throws Error(internal) when the spans
-    /// differ in length. Cancellation per block of poses.
+    /// differ in length.
     void lift(std::span<const ToolPose> poses, std::span<double> lifts, const Progress& progress) const;
 
     const CutterProfile& cutter() const { return cutter_; }

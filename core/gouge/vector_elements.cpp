@@ -10,6 +10,7 @@ namespace facetmill {
 
 namespace {
 
+/// The distance from 1 to the next double: bounds of rounding are multiples of it.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int max_steps = 200; // a guard only: steps halve an interval of doubles at worst
 

@@ -24,6 +24,7 @@ struct LiftVector {
     Vec3 vec() const { return Vec3(wx, 0, wz); }
 };
 
+/// The lift over a vertex.
 VectorElement vector_vertex_lift(const RevolvedBody& body, const LiftVector& w, const Vec3& q);
 
 /// Where the inside of the edge is touched; -inf where the highest lift of its line lies at or beyond an end
@@ -32,9 +33,10 @@ VectorElement vector_vertex_lift(const RevolvedBody& body, const LiftVector& w, 
 VectorElement vector_edge_lift(const RevolvedBody& body, const LiftVector& w, const Vec3& a, const Vec3& b,
                                double& along);
 
-/// The whole closed facet: its inside, edges and corners. `none_above`: the caller needs no lift that is not
-/// above this; what is not above it may come back as anything not above it, and the rest is the same bits
-/// whatever it was. `feature`: how many corners span the touched element (1 vertex, 2 edge, 3 facet).
+/// The lift over the whole closed facet: its inside, edges and corners. `none_above`: the caller needs no
+/// lift that is not above this; such a lift may come back as anything that is not above it, and any other is
+/// the same bits whatever `none_above` was. `feature`: how many corners span the touched element (1 vertex, 2
+/// edge, 3 facet).
 VectorElement vector_facet_lift(const RevolvedBody& body, const LiftVector& w, const Vec3& a, const Vec3& b,
                                 const Vec3& c, double none_above, int& feature);
 

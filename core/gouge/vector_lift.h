@@ -38,7 +38,7 @@ struct Posture {
     Vec3 direction = Vec3::UnitZ(); ///< unit, the way the tool is lifted
 };
 
-/// A cylinder about the tool axis, from one height above the tip to another; mm.
+/// A cylinder about the tool axis; `from` and `to` are heights above the tip, mm.
 struct BodySection {
     double radius = 0, from = 0, to = 0;
 };
@@ -72,7 +72,7 @@ public:
     double lift(const Posture& posture) const;
     VectorContact contact(const Posture& posture) const;
     /// Lifts for many postures, in parallel; the same bits as `lift` one by one. Throws Error(internal) when
-    /// the two spans differ in length. Cancellation per block of postures.
+    /// the two spans differ in length.
     void lift(std::span<const Posture> postures, std::span<double> lifts, const Progress& progress) const;
 
 private:

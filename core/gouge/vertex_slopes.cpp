@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-/// Stands for infinity; its square is a float.
+/// A slope that stands for infinity: the kernels square it, and its square is still a float.
 constexpr float steepest = 1e9f;
 
 /// The slope of a facet; false where it is not known well, or nothing is known of how far the facet goes on.

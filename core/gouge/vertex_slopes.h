@@ -13,13 +13,12 @@ namespace facetmill {
 struct SlopeRange {
     float lo_x, hi_x, lo_y, hi_y;
 
-    /// Holds nothing, and every slope there is.
-    static SlopeRange none();
-    static SlopeRange all();
+    static SlopeRange none(); ///< holds nothing
+    static SlopeRange all();  ///< holds every slope there is
     void add(const SlopeRange& other);
 };
 
-/// For every vertex the slopes of the facets that have it, widened by `tolerance::slope_slack`. Every slope
+/// The slopes, for every vertex, of the facets that have it, widened by `tolerance::slope_slack`. Every slope
 /// there is where `is_open` (see facet_duties.h), and where a facet is upright, steeper than
 /// `tolerance::steepest_trusted`, or a needle.
 ///
@@ -27,7 +26,6 @@ struct SlopeRange {
 /// it as seen along Z. Over them the lift z - g is highest at q, so 0 is among its generalized gradients
 /// (Clarke): there is a slope in the convex hull of the facets' slopes that a plane would need to touch the
 /// cutter at x. Facets that have q are a facet that q is on and others that share a vertex with it.
-/// Cancellation per 20 000 facets.
 std::vector<SlopeRange> vertex_slopes(const Mesh& mesh, const std::vector<std::uint8_t>& is_open,
                                       const Progress& progress);
 

@@ -11,14 +11,15 @@ namespace facetmill {
 
 struct LatheCommon; // core/strategy/lathe/lathe.h
 
+/// What decides how passes are joined. Lengths in mm.
 struct LinkOptions {
-    double clearance = 5;     ///< above the highest of part and stock
-    double link_distance = 0; ///< passes whose ends are nearer than this are linked on the surface
-    double chord_tolerance = 0.01;
+    double clearance = 5;          ///< height of rapids above the highest of part and stock
+    double link_distance = 0;      ///< passes whose ends are nearer than this are linked on the surface
+    double chord_tolerance = 0.01; ///< how far a link may run beside the route that was found free
 };
 
-/// What suits an operation: links as far as four step-overs or the cutter's radius, the chord tolerance of
-/// the passes (where they have none, a twentieth of the tolerance).
+/// The options that suit an operation: links as far as four step-overs or the cutter's radius, the chord
+/// tolerance of the passes (where they have none, a twentieth of the tolerance).
 LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context,
                                  const OperationCommon& common);
 
@@ -26,7 +27,7 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 /// the part) where the next pass is near, else by retract, rapid at clearance height, approach. Rapids run
 /// level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over tips that
 /// do not gouge. `allowance` is the operation's; the part's inner tessellation tolerance is added as the
-/// strategy does. Throws Error(out_of_range), Cancelled within 100 ms.
+/// strategy does. Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 
@@ -36,7 +37,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// degrees at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis,
 /// a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z the tip stands so
 /// high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what cutter,
-/// shank and holder keep from the part. Throws Error(out_of_range), Cancelled within 100 ms.
+/// shank and holder keep from the part, mm. Throws Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress);
@@ -44,7 +45,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
 /// Joins the passes of roughing over the stock as it stands at each moment: straight at feed where the way is
 /// cut already and short, else up to what stands on the way plus clearance (and never nearer to the part),
 /// over it in a rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at
-/// feed. `allowance` as above. Throws Error(out_of_range), Cancelled within 100 ms.
+/// feed. `allowance` as above. Throws Error(out_of_range).
 ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
                        const LinkOptions& options, const Progress& progress);
 
@@ -52,8 +53,7 @@ ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, d
 /// before ended, else out along the tool axis, at feed until it is clear and then in a rapid, to a radius
 /// beyond stock, chuck and tailstock; there round and along the part in rapids; in to the clearance over the
 /// raw material in a rapid, and by the pass's entry at feed. Rapids that turn the part are divided, so that
-/// they stay out there whether the tip runs on the arc or on its chords. Throws Error(out_of_range),
-/// Cancelled within 100 ms.
+/// they stay out there whether the tip runs on the arc or on its chords. Throws Error(out_of_range).
 ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, const LatheCommon& settings,
                        const LinkOptions& options, const Progress& progress);
 

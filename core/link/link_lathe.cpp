@@ -8,8 +8,8 @@ namespace facetmill {
 
 namespace {
 
-/// Of the clearance: what chords of rapids may lie nearer to the axis than their ends, and what the tool
-/// stands back from the material where it goes on at feed.
+/// The share of the clearance by which the chord of a rapid may lie nearer to the axis than its ends: three
+/// quarters stay, whether the tip runs on the arc or on its chord.
 constexpr double chord_share = 0.25;
 
 /// How far below the tip's distance from the axis a tilted tool reaches: its lower rims.

@@ -11,10 +11,15 @@ namespace facetmill {
 
 namespace {
 
-/// In diameters of the cutter: passes whose ends are nearer are joined at feed where the way is free.
+/// Passes whose ends are nearer than this, in diameters of the cutter, are joined at feed where that way is
+/// free: up and down again takes longer.
 constexpr double feed_link = 2;
-/// In radii: pieces of which it is asked whether they cut. Of the diameter: what counts as cutting.
-constexpr double air_piece = 0.5, min_share = 2e-3;
+/// The length of the pieces of a motion, in radii of the cutter, of which it is asked whether they cut. It
+/// only says how much of a path is counted as air.
+constexpr double air_piece = 0.5;
+/// What may stand where a tool goes on at feed beside a pass, in diameters of the cutter: as little as
+/// roughing takes for nothing to cut. The tool cuts it at feed.
+constexpr double min_share = 2e-3;
 
 class Linker {
 public:

@@ -10,10 +10,10 @@
 
 namespace facetmill {
 
+/// Items are numbers of boxes, in the order in which these were given.
 class BoxTree {
 public:
     BoxTree() = default;
-    /// Cancellation within 20 ms.
     BoxTree(const std::vector<Box3>& boxes, const Progress& progress) {
         if (boxes.empty()) return;
         std::vector<std::size_t> order(boxes.size());
@@ -24,7 +24,7 @@ public:
     }
 
     bool empty() const { return nodes_.empty(); }
-    /// visit(item) for the items whose box, and all boxes round it, `enter(box)` says true to.
+    /// Calls visit(item) for each item for whose box, and all boxes around it, enter(box) is true.
     template <class Enter, class Visit>
     void each(Enter&& enter, Visit&& visit) const {
         for (std::size_t i = 0; i < nodes_.size();) {

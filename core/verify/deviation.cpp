@@ -10,8 +10,11 @@ namespace facetmill {
 
 namespace {
 
+/// Probes that a thread takes at a time: some milliseconds of work.
 constexpr std::size_t probes_per_block = 256;
+/// Extremes that a report lists: as many as someone looks at one by one.
 constexpr std::size_t max_extremes = 10;
+/// Bands of slope from level to upright, 15 degrees each.
 constexpr int band_count = 6;
 
 /// Places of points in the order of a curve that fills space (Morton's), so that neighbours come one after

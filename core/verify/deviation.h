@@ -9,22 +9,24 @@
 
 namespace facetmill {
 
+/// What the probes found.
 struct Probed {
-    std::vector<double> deviation; ///< one per sample
-    std::vector<MotionPlace> by;
-    std::vector<Collision>
-        collisions; ///< of shanks, holders and rapids with the part: the motion that goes deepest at a
-                    ///< sample, and of those with the same motion and kind the deepest
+    std::vector<double> deviation; ///< per sample, mm, as in DeviationSurface
+    std::vector<MotionPlace> by;   ///< per sample: the motion that cut deepest there; unknown where none did
+    /// Shanks, holders and rapids in the part: at each sample the motion that goes deepest, and of those with
+    /// the same motion and kind the deepest.
+    std::vector<Collision> collisions;
 };
 
-/// Probes all samples, of the part grown by `allowance`; sets the flag `bare`. Where axes turn, exact to
-/// `bound`. Cancellation within 20 ms.
+/// Probes the samples of the part grown by `allowance` (mm), and sets the flag `bare` of those that the stock
+/// does not reach. Where axes turn, the probes are exact to `bound` (mm). What is missing by less than
+/// `gouge_limit` is no collision.
 Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
                      std::span<const VerifyProgram> programs, double allowance, double gouge_limit,
                      double bound, const Progress& progress);
 
-/// Fills in figures, `program_gouges` (as long as there are programs), border, bands, gouges and excess;
-/// `apart`: least distance of extremes.
+/// Fills in figures, `program_gouges` (one per program), border, bands, gouges and excess. The extremes are
+/// at least `apart` (mm) from each other.
 void fill_figures(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
                   double apart, const Progress& progress);
 

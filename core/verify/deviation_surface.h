@@ -15,16 +15,17 @@ struct SurfaceSamples {
     std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
     std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::array<Index, 2>> open_edges; ///< of the part: those that only one facet has
-    double spacing = 0;                           ///< that was used
+    std::vector<std::array<Index, 2>> open_edges; ///< the part's edges with one facet, as vertices of it
+    double spacing = 0;                           ///< the spacing that was used, mm
 };
 
-/// Along edges neighbours are no farther apart than `spacing`, or half of it where the surface curves; none
-/// are farther than twice that. Facets that need no dividing keep the mesh's vertices, shared, with normals
-/// by angle; divided ones, and those at creases, have points of their own with the facet's normal, so that
-/// neither side of a crease is judged across it. Where the points would be more than `most`, `spacing` grows;
-/// the mesh's own vertices are never thinned out. Facets without area have no points. Cancellation within 20
-/// ms.
+/// Samples the facets of a part. Along edges neighbours are no farther apart than `spacing` (mm), or half of
+/// it where the surface curves; none are farther than twice that. Facets that need no dividing keep the
+/// mesh's vertices, shared, with normals by angle; divided ones, and those at creases, have points of their
+/// own with the facet's normal, so that neither side of a crease is judged across it. Where the points would
+/// be more than `most`, `spacing` grows; the mesh's own vertices are never thinned out. Facets without area
+/// have no points.
+///
 /// A probe on a sharp edge would run in the plane of the facet beyond it, where a tool that is flush with
 /// that facet, or too deep by a rounding, is met over its whole width; one on an open border may run along a
 /// tool that touches the border alone. So probes start `edge_inset` from the edges of facets at creases and
@@ -36,18 +37,17 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
 /// the order in which they come.
 std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Progress& progress);
 
-/// Slopes, and the flags `border` (nearer than `cutter_radius` to an edge that only one facet has) and
-/// `away`.
+/// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet) and `away`
+/// (steeper than any of `axes` reaches).
 void flag_samples(SurfaceSamples& samples, const Mesh& part, double cutter_radius,
                   const std::vector<Vec3>& axes, const Progress& progress);
 
-/// Along lines from the part outward: where they leave the stock.
+/// Says where lines that run from the part outward leave the stock.
 class StockExit {
 public:
-    /// Cancellation within 20 ms.
     StockExit(const StockSolid& stock, const Progress& progress);
     ~StockExit();
-    /// t >= 0 of the first exit of p + t n; below 0 where p is not in the stock.
+    /// The t >= 0 at which the line p + t n first leaves the stock; below 0 where p is not in it.
     double operator()(const Vec3& p, const Vec3& n) const;
 
 private:

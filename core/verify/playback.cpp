@@ -11,6 +11,7 @@
 namespace facetmill {
 
 namespace {
+/// Stocks that are kept over the programs: to go back costs at most a 64th of all cutting.
 constexpr std::size_t checkpoints = 64;
 } // namespace
 

@@ -12,11 +12,12 @@
 
 namespace facetmill {
 
-/// Not for two threads at once. Positions count motions over all programs, in order: position p + s, 0 <= s <
-/// 1, is s of the way through motion p, p = motion_count() the end; before motion 0 the stock is whole.
+/// The stock at a position. Positions count the motions of all programs, in order: position p + s, 0 <= s <
+/// 1, is a share s of motion p, and motion_count() is the end; at position 0 the stock is whole. Not for two
+/// threads at once.
 class StockPlayback {
 public:
-    /// Throws as `verify`. Cancellation per tile.
+    /// `resolution` (mm) is that of the stock's lattice. Throws as `verify`.
     StockPlayback(const StockSolid& stock, std::vector<VerifyProgram> programs, double resolution,
                   const Progress& progress);
     ~StockPlayback();
@@ -29,8 +30,7 @@ public:
     MotionKind kind(double position) const;
     double position() const;
 
-    /// Cuts or takes back. Cancellation within 20 ms; a cancelled call leaves the playback somewhere on the
-    /// way, whole.
+    /// Cuts on or takes back. A cancelled call leaves the playback at some position between, and whole.
     void go_to(double position, const Progress& progress);
     const StockModel& stock() const;
 

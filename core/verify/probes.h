@@ -17,7 +17,8 @@
 
 namespace facetmill {
 
-/// A convex body of revolution by its supporting planes. As TurnedBody, made from the profile by itself.
+/// A convex body of revolution by its supporting planes. It is made from the profile without TurnedBody, so
+/// that neither can hide a mistake of the other.
 class BodySupport {
 public:
     explicit BodySupport(const CutterProfile& cutter);
@@ -27,7 +28,7 @@ public:
         double inside; ///< how far behind it the point is; below 0: how far the body is from the point
         Vec3 normal;   ///< unit, outward
     };
-    /// The supporting plane nearest to a point, of a body with its tip at 0 and the unit axis given.
+    /// The supporting plane nearest to a point; the body has its tip at 0 and this unit axis.
     Plane nearest(const Vec3& point, const Vec3& axis) const;
     /// Height on the axis of a point well inside, near the lower end.
     double middle() const { return middle_; }
@@ -53,7 +54,7 @@ struct LineProbe {
 /// The motions of a program, or some of them, in a tree of boxes.
 class MotionTree {
 public:
-    /// Of the motions for which `counts` says so. `program` must outlive this. Cancellation within 20 ms.
+    /// A tree of the motions of those kinds for which `counts` is true. `program` must outlive this.
     MotionTree(const VerifyProgram& program, const std::function<bool(MotionKind)>& counts,
                const Progress& progress);
 
@@ -79,20 +80,21 @@ private:
     std::vector<Node> nodes_;
 };
 
+/// Asks one body of a tool where it reaches on lines.
 class MotionProbes {
 public:
-    /// What turns is taken as exact to `bound` (mm).
+    /// `bound` (mm): motions whose axis turns are followed this exactly, others to rounding.
     MotionProbes(TurnedBody body, BodySupport support, std::shared_ptr<const MotionTree> motions,
                  double bound);
 
     const MotionTree& motions() const { return *tree_; }
-    /// Lowers `probe.value` to the least `lo` of all stretches [lo, hi] that the moving body has on the line
-    /// p + t n and that hold part of [min(value, 0), value]: so a stretch wholly below 0 counts only where it
-    /// joins what is missing above it. `hint`: a motion that is asked first, or no_index. True when it was
-    /// lowered.
+    /// Lowers `probe.value` to the least `lo` of the stretches [lo, hi] that the moving body has on the line
+    /// p + t n, and says whether it did. A stretch counts if it holds part of [min(value, 0), value]: one
+    /// that is wholly below 0 only where it joins what is missing above it. `hint`: a motion to ask first, or
+    /// no_index; it does not change the value.
     bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const;
-    /// Of the motions just before `probe.motion` the first that, one after the other, reach as low: where a
-    /// motion ends the next one begins.
+    /// The first of an unbroken run of motions, up to `probe.motion`, that all reach as low as it does: where
+    /// a motion ends the next one begins, and both have that place.
     Index first_as_low(const Vec3& p, const Vec3& n, const LineProbe& probe) const;
 
 private:

@@ -21,7 +21,7 @@ namespace facetmill {
 struct ToolSection {
     enum class Part : std::uint8_t { shank, holder };
     Part part = Part::shank;
-    double radius = 0, from = 0, to = 0; ///< heights above the tip
+    double radius = 0, from = 0, to = 0; ///< mm; `from` and `to` are heights above the tip
 };
 
 struct VerifyTool {
@@ -29,19 +29,20 @@ struct VerifyTool {
     std::vector<ToolSection> sections; ///< from the flutes upward
 
     explicit VerifyTool(const Tool& tool);
-    /// Of a CL file, which knows of no shank and no holder.
+    /// The tool of a CL file, which knows of no shank and no holder.
     explicit VerifyTool(const AptCutter& apt) : cutter(apt) {}
 };
 
-/// One operation, in machining order. Motion i goes from the location of motion i - 1 to its own; of the
-/// first only the end counts. GOTO numbers are those of motions, from 1.
+/// One operation; programs are given in the order of machining. Motion i goes from where motion i - 1 ended
+/// to its own location; where the tool was before the first motion is not known, so only its end counts. GOTO
+/// numbers count the motions from 1.
 struct VerifyProgram {
     std::string name;
     VerifyTool tool;
     std::shared_ptr<const ToolMotions> motions;
-    /// A part that turns (lathe-mill): between CL points the tool turns about this axis at a constant rate,
-    /// and moves along it and towards it in proportion. Else the tip moves straight and the axis turns in one
-    /// plane.
+    /// Set where the part turns (lathe-mill): between two locations the tool turns about this axis at a
+    /// constant rate, and moves along it and towards it in proportion. Without it the tip moves straight and
+    /// the tool axis turns in one plane.
     std::optional<TurningAxis> turning;
 };
 

@@ -16,46 +16,44 @@ struct RemovalItem; // removal_batch.h
 struct RemovalTouch;
 
 struct Collision {
-    /// Of a motion at feed the body that touches; `rapid`: a rapid, whatever part of the tool touches.
+    /// The body that touches in a motion at feed; `rapid`: some part of the tool, in a rapid.
     enum class Kind : std::uint8_t { shank, holder, rapid };
     Kind kind = Kind::rapid;
     bool with_part = false; ///< reaches into the part itself, not only into stock
     MotionPlace at;
     Vec3 place = Vec3::Zero();
-    double depth = 0; ///< mm; of stock to about the resolution, of the part as exact as the probes
+    double depth = 0; ///< mm; in stock known to about the resolution, in the part as exactly as probes are
 };
 
-/// What `motion_bound` is of the lattice's resolution unless something else is asked for.
+/// The share of the lattice's resolution that `motion_bound` is unless something else is asked for.
 inline constexpr double default_bound_share = 0.5;
 
 /// Checks the programs before anything is cut: throws Error(non_finite, coordinate_range, out_of_range,
 /// empty_result) that names program and GOTO.
 void check_programs(std::span<const VerifyProgram> programs);
 
-/// Not for two threads at once; the work within a call is spread over threads and does not depend on their
-/// number.
+/// Cuts a stock. Not for two threads at once; a call spreads its work over threads.
 class MaterialRemoval {
 public:
-    /// Motions whose axis turns are cut as straight ones that keep within `motion_bound` of the cutting
-    /// tool's true place. Bodies that must not touch are made smaller by `touch` (and by the bound where the
-    /// axis turns), so that sliding along what the same tool has just cut is no collision. The programs must
-    /// outlive this.
-    /// `max_bytes`: see `cut`.
+    /// Motions whose axis turns are cut as straight ones that keep within `motion_bound` (mm) of the cutter's
+    /// true place. Bodies that must not touch are made smaller by `touch` (mm), and by the bound where the
+    /// axis turns, so that sliding along what the same tool has just cut is no collision. The programs must
+    /// outlive this. `max_bytes`: see `cut`.
     MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
                     std::size_t max_bytes = std::size_t(-1));
     ~MaterialRemoval();
 
-    /// Memory that the rays of a stock will have when all motions that cut are done, from the tiles that
-    /// their boxes reach: most often more than is needed, but for rays that are cut into many stretches.
-    /// Cancellation within 20 ms.
+    /// Bytes that the rays of a stock will have when all motions that cut are done, estimated from the tiles
+    /// that the motions' boxes reach. That is mostly more than is needed; it is less where rays are cut into
+    /// many stretches.
     std::size_t bytes_needed(const StockModel& stock, const Progress& progress) const;
 
-    /// Motions [first, last) of a program; the last one only up to the share `until`. Cancellation within 20
-    /// ms; a cancelled call leaves the stock partly cut. With `watch` the collisions are kept for
+    /// Cuts with the motions [first, last) of a program, with the last one only up to the share `until` of
+    /// it. A cancelled call leaves the stock partly cut. With `watch` the collisions are kept for
     /// `collisions`. Throws Error(limit_exceeded) as soon as the rays have grown by more than `max_bytes`.
     void cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last, double until,
              bool watch, const Progress& progress);
-    /// So far: the deepest of each motion and kind, in the order of motions.
+    /// The collisions so far: the deepest of each motion and kind, in the order of motions.
     std::vector<Collision> collisions() const;
 
 private:

@@ -112,7 +112,7 @@ std::size_t StockLattice::rays() const {
 }
 
 namespace {
-/// Even where hardly any of them are cut, so many tiles are enough to look after.
+/// Rays of a lattice, at most: the tables of their tiles alone take 90 MB then.
 constexpr double max_rays = 1e9;
 } // namespace
 

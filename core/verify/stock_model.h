@@ -19,18 +19,18 @@ namespace facetmill {
 
 struct RayTile; // stock_tiles.h
 
-/// Lattice: node (i, j, k) at origin + (i, j, k) * spacing. The outermost nodes lie within the stock's box, a
-/// thousandth of the spacing from its faces.
+/// A lattice of nodes: (i, j, k) is at origin + (i, j, k) * spacing, mm, part coordinates. The outermost
+/// nodes lie within the stock's box, a thousandth of the spacing from its sides.
 struct StockLattice {
     Vec3 origin = Vec3::Zero(), spacing = Vec3::Ones();
     std::array<int, 3> nodes{2, 2, 2};
 
     Vec3 node(int i, int j, int k) const { return origin + Vec3(i, j, k).cwiseProduct(spacing); }
-    /// About `resolution` apart in all directions, never farther. Throws Error(empty_result) for a box
-    /// without volume, Error(limit_exceeded) where the rays would be more than 10^9, naming a resolution that
-    /// serves.
+    /// A lattice whose nodes are about `resolution` (mm) apart in all directions, never farther. Throws
+    /// Error(empty_result) for a box without volume, Error(limit_exceeded) where the rays would be more than
+    /// 10^9, naming a resolution that serves.
     static StockLattice over(const Box3& box, double resolution);
-    /// How many rays that makes, without a limit.
+    /// How many rays `over` would make, if it had no limit.
     static double rays_over(const Box3& box, double resolution);
     std::size_t rays() const;
 };
@@ -42,16 +42,17 @@ struct StockPatch {
     Box3 box;
 };
 
+/// A stock, whole or cut. Copies share the tiles that are the same in both.
 class StockModel {
 public:
     StockModel() = default;
-    /// Cancellation per tile.
     StockModel(const StockSolid& solid, const StockLattice& lattice, const Progress& progress);
 
     const StockLattice& lattice() const { return lattice_; }
     const StockSolid& solid() const { return solid_; }
-    /// Material stretches of the ray along `axis` through lattice node (i, j): along x (y, z), y (z, x), z
-    /// (x, y). Part coordinates along the axis, ascending, apart.
+    /// The stretches of material on the ray of family `axis` (0: along x) through node (i, j) across it: i
+    /// and j count along (y, z) for x, (z, x) for y, (x, y) for z. Part coordinates along the axis, mm,
+    /// ascending; no two touch.
     std::vector<std::array<double, 2>> stretches(int axis, int i, int j) const;
     double volume() const;     ///< mm^3, the mean of the three families
     std::size_t bytes() const; ///< memory of the rays

@@ -20,9 +20,10 @@ class StockSurface {
 public:
     explicit StockSurface(const StockLattice& lattice);
     std::size_t patch_count() const;
-    /// Changes whenever what a patch is made from does.
+    /// A number that changes whenever the material that a patch is made from does.
     std::uint64_t stamp(const StockModel& stock, std::size_t patch) const;
-    /// Null where the block has no surface, which is soon known. Thread safe; about 5 ms.
+    /// The part of the surface within a block; null where it has none, which is soon known. Thread safe;
+    /// about 5 ms.
     std::shared_ptr<const StockPatch> patch(const StockModel& stock, std::size_t patch) const;
 
 private:
@@ -31,15 +32,15 @@ private:
     std::array<int, 3> blocks_{1, 1, 1};
 };
 
-/// A flat sheet, which is most of an uncut stock, in few triangles: the corners on its rim stay, so that it
-/// fits its neighbours, and all but one within go. Any other patch, null too, as it is.
+/// Makes few triangles of a flat sheet, which is most of an uncut stock: the points on its rim stay, so that
+/// it fits its neighbours, and all but one within go. Any other patch, null too, comes back as it is.
 std::shared_ptr<const StockPatch> sparse_patch(std::shared_ptr<const StockPatch> patch);
 
-/// Neighbours among patches put together to larger ones: what draws them has much the same ado with each,
-/// however small it is.
+/// Puts neighbouring patches together to larger ones: to draw a patch takes about as long however small it
+/// is.
 class PatchGroups {
 public:
-    /// Up to about `triangles` in a group, until the stock has changed by as many.
+    /// A group has up to about `triangles`, until the stock has changed by as many.
     explicit PatchGroups(std::size_t triangles) : triangles_(triangles) {}
     /// A group of the same patches as at the last call is the same object; one without surface is null.
     const std::vector<std::shared_ptr<const StockPatch>>&
@@ -51,10 +52,10 @@ private:
     std::vector<std::shared_ptr<const StockPatch>> patches_, groups_;
 };
 
-/// The whole surface, block by block: take(a, b, c) for each triangle, counter-clockwise seen from outside,
-/// in a fixed order on the calling thread. Corners that blocks have in common are the same numbers in both.
-/// Flat sheets come in few triangles; no more than some hundred blocks are in memory at a time. Cancellation
-/// per block.
+/// Goes through the whole surface, block by block: take(a, b, c) for each triangle, counter-clockwise seen
+/// from outside, in a fixed order on the calling thread. Points that blocks have in common are the same
+/// numbers in both. Flat sheets come in few triangles; no more than some hundred blocks are in memory at a
+/// time.
 void stock_triangles(const StockModel& stock,
                      const std::function<void(const Vec3& a, const Vec3& b, const Vec3& c)>& take,
                      const Progress& progress);

@@ -22,7 +22,7 @@
 
 namespace facetmill {
 
-/// Of a line, from lo to hi; empty when lo > hi.
+/// A stretch of a line p + t u, from t = lo to t = hi; empty when lo > hi.
 struct Stretch {
     double lo = infinity, hi = -infinity;
     bool empty() const { return !(lo <= hi); }
@@ -33,17 +33,18 @@ class TurnedBody {
 public:
     /// The cutting part of a tool: tip at 0, flat top at its height.
     explicit TurnedBody(const CutterProfile& cutter);
-    TurnedBody(double radius, double from, double to); ///< cylinder
+    TurnedBody(double radius, double from, double to); ///< a cylinder between two heights above the tip
 
     double radius() const { return radius_; }
     double bottom() const { return bottom_; }
     double top() const { return top_; }
     /// Largest distance of a point of the body from the tip (0, 0, 0).
     double reach() const;
-    /// The body made smaller about a point of its axis, by at least `by` at its side: contact by rounding is
-    /// none.
+    /// The body made smaller about a point of its axis, by at least `by` (mm) at its side: what it only
+    /// touches by rounding it does not touch then.
     TurnedBody shrunk(double by) const;
-    /// Of the line p + t u in the body's frame, u of any length but 0.
+    /// The stretch within the body of the line p + t u, which is given in the body's frame; u of any length
+    /// but 0.
     Stretch along(const Vec3& p, const Vec3& u) const;
 
 private:
@@ -83,8 +84,8 @@ class SweepRays {
 public:
     /// `direction` is a unit vector. The body must outlive this.
     SweepRays(const TurnedBody& body, const StraightMove& move, const Vec3& direction);
-    /// Of the line p + t direction, in part coordinates. Where only what lies between `low` and `high`
-    /// matters, the answer may be empty when nothing does.
+    /// The stretch within the swept solid of the line p + t direction, in part coordinates. Where nothing of
+    /// it lies between `low` and `high` it may come back empty.
     Stretch operator()(const Vec3& p, double low = -infinity, double high = infinity) const;
 
     /// A condition low <= value . p <= high that every line p + t direction which meets the swept tool
@@ -132,13 +133,13 @@ private:
     std::vector<Link> entry_, exit_;
 };
 
-/// Where the tool is at a share s of a motion.
+/// Where the tool is at a share s of a motion, 0 at its start and 1 at its end.
 CutterLocation location_between(const CutterLocation& from, const CutterLocation& to,
                                 const std::optional<TurningAxis>& turning, double s);
 
-/// The motion from s0 to s1 (shares of it) as straight moves, each with the axis of its middle: no point
-/// within `reach` of the tip is farther than `bound` from where it should be. Appends to `moves`; one move
-/// where the axis does not turn.
+/// Appends to `moves` the part of a motion from s0 to s1 (shares of it) as straight moves, each with the axis
+/// of its middle, such that no point within `reach` (mm) of the tip is farther than `bound` (mm) from where
+/// it should be: one move where the axis does not turn.
 void straight_moves(const CutterLocation& from, const CutterLocation& to,
                     const std::optional<TurningAxis>& turning, double s0, double s1, double reach,
                     double bound, std::vector<StraightMove>& moves);

@@ -15,8 +15,15 @@ namespace facetmill {
 
 namespace {
 
-/// Shares of the smallest cutter's radius, of the resolution, of the tolerance.
-constexpr double resolution_share = 0.05, touch_share = 0.02, probe_share = 0.01;
+/// The resolution that is used unless one is given, in radii of the smallest cutter: its cusps and what it
+/// leaves in corners span some rays.
+constexpr double resolution_share = 0.05;
+/// By how much bodies that must not touch are made smaller, in resolutions: above the rounding of rays, and
+/// far below the depth that the rays tell.
+constexpr double touch_share = 0.02;
+/// What probes may be off where the axis turns, in tolerances: it adds nothing to a figure that is shown.
+constexpr double probe_share = 0.01;
+/// Samples at most: a minute or two of probing. Where axes turn, each takes some times as long.
 constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
 /// Probes keep off sharp edges: farther than a depth beside them that is no gouge yet.
 constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm

@@ -1,5 +1,5 @@
 // The judge of every tool path: an independent model of the stock is cut with the motions, and what is left
-// is compared with the part. Two ways that check each other:
+// is compared with the part. Two methods check each other:
 //
 //   probes   Through samples of the part's surface run lines along the surface's normal. The swept tool is
 //   exact on
@@ -25,18 +25,19 @@
 
 namespace facetmill {
 
+/// What is asked of the judge. Lengths in mm.
 struct VerifySettings {
     double resolution = 0; ///< of the stock's lattice; 0: a twentieth of the smallest cutter's radius,
                            ///< coarser where the stock would have more than `usual_rays`
     double sample_spacing =
         0; ///< of the probes; 0: as the resolution. Coarser where they would be more than `max_samples`
     double motion_bound = 0; ///< 0: half the resolution
-    double tolerance = 0;    ///< what may be left: larger counts as over, twice that as uncut; 0: not judged
-    double gouge_limit = 0;  ///< deeper is a gouge
-    double allowance = 0;    ///< the design is the part grown by this along its normals
+    double tolerance = 0; ///< what may be left: more counts as over, more than twice as uncut; 0: not judged
+    double gouge_limit = 0; ///< what is missing more deeply is a gouge
+    double allowance = 0;   ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
-    /// Of the rays, which are kept only where something is cut.
+    /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
     std::size_t max_stock_bytes = 2'500'000'000;
 };
 
@@ -56,6 +57,7 @@ struct DeviationSurface {
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< the part's facets, the larger ones divided
 };
 
+/// What the samples of some of the surface say. Lengths in mm; percentiles are of the area.
 struct DeviationFigures {
     std::size_t samples = 0;
     double area = 0;      ///< mm^2 the samples stand for
@@ -74,7 +76,7 @@ struct SlopeBand {
 struct DeviationExtreme {
     Vec3 point, normal;
     double deviation = 0;
-    MotionPlace by; ///< that cut deepest there; unknown where nothing did
+    MotionPlace by; ///< the motion that cut deepest there; unknown where none did
 };
 
 struct Verification {
@@ -97,8 +99,8 @@ struct Verification {
     bool passed() const { return !gouged() && collisions.empty(); }
 };
 
-/// Throws Error(out_of_range, empty_result, limit_exceeded, non_finite) naming program and GOTO; Cancelled
-/// within 100 ms. The same result for every number of threads.
+/// Cuts `stock` with the programs, in order, and compares what is left with `part`. Throws
+/// Error(out_of_range, empty_result, limit_exceeded, non_finite) that names program and GOTO.
 Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
                     const VerifySettings& settings, const Progress& progress);
 
