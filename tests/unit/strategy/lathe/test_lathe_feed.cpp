@@ -17,12 +17,12 @@ namespace {
 
 using Profile = std::function<double(double)>;
 
-/// A part about X from 0 to `length` with this radius.
-Mesh turned_part(const Profile& profile, double length, int along, int sides) {
+/// A part about X from 0 to `length` with this radius at an angle and place.
+Mesh lopsided_part(const std::function<double(double, double)>& radius, double length, int along, int sides) {
     Mesh m;
     for (int i = 0; i <= along; ++i)
         for (int k = 0; k < sides; ++k) {
-            const double x = length * i / along, angle = 2 * pi * k / sides, r = profile(x);
+            const double x = length * i / along, angle = 2 * pi * k / sides, r = radius(angle, x);
             m.vertices.emplace_back(x, r * std::cos(angle), r * std::sin(angle));
         }
     const auto at = [&](int i, int k) { return Index(i * sides + k % sides); };
@@ -32,6 +32,10 @@ Mesh turned_part(const Profile& profile, double length, int along, int sides) {
             m.facets.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
         }
     return m;
+}
+
+Mesh turned_part(const Profile& profile, double length, int along, int sides) {
+    return lopsided_part([&](double, double x) { return profile(x); }, length, along, sides);
 }
 
 /// A profile that a ball of radius 3 can follow: its hollows are rounder.
@@ -186,6 +190,35 @@ private slots:
         }
     }
 
+    /// Waves on one side of a part shorten the feed as much wherever that side is.
+    void feeds_suit_the_worst_angle() {
+        const double length = 16, from = 4, to = 12;
+        std::vector<double> shortest;
+        for (const double turn : {0.0, 2.0, 4.0}) {
+            Feed f(lopsided_part(
+                       [&](double angle, double x) {
+                           const double side = std::max(0.0, std::cos(angle - turn));
+                           return 15 + 0.9 * side * side * std::sin(0.6 * x);
+                       },
+                       length, 240, 120),
+                   6, from, to, 0.05);
+            f.feed.measure(Progress());
+            double least = infinity;
+            for (double a = from; a + 1.5 < to; a += 0.02)
+                least = std::min(least, f.feed.allowed(a));
+            shortest.push_back(least);
+        }
+        Feed plain(turned_part([](double) { return 15.0; }, length, 1, 720), 6, from, to, 0.05);
+        plain.feed.measure(Progress());
+        for (const double least : shortest)
+            QVERIFY2(least < 0.9 * plain.feed.allowed(from) && std::abs(least - shortest[0]) < 0.03 * least,
+                     qPrintable(QString("%1, %2, %3 of %4")
+                                    .arg(shortest[0])
+                                    .arg(shortest[1])
+                                    .arg(shortest[2])
+                                    .arg(plain.feed.allowed(from))));
+    }
+
     /// A shoulder asks for a feed as short as the cusp; towards it feeds shrink by half of the way at most.
     void feeds_change_slowly() {
         const Mesh part = turned_part(
@@ -201,6 +234,22 @@ private slots:
         }
         QVERIFY2(least < 0.25 * most, qPrintable(QString("%1 of %2").arg(least).arg(most)));
         QVERIFY(least >= f.feed.smallest() && most <= f.feed.largest());
+    }
+
+    /// A wall that rises by 4 mm within a thousandth, and a cusp that no feed keeps to there: it is the
+    /// smallest one, and that is told.
+    void where_no_feed_suffices_it_is_the_smallest() {
+        Mesh part = turned_part([](double x) { return x <= 12 ? 15.0 : 19.0; }, 24, 24, 90);
+        for (Vec3& v : part.vertices)
+            if (v.x() == 13) v.x() = 12.001;
+        Feed f(part, 6, 3, 21, 0.002);
+        f.feed.measure(Progress());
+        QVERIFY(f.feed.unsatisfied() > 0 && f.feed.unsatisfied() < 0.1);
+        double least = infinity;
+        for (double a = 8.5; a < 9.5; a += 0.0001)
+            least = std::min(least, f.feed.allowed(a));
+        QVERIFY2(least >= f.feed.smallest() && least < 1.05 * f.feed.smallest(),
+                 qPrintable(QString("%1 of %2").arg(least).arg(f.feed.smallest())));
     }
 
     /// No advance that passes over a limit's place is longer, and none is shorter than the limits ask for.
