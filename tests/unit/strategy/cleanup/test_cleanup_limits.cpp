@@ -3,10 +3,9 @@
 // it.
 #include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/pass_clearing.h"
-#include "core/strategy/cleanup/valley.h"
 #include "core/strategy/five_axis/posture_path.h"
-#include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
+#include "tests/unit/strategy/cleanup/cutter_over.h"
 
 #include <QTest>
 
@@ -50,18 +49,9 @@ private slots:
         const Mesh part =
             height_field([](double x, double y) { return 0.4 * std::sin(1.3 * x) * std::cos(y); },
                          Vec2(-15, -10), Vec2(15, 10), 120, 80);
-        const PlanContext context = context_of(part, ball_tool(4));
-        const FacetGrid grid(part, Progress());
-        const UpSide side(part, Progress());
-        const CutterProfile profile(context.tool.cutter());
-        const AxialLift lift(context.contact, profile);
-        const CutterCover cover(profile, 0.001);
-        StripCutting with;
-        with.mesh = context.part;
-        with.grid = &grid;
-        with.side = &side;
-        with.lift = &lift;
-        with.cover = &cover;
+        const CutterOver ball(part, ball_tool(4));
+        const AxialLift& lift = ball.lift;
+        StripCutting with = ball.cutting();
         std::vector<Pass> passes;
         for (int line = -4; line <= 4; ++line) {
             Pass pass;
@@ -69,7 +59,8 @@ private slots:
                 const AxialContact c = lift.contact(x, 1.7 * line + 0.1 * x);
                 const Vec3 tip(x, 1.7 * line + 0.1 * x, c.tip_z);
                 pass.cl.push_back({tip, Vec3::UnitZ()});
-                pass.cc.push_back({c.point, cover.contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
+                pass.cc.push_back(
+                    {c.point, ball.cover.contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
             }
             passes.push_back(pass);
         }
@@ -157,20 +148,8 @@ private slots:
             for (Vec3& v : part.vertices)
                 v = Vec3(std::cos(turn) * v.x() - std::sin(turn) * v.y(),
                          std::sin(turn) * v.x() + std::cos(turn) * v.y(), v.z());
-            const PlanContext context = context_of(part, ball_tool(2 * r));
-            const FacetGrid grid(part, Progress());
-            const UpSide side(part, Progress());
-            const CutterProfile profile(context.tool.cutter());
-            const AxialLift lift(context.contact, profile);
-            const CutterCover cover(profile, 0.001);
-            ValleyInput in;
-            in.mesh = &part;
-            in.grid = &grid;
-            in.side = &side;
-            in.lift = &lift;
-            in.cover = &cover;
-            in.tolerance = tolerance;
-            in.ripple = 1;
+            const CutterOver ball(part, ball_tool(2 * r));
+            ValleyInput in = ball.valleys(tolerance);
             const double usual = in.sample_share;
             const auto length = [&](double share) {
                 in.sample_share = share;

@@ -7,9 +7,9 @@
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/surface/point_grid.h"
-#include "tests/property/shapes.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/unit/strategy/cleanup/cutter_over.h"
 
 #include <QTest>
 
@@ -157,20 +157,8 @@ private slots:
     void a_crease_has_the_band_that_geometry_says() {
         const Mesh part =
             height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const PlanContext context = context_of(part, ball_tool(10));
-        const FacetGrid grid(part, Progress());
-        const UpSide side(part, Progress());
-        const CutterProfile profile(context.tool.cutter());
-        const AxialLift lift(context.contact, profile);
-        const CutterCover cover(profile, 0.001);
-        ValleyInput in;
-        in.mesh = &part;
-        in.grid = &grid;
-        in.side = &side;
-        in.lift = &lift;
-        in.cover = &cover;
-        in.tolerance = 0.05;
-        in.ripple = 1;
+        const CutterOver ball(part, ball_tool(10));
+        const ValleyInput in = ball.valleys(0.05);
         const Valleys valleys = find_valleys(in, Progress());
         QCOMPARE(valleys.curves.size(), std::size_t(1));
         for (const PencilPoint& p : valleys.curves[0].points) {
@@ -192,30 +180,13 @@ private slots:
     void what_passes_leave_is_touched_up() {
         const Mesh part =
             height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const PlanContext context = context_of(part, ball_tool(4));
-        const FacetGrid grid(part, Progress());
-        const UpSide side(part, Progress());
         const double tolerance = 0.05;
-        const CutterProfile before(ball_tool(10).cutter()), profile(context.tool.cutter());
-        const AxialLift before_lift(context.contact, before), lift(context.contact, profile);
-        const CutterCover before_cover(before, 0.001), cover(profile, 0.001);
-        ValleyInput in;
-        in.mesh = &part;
-        in.grid = &grid;
-        in.side = &side;
-        in.lift = &before_lift;
-        in.cover = &before_cover;
-        in.tolerance = tolerance;
-        in.ripple = 1;
+        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
+        const ValleyInput in = before.valleys(tolerance);
         const Valleys valleys = find_valleys(in, Progress());
         const auto bands = rest_bands(in, valleys, Progress());
         QCOMPARE(bands.size(), std::size_t(1));
-        StripCutting with;
-        with.mesh = context.part;
-        with.grid = &grid;
-        with.side = &side;
-        with.lift = &lift;
-        with.cover = &cover;
+        StripCutting with = ball.cutting();
         with.cusp = tolerance;
         // The most that is left of the band beyond what the ball must leave in the crease: R (1 / cos 45 - 1)
         // there, and from the place at which it touches on nothing.
@@ -232,7 +203,7 @@ private slots:
                 if (std::abs(p.x()) > 4) continue;
                 double left = infinity;
                 tips.near(p, 1.5 * r, [&](std::size_t i) {
-                    left = std::min(left, cover.distance(p - tips.points()[i]));
+                    left = std::min(left, ball.cover.distance(p - tips.points()[i]));
                 });
                 const double up = std::sqrt(2.0) * std::abs(p.y());
                 most = std::max(most, left - (up < r ? std::hypot(r, r - up) - r : 0));
@@ -261,7 +232,7 @@ private slots:
                 qPrintable(QString("without %1, sampling times %2: %3").arg(first).arg(factor).arg(left)));
             for (const Pass& pass : cut.passes)
                 for (const CutterLocation& c : pass.cl)
-                    QVERIFY(c.tip.z() >= lift.tip_z(c.tip.x(), c.tip.y()) - 1e-9);
+                    QVERIFY(c.tip.z() >= ball.lift.tip_z(c.tip.x(), c.tip.y()) - 1e-9);
         }
     }
 
