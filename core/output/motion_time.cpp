@@ -208,7 +208,7 @@ std::string finding_text(const MotionFinding& finding, const Machine& machine, L
                + " too early";
     case MotionFinding::Kind::swing:
         return place + machine.axis_name(finding.joint) + " swings the tool " + angle(finding.amount)
-               + " off its way while it cuts";
+               + " off its path while it cuts";
     }
     return place;
 }
