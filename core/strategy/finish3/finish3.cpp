@@ -434,43 +434,24 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
         using S = Finish3Settings;
         ParameterTable<S> t;
         add_common_parameters(t);
-        t.add(&S::stepover, {.key = "stepover",
-                             .label = "Step-over",
-                             .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
-                                     "largest that the tolerance "
-                                     "allows; a length is kept whatever cusps it leaves.",
-                             .kind = K::number_or_word,
-                             .quantity = Quantity::length,
-                             .minimum = 0,
-                             .maximum = 1000,
-                             .open_minimum = true,
-                             .words = {"adaptive"}});
+        t.add(&S::stepover,
+              length_or_word_parameter({.key = "stepover",
+                                        .label = "Step-over",
+                                        .help = "Distance between neighbouring drive planes: adaptive is "
+                                                "everywhere the largest that the tolerance allows; a length "
+                                                "is kept whatever cusps it leaves.",
+                                        .words = {"adaptive"}}));
         t.add_choice(&S::topology, {.key = "topology",
                                     .label = "Topology",
                                     .help = "Course of the passes: parallel drive planes.",
                                     .words = {"parallel"},
                                     .advanced = true});
-        t.add_choice(
-            &S::pattern,
-            {.key = "pattern",
-             .label = "Pattern",
-             .help =
-                 "zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above "
-                 "the part.",
-             .words = {"zigzag", "oneway"}});
+        t.add_choice(&S::pattern, pattern_parameter("zigzag cuts to and fro; oneway always cuts in the "
+                                                    "direction of travel and returns above the part."));
         t.add(&S::chord_tolerance,
               chord_tolerance_parameter(
                   "How far straight moves may run beside the exact path, to either side"));
-        t.add(&S::normal_limit, {.key = "normal_limit",
-                                 .label = "Normal limit",
-                                 .help = "Largest turn of the surface normal between neighbouring points of "
-                                         "a pass; more points are put in "
-                                         "where it turns more.",
-                                 .kind = K::number,
-                                 .quantity = Quantity::angle,
-                                 .minimum = radians(0.1),
-                                 .maximum = 0.5 * pi,
-                                 .advanced = true});
+        t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
         t.add(&S::rest_only, {.key = "rest_only",
                               .label = "Rest only",
                               .help = "Cuts only where more than the tolerance stands of the stock, as raw "

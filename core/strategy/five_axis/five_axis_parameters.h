@@ -46,34 +46,18 @@ void add_five_axis_parameters(ParameterTable<S>& t) {
            .maximum = pi,
            .ordered = true});
     t.add(member(&S::stepover),
-          {.key = "stepover",
-           .label = "Step-over",
-           .help = "Distance between neighbouring drive planes: adaptive is everywhere the "
-                   "largest that the tolerance allows; a length is kept.",
-           .kind = K::number_or_word,
-           .quantity = Quantity::length,
-           .minimum = 0,
-           .maximum = 1000,
-           .open_minimum = true,
-           .words = {"adaptive"}});
+          length_or_word_parameter({.key = "stepover",
+                                    .label = "Step-over",
+                                    .help = "Distance between neighbouring drive planes: adaptive is "
+                                            "everywhere the largest that the tolerance allows; a length is "
+                                            "kept.",
+                                    .words = {"adaptive"}}));
     t.add_choice(member(&S::pattern),
-                 {.key = "pattern",
-                  .label = "Pattern",
-                  .help = "zigzag cuts to and fro; oneway always cuts in the direction of travel and "
-                          "returns above the part.",
-                  .words = {"zigzag", "oneway"}});
+                 pattern_parameter("zigzag cuts to and fro; oneway always cuts in the direction of travel "
+                                   "and returns above the part."));
     t.add(member(&S::chord_tolerance),
           chord_tolerance_parameter("How far motions may run beside the exact path"));
-    t.add(member(&S::normal_limit),
-          {.key = "normal_limit",
-           .label = "Normal limit",
-           .help = "Largest turn of the surface normal between neighbouring points of "
-                   "a pass.",
-           .kind = K::number,
-           .quantity = Quantity::angle,
-           .minimum = radians(0.1),
-           .maximum = 0.5 * pi,
-           .advanced = true});
+    t.add(member(&S::normal_limit), normal_limit_parameter());
     t.add(member(&S::turn_limit),
           {.key = "turn_limit",
            .label = "Turn limit",

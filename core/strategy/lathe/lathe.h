@@ -82,6 +82,18 @@ void add_lathe_parameters(ParameterTable<S>& table) {
     table.set_stage("clearance", Stage::strategy); // chuck and tailstock are kept clear by it
 }
 
+/// What the operations on a part that turns have in common.
+template <class Settings, const ParameterTable<Settings>& (*table)()>
+class TurningOperation : public OperationWith<Settings, table> {
+public:
+    using OperationWith<Settings, table>::OperationWith;
+
+    bool three_axis() const override { return false; }
+    double holder_clearance() const override { return this->settings_.holder_clearance; }
+    Linking linking() const override { return Linking::about_axis; }
+    const LatheCommon* turning() const override { return &this->settings_; }
+};
+
 /// A place of the cutter: where on the part's turn and along it.
 struct LathePlace {
     double angle = 0; ///< radians, unwound

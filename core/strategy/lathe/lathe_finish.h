@@ -16,16 +16,12 @@ struct LatheFinishSettings : LatheCommon {
 
 const ParameterTable<LatheFinishSettings>& lathe_finish_parameters();
 
-class LatheFinish : public OperationWith<LatheFinishSettings, lathe_finish_parameters> {
+class LatheFinish : public TurningOperation<LatheFinishSettings, lathe_finish_parameters> {
 public:
-    using OperationWith::OperationWith;
+    using TurningOperation::TurningOperation;
 
     std::string_view kind() const override { return "lathe_finish"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<LatheFinish>(settings_); }
-    bool three_axis() const override { return false; }
-    double holder_clearance() const override { return settings_.holder_clearance; }
-    Linking linking() const override { return Linking::about_axis; }
-    const LatheCommon* turning() const override { return &settings_; }
 
     /// A pass per turn (ring, line); each begins where the one before ended. Throws Error(out_of_range) for
     /// an axis that misses the part and settings that leave nothing, Error(empty_result) where nothing faces

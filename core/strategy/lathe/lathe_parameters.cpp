@@ -10,6 +10,40 @@ namespace {
 
 using K = ParameterKind;
 
+ParameterInfo axis_point(const char* key, const char* label, const char* help) {
+    return {.key = key,
+            .label = label,
+            .help = help,
+            .kind = K::triple,
+            .quantity = Quantity::length,
+            .minimum = -1e6,
+            .maximum = 1e6};
+}
+
+/// Where along the axis the path begins or ends.
+ParameterInfo end_of_path(const char* key, const char* label, const char* help) {
+    return {.key = key,
+            .label = label,
+            .help = help,
+            .kind = K::number_or_word,
+            .quantity = Quantity::length,
+            .minimum = -1e6,
+            .maximum = 1e6,
+            .words = {"auto"},
+            .advanced = true};
+}
+
+/// What holds the stock at one of its ends.
+ParameterInfo holding(const char* key, const char* label, const char* help) {
+    return {.key = key,
+            .label = label,
+            .help = help,
+            .kind = K::pair,
+            .quantity = Quantity::length,
+            .minimum = 0,
+            .maximum = 1e5};
+}
+
 std::vector<ParameterInfo> axis_parameters() {
     return {
         {.key = "axis",
@@ -21,20 +55,8 @@ std::vector<ParameterInfo> axis_parameters() {
          .help = "Where an axis along x, y or z runs: through the part's origin or through the middle "
                  "of its box.",
          .words = {"origin", "middle"}},
-        {.key = "axis_from",
-         .label = "Axis from",
-         .help = "First point of an axis through two points.",
-         .kind = K::triple,
-         .quantity = Quantity::length,
-         .minimum = -1e6,
-         .maximum = 1e6},
-        {.key = "axis_to",
-         .label = "Axis to",
-         .help = "Second point of an axis through two points.",
-         .kind = K::triple,
-         .quantity = Quantity::length,
-         .minimum = -1e6,
-         .maximum = 1e6},
+        axis_point("axis_from", "Axis from", "First point of an axis through two points."),
+        axis_point("axis_to", "Axis to", "Second point of an axis through two points."),
     };
 }
 
@@ -54,36 +76,17 @@ std::vector<ParameterInfo> course_parameters() {
          .minimum = 3,
          .maximum = 1e6,
          .words = {"auto"}},
-        {.key = "side_feed",
-         .label = "Side feed",
-         .help = "Advance along the axis in a turn: adaptive is everywhere the largest that leaves no "
-                 "cusp above the tolerance; a length is kept whatever it leaves. Of lengthwise lines: "
-                 "their distance at the part's largest radius.",
-         .kind = K::number_or_word,
-         .quantity = Quantity::length,
-         .minimum = 0,
-         .maximum = 1000,
-         .open_minimum = true,
-         .words = {"adaptive"}},
-        {.key = "start",
-         .label = "Start",
-         .help = "Where along the axis the path begins, from the axis' point; auto: where the "
-                 "part does, and as far before it as rounded ends ask for.",
-         .kind = K::number_or_word,
-         .quantity = Quantity::length,
-         .minimum = -1e6,
-         .maximum = 1e6,
-         .words = {"auto"},
-         .advanced = true},
-        {.key = "stop",
-         .label = "Stop",
-         .help = "Where along the axis the path ends.",
-         .kind = K::number_or_word,
-         .quantity = Quantity::length,
-         .minimum = -1e6,
-         .maximum = 1e6,
-         .words = {"auto"},
-         .advanced = true},
+        length_or_word_parameter(
+            {.key = "side_feed",
+             .label = "Side feed",
+             .help = "Advance along the axis in a turn: adaptive is everywhere the largest that leaves no "
+                     "cusp above the tolerance; a length is kept whatever it leaves. Of lengthwise lines: "
+                     "their distance at the part's largest radius.",
+             .words = {"adaptive"}}),
+        end_of_path("start", "Start",
+                    "Where along the axis the path begins, from the axis' point; auto: where the part does, "
+                    "and as far before it as rounded ends ask for."),
+        end_of_path("stop", "Stop", "Where along the axis the path ends."),
     };
 }
 
@@ -115,21 +118,10 @@ std::vector<ParameterInfo> tool_parameters() {
          .quantity = Quantity::length,
          .minimum = 0,
          .maximum = 1e6},
-        {.key = "chuck",
-         .label = "Chuck",
-         .help = "Length that the chuck holds, from the stock's low end, and its diameter: no "
-                 "part of the tool comes nearer than the clearance. Length 0: none.",
-         .kind = K::pair,
-         .quantity = Quantity::length,
-         .minimum = 0,
-         .maximum = 1e5},
-        {.key = "tailstock",
-         .label = "Tailstock",
-         .help = "The same of what holds the stock's high end.",
-         .kind = K::pair,
-         .quantity = Quantity::length,
-         .minimum = 0,
-         .maximum = 1e5},
+        holding("chuck", "Chuck",
+                "Length that the chuck holds, from the stock's low end, and its diameter: no part of the "
+                "tool comes nearer than the clearance. Length 0: none."),
+        holding("tailstock", "Tailstock", "The same of what holds the stock's high end."),
         chord_tolerance_parameter("How far motions may run beside the exact path, to either side"),
         holder_clearance_parameter(),
         {.key = "winding",

@@ -27,16 +27,12 @@ struct LatheRoughSettings : LatheCommon {
 
 const ParameterTable<LatheRoughSettings>& lathe_rough_parameters();
 
-class LatheRough : public OperationWith<LatheRoughSettings, lathe_rough_parameters> {
+class LatheRough : public TurningOperation<LatheRoughSettings, lathe_rough_parameters> {
 public:
-    using OperationWith::OperationWith;
+    using TurningOperation::TurningOperation;
 
     std::string_view kind() const override { return "lathe_rough"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<LatheRough>(settings_); }
-    bool three_axis() const override { return false; }
-    double holder_clearance() const override { return settings_.holder_clearance; }
-    Linking linking() const override { return Linking::about_axis; }
-    const LatheCommon* turning() const override { return &settings_; }
 
     /// `layers` are the passes' tip distances u from the axis, from outside. Throws what LatheFinish does,
     /// and Error(empty_result) where nothing of the stock stands above part and allowance.

@@ -1,20 +1,19 @@
 #include "core/strategy/plan/shared_parameters.h"
 
+#include "core/base/tolerances.h"
+#include "core/setup/tool.h"
+
 namespace facetmill {
 
 ParameterInfo chord_tolerance_parameter(const std::string& what) {
-    return {.key = "chord_tolerance",
-            .label = "Chord tolerance",
-            .help = what
-                    + "; the deepest gouge that the verification lets pass. auto is a twentieth of the "
-                      "tolerance, but at most 0.01 mm (0.0004 in). At most half the tolerance is used.",
-            .kind = ParameterKind::number_or_word,
-            .quantity = Quantity::length,
-            .minimum = 0,
-            .maximum = 1000,
-            .open_minimum = true,
-            .words = {"auto"},
-            .advanced = true};
+    return length_or_word_parameter(
+        {.key = "chord_tolerance",
+         .label = "Chord tolerance",
+         .help = what
+                 + "; the deepest gouge that the verification lets pass. auto is a twentieth of the "
+                   "tolerance, but at most 0.01 mm (0.0004 in). At most half the tolerance is used.",
+         .words = {"auto"},
+         .advanced = true});
 }
 
 ParameterInfo holder_clearance_parameter() {
@@ -26,6 +25,55 @@ ParameterInfo holder_clearance_parameter() {
             .minimum = 0,
             .maximum = 1000,
             .advanced = true};
+}
+
+ParameterInfo pattern_parameter(const std::string& help) {
+    return {.key = "pattern", .label = "Pattern", .help = help, .words = {"zigzag", "oneway"}};
+}
+
+ParameterInfo normal_limit_parameter(const std::string& more) {
+    return {.key = "normal_limit",
+            .label = "Normal limit",
+            .help = "Largest turn of the surface normal between neighbouring points of a pass" + more + ".",
+            .kind = ParameterKind::number,
+            .quantity = Quantity::angle,
+            .minimum = radians(0.1),
+            .maximum = 0.5 * pi,
+            .advanced = true};
+}
+
+ParameterInfo length_or_word_parameter(ParameterInfo info, double largest) {
+    info.kind = ParameterKind::number_or_word;
+    info.quantity = Quantity::length;
+    info.minimum = 0;
+    info.maximum = largest;
+    info.open_minimum = true;
+    return info;
+}
+
+ParameterInfo travel_parameter(ParameterInfo info) {
+    info.kind = ParameterKind::number_or_word;
+    info.quantity = Quantity::angle;
+    info.minimum = -2 * pi;
+    info.maximum = 2 * pi;
+    info.words = {"auto", "x", "y"};
+    return info;
+}
+
+ParameterInfo further_tool_parameter(ParameterInfo info, long smallest) {
+    info.kind = ParameterKind::integer;
+    info.quantity = Quantity::count;
+    info.minimum = double(smallest);
+    info.maximum = largest_tool_number;
+    return info;
+}
+
+ParameterInfo place_parameter(ParameterInfo info) {
+    info.kind = ParameterKind::triple;
+    info.quantity = Quantity::length;
+    info.minimum = -tolerance::largest_coordinate;
+    info.maximum = tolerance::largest_coordinate;
+    return info;
 }
 
 } // namespace facetmill

@@ -1,5 +1,5 @@
-// Parameters that several kinds of operation have and that mean the same in all of them. Each says its own
-// default.
+// Parameters that several kinds of operation have and that mean the same in all of them, and kinds of them
+// that only differ in their words. Each says its own default.
 #pragma once
 
 #include "core/base/parameter.h"
@@ -11,5 +11,20 @@ namespace facetmill {
 ParameterInfo chord_tolerance_parameter(const std::string& what);
 /// Kept between shank or holder and the part.
 ParameterInfo holder_clearance_parameter();
+/// zigzag or oneway; `help` says what they are here.
+ParameterInfo pattern_parameter(const std::string& help);
+/// How far the normal turns between points of a pass; `more` ends the sentence of the help.
+ParameterInfo normal_limit_parameter(const std::string& more = {});
+
+// These complete a description that has key, label and help, and what else is its own.
+
+/// A length above 0 and at most `largest` (mm), or one of the description's words in its place.
+ParameterInfo length_or_word_parameter(ParameterInfo info, double largest = 1000);
+/// A direction of travel: "auto", "x", "y", or an angle from X.
+ParameterInfo travel_parameter(ParameterInfo info);
+/// The number of a tool beside the operation's own; `smallest` 0: there may be none.
+ParameterInfo further_tool_parameter(ParameterInfo info, long smallest);
+/// A place on the part.
+ParameterInfo place_parameter(ParameterInfo info);
 
 } // namespace facetmill

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/geometry.h"
 #include "core/strategy/plan/plan_text.h"
+#include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/rough/rough_check.h"
 #include "core/strategy/rough/rough_floor.h"
 #include "core/strategy/rough/rough_ground.h"
@@ -350,32 +351,23 @@ const ParameterTable<RoughSettings>& rough_parameters() {
         using S = RoughSettings;
         ParameterTable<S> t;
         add_common_parameters(t);
-        t.add(&S::depth, {.key = "depth",
-                          .label = "Depth",
-                          .help = "Distance between neighbouring layers; from_tolerance is everywhere the "
-                                  "largest that leaves no more than the tolerance above the allowance, at "
-                                  "most the diameter, and puts lines closer where a floor stays.",
-                          .kind = K::number_or_word,
-                          .quantity = Quantity::length,
-                          .minimum = 0,
-                          .maximum = 1000,
-                          .open_minimum = true,
-                          .words = {"from_tolerance"}});
-        t.add(&S::stepover, {.key = "stepover",
-                             .label = "Step-over",
-                             .help = "Largest distance between neighbouring lines of a layer, at most the "
-                                     "diameter; auto is 0.95 of the diameter.",
-                             .kind = K::number_or_word,
-                             .quantity = Quantity::length,
-                             .minimum = 0,
-                             .maximum = 10000,
-                             .open_minimum = true,
-                             .words = {"auto"}});
-        t.add_choice(&S::pattern, {.key = "pattern",
-                                   .label = "Pattern",
-                                   .help = "zigzag cuts to and fro; oneway always cuts in the direction of "
-                                           "travel and returns above what stands.",
-                                   .words = {"zigzag", "oneway"}});
+        t.add(&S::depth,
+              length_or_word_parameter({.key = "depth",
+                                        .label = "Depth",
+                                        .help = "Distance between neighbouring layers; from_tolerance is "
+                                                "everywhere the largest that leaves no more than the "
+                                                "tolerance above the allowance, at most the diameter, and "
+                                                "puts lines closer where a floor stays.",
+                                        .words = {"from_tolerance"}}));
+        t.add(&S::stepover,
+              length_or_word_parameter({.key = "stepover",
+                                        .label = "Step-over",
+                                        .help = "Largest distance between neighbouring lines of a layer, at "
+                                                "most the diameter; auto is 0.95 of the diameter.",
+                                        .words = {"auto"}},
+                                       10000));
+        t.add_choice(&S::pattern, pattern_parameter("zigzag cuts to and fro; oneway always cuts in the "
+                                                    "direction of travel and returns above what stands."));
         t.add_choice(&S::entry,
                      {.key = "entry",
                       .label = "Entry",
