@@ -78,7 +78,7 @@ void print_picture(const Picture& picture, const Arguments& arguments, Session& 
 std::string cspace_operation(const Project& project, const std::string& name) {
     if (!name.empty()) return name;
     for (const auto& operation : project.operations)
-        if (operation->kind() == "finish5") return operation->common().name;
+        if (manual_posture_list.is_in(*operation)) return operation->common().name;
     throw Error(ErrorCode::empty_result, "--show cspace", "the project has no operation of kind finish5",
                 "add one, or show something else");
 }

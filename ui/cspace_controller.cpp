@@ -312,8 +312,7 @@ void CSpaceController::show_choice(std::size_t choice) {
 std::vector<ManualPosture> CSpaceController::all_kept() const {
     const auto index = document_.index_of(operation_);
     if (!index) return {};
-    const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&document_.operation(*index));
-    return by_hand ? by_hand->manual_postures() : std::vector<ManualPosture>();
+    return manual_posture_list.of(document_.operation(*index));
 }
 
 std::optional<std::size_t> CSpaceController::kept_number() const {
@@ -331,12 +330,12 @@ std::optional<ManualPosture> CSpaceController::kept() const {
     return number ? std::optional(all_kept()[*number]) : std::nullopt;
 }
 
-void CSpaceController::change_kept(const QString& what, std::vector<ManualPosture> postures) {
+void CSpaceController::change_kept(const QString& what, const std::vector<ManualPosture>& postures) {
     const auto index = document_.index_of(operation_);
     if (!index) return;
     document_.change(what, [&](Project& project) {
-        if (auto* by_hand = dynamic_cast<TakesManualPostures*>(project.operations[*index].get()))
-            by_hand->set_manual_postures(std::move(postures));
+        Operation& operation = *project.operations[*index];
+        if (manual_posture_list.is_in(operation)) manual_posture_list.set(operation, postures);
     });
 }
 
@@ -350,7 +349,7 @@ void CSpaceController::keep() {
         all[*number] = posture;
     else
         all.push_back(posture);
-    change_kept(tr("Keep posture"), std::move(all));
+    change_kept(tr("Keep posture"), all);
     tell(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
              .arg(posture_angle_text(posture.lead), posture_angle_text(posture.yaw)));
 }
@@ -360,7 +359,7 @@ void CSpaceController::remove_kept() {
     if (!number) return;
     std::vector<ManualPosture> all = all_kept();
     all.erase(all.begin() + std::ptrdiff_t(*number));
-    change_kept(tr("Remove kept posture"), std::move(all));
+    change_kept(tr("Remove kept posture"), all);
     tell(tr("The posture kept for the point is forgotten. Plan again to choose one."));
 }
 

@@ -75,7 +75,7 @@ private:
     std::size_t nearest_point(const Vec3& place) const;
     std::vector<ManualPosture> all_kept() const;
     std::optional<std::size_t> kept_number() const;
-    void change_kept(const QString& what, std::vector<ManualPosture> postures);
+    void change_kept(const QString& what, const std::vector<ManualPosture>& postures);
     void show_kept();
     void study();
     void show_point(std::shared_ptr<const FiveAxisStudy::Point> point);

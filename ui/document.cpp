@@ -2,8 +2,6 @@
 
 #include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
-#include "core/strategy/five_axis/manual_posture.h"
-#include "core/strategy/surface/region_edit.h"
 #include "ui/text.h"
 
 #include <QFileInfo>
@@ -22,6 +20,27 @@ std::vector<std::filesystem::path> files_of(const Project& project) {
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) files.push_back(stock);
     if (is_machine_file(project.machine)) files.push_back(project.machine_path());
     return files;
+}
+
+/// Starts from the values of the last operation of its kind, or at least from its tool.
+std::unique_ptr<Operation> new_operation(const std::string& kind, const Project& project) {
+    auto operation = make_operation(kind);
+    const auto& all = project.operations;
+    if (all.empty()) {
+        if (!project.tools.empty()) operation->common().tool = project.tools.front().number;
+        return operation;
+    }
+    const auto like =
+        std::ranges::find(all.rbegin(), all.rend(), kind, [](const auto& o) { return o->kind(); });
+    if (like == all.rend()) {
+        operation->common() = all.back()->common();
+        return operation;
+    }
+    operation = (*like)->clone();
+    // Postures were kept for contact points of that one, regions edited by hand were its.
+    for (const ParameterInfo* info : operation->parameters())
+        if (info->kind == ParameterKind::records) operation->set(info->key, info->empty_list());
+    return operation;
 }
 
 } // namespace
@@ -152,27 +171,7 @@ std::string Document::free_operation_name(const std::string& wish) const {
 
 void Document::add_operation(const std::string& kind) {
     Snapshot after = snapshot();
-    auto operation = make_operation(kind);
-    // A new operation starts from the values of the last one of its kind, or at least from its tool.
-    if (!project_.operations.empty()) {
-        const auto& all = project_.operations;
-        const auto like =
-            std::find_if(all.rbegin(), all.rend(), [&](const auto& o) { return o->kind() == kind; });
-        if (like != all.rend()) {
-            operation = (*like)->clone();
-            // Postures were kept for contact points of that one, regions edited by hand were its.
-            if (auto* by_hand = dynamic_cast<TakesManualPostures*>(operation.get()))
-                by_hand->set_manual_postures({});
-            if (auto* regions = dynamic_cast<TakesRegionEdits*>(operation.get())) {
-                regions->set_region_edits({});
-                regions->set_boundary_drags({});
-            }
-        } else {
-            static_cast<OperationCommon&>(operation->common()) = all.back()->common();
-        }
-    } else if (!project_.tools.empty()) {
-        operation->common().tool = project_.tools.front().number;
-    }
+    auto operation = new_operation(kind, project_);
     std::string label = kind;
     for (const auto& k : operation_kinds())
         if (k.kind == kind) label = k.label;

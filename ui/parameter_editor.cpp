@@ -1,5 +1,6 @@
 #include "ui/parameter_editor.h"
 
+#include "ui/elided_label.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 
@@ -12,6 +13,7 @@
 #include <QLineEdit>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
+#include <QToolButton>
 #include <QToolTip>
 
 namespace facetmill::ui {
@@ -265,6 +267,51 @@ private:
     bool touched_ = false;
 };
 
+/// names, records: how many there are, and a button that takes them all away. What stands in them comes from
+/// elsewhere in the window.
+class ListEditor : public ParameterEditor {
+public:
+    ListEditor(const ParameterInfo& info, QWidget* parent) : info_(info), value_(info.empty_list()) {
+        setParent(parent);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(4);
+        count_ = new ElidedLabel(this);
+        count_->setObjectName(text(info.key));
+        clear_ = new QToolButton(this);
+        clear_->setText(ParameterEditor::tr("Clear"));
+        clear_->setFocusPolicy(Qt::StrongFocus);
+        clear_->setObjectName(QStringLiteral("clear_") + text(info.key));
+        connect(clear_, &QToolButton::clicked, this, [this] {
+            value_ = info_.empty_list();
+            touched_ = true;
+            emit changed();
+            emit finished();
+        });
+        row->addWidget(count_, 1);
+        row->addWidget(clear_);
+        setFocusProxy(clear_);
+    }
+    void show_value(const ParameterValue& value, LengthUnit unit) override {
+        touched_ = false;
+        value_ = value;
+        unit_ = unit;
+        count_->set_text(text(info_.count_text(value)));
+        clear_->setEnabled(value != info_.empty_list());
+    }
+    QString entered() const override { return text(info_.value_text(value_, unit_)); }
+    bool touched() const override { return touched_; }
+    void mark(bool) override {}
+
+private:
+    const ParameterInfo& info_;
+    ParameterValue value_;
+    LengthUnit unit_ = LengthUnit::mm;
+    ElidedLabel* count_ = nullptr;
+    QToolButton* clear_ = nullptr;
+    bool touched_ = false;
+};
+
 /// Takes a unit off the end of a length or feed; `unit` becomes the one that was found.
 QString without_unit(const ParameterInfo& info, const QString& entered, LengthUnit& unit) {
     const bool one_number = info.kind == ParameterKind::number || info.kind == ParameterKind::number_or_word;
@@ -302,6 +349,9 @@ ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vec
             words.push_back({text(word).replace(QChar('_'), QChar(' ')), word});
         return new ChoiceEditor(info, words, parent);
     }
+    case ParameterKind::names:
+    case ParameterKind::records:
+        return new ListEditor(info, parent);
     case ParameterKind::pair:
         return new LineEditor(info, 2, parent);
     case ParameterKind::triple:

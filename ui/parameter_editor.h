@@ -1,6 +1,6 @@
 // The editor of one parameter, made from its description: a line, a combo box, a check box, two or three
-// lines. Every editor hands over text that ParameterInfo::parse reads, so that forms, files and the command
-// line share one grammar.
+// lines, the count of a list. Every editor hands over text that ParameterInfo::parse reads, so that forms,
+// files and the command line share one grammar.
 #pragma once
 
 #include "core/base/parameter.h"

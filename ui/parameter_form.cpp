@@ -42,7 +42,7 @@ QString help_html(const ParameterInfo& info, LengthUnit unit) {
     const QString range = text(info.range_text(unit));
     QStringList facts;
     if (!range.isEmpty()) facts << QStringLiteral("Range: %1").arg(range.toHtmlEscaped());
-    if (info.kind != ParameterKind::text) {
+    if (info.kind != ParameterKind::text && !info.is_list()) {
         const QString unit_text = text(edge_unit_name(info.quantity, unit));
         QString value = text(info.value_text(info.default_value, unit));
         // A round number of the other unit has digits that say nothing.
@@ -179,9 +179,14 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     } else {
         grid->addWidget(row.label, line, 0);
     }
-    grid->addWidget(row.editor, line, 1);
-    grid->addWidget(row.unit, line, 2);
-    grid->addWidget(row.reset, line, 3);
+    if (info.is_list()) { // words and a button: it needs the room of unit and default, and has neither
+        grid->addWidget(row.editor, line, 1, 1, 3);
+        row.unit->hide();
+    } else {
+        grid->addWidget(row.editor, line, 1);
+        grid->addWidget(row.unit, line, 2);
+        grid->addWidget(row.reset, line, 3);
+    }
     grid->addWidget(row.error, line + 1, 0, 1, 4);
 
     connect(row.editor, &ParameterEditor::changed, this, [this, index] {
@@ -219,7 +224,9 @@ void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
         row.unit->setText(text(edge_unit_name(row.info->quantity, unit)));
         row.label->setToolTip(help_html(*row.info, unit));
         row.editor->setToolTip(row.label->toolTip());
-        row.reset->setVisible(row.info->kind != ParameterKind::text && value != row.info->default_value);
+        // A list has a button of its own that clears it.
+        row.reset->setVisible(row.info->kind != ParameterKind::text && !row.info->is_list()
+                              && value != row.info->default_value);
         if (same && (row.invalid || row.editor->touched())) continue;
         row.editor->show_value(value, unit);
         if (row.invalid || !same) show_error(row, {}, false);

@@ -1,7 +1,6 @@
 #include "ui/properties_panel.h"
 
 #include "core/setup/machine.h"
-#include "core/strategy/global_local/global_local.h"
 #include "core/strategy/lathe/lathe.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
@@ -218,7 +217,7 @@ void PropertiesPanel::refresh() {
               {"previous_tool", tool_choices(project, false)},
               {"rework_tool", tool_choices(project, true)}},
              hidden);
-        regions = dynamic_cast<const GlobalLocal*>(&operation) != nullptr;
+        regions = operation.rework() != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));
         hint = tr("The view shows the stock as it stands when this operation has ended. The bar below the "
@@ -272,7 +271,11 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
         return emit choose_stock(); // no project without a file for it
     if (node.kind == Kind::stock && key == "file" && std::get<std::string>(value).empty())
         return wrong(tr("Name a mesh file"));
-    const QString what = tr("Edit %1").arg(text(key).replace(QChar('_'), QChar(' ')));
+    // Of a list the form only says how many there are.
+    const bool clears =
+        node.kind == Kind::operation && document_.operation(node.index).parameter(key).is_list();
+    const QString what =
+        (clears ? tr("Clear %1") : tr("Edit %1")).arg(text(key).replace(QChar('_'), QChar(' ')));
     try {
         document_.change(what, [&](Project& p) {
             if (node.kind == Kind::part)

@@ -48,6 +48,12 @@ std::vector<RegionEdit> with_region_edited(std::vector<RegionEdit> edits, const 
     return edits;
 }
 
+void add_drag(Operation& operation, const BoundaryDrag& drag) {
+    std::vector<BoundaryDrag> drags = boundary_drag_list.of(operation);
+    drags.push_back(drag);
+    boundary_drag_list.set(operation, drags);
+}
+
 /// Puts the dialog beside the middle of its window, so that the view stays in sight.
 void place_beside_view(QWidget& dialog) {
     const QWidget* window = dialog.parentWidget();
@@ -115,9 +121,9 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
         viewport_.refresh();
     });
     connect(dialog_, &RegionDialog::edits_dropped, this, [this] {
-        change(tr("Drop region edits"), [](TakesRegionEdits& o) {
-            o.set_region_edits({});
-            o.set_boundary_drags({});
+        change(tr("Drop region edits"), [](Operation& o) {
+            region_edit_list.set(o, {});
+            boundary_drag_list.set(o, {});
         });
     });
     connect(dialog_, &RegionDialog::closed, this, &RegionController::close);
@@ -134,11 +140,7 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
         viewport_.scene().set_marker(std::nullopt);
         viewport_.refresh();
         if (from != to)
-            change(tr("Drag boundary point"), [&](TakesRegionEdits& o) {
-                std::vector<BoundaryDrag> drags = o.boundary_drags();
-                drags.push_back({triple(from), triple(to)});
-                o.set_boundary_drags(std::move(drags));
-            });
+            change(tr("Drag boundary point"), [&](Operation& o) { add_drag(o, {triple(from), triple(to)}); });
         refresh();
     });
     connect(&job_, &BackgroundJob::started, this, [this](const QString&) {
@@ -181,12 +183,11 @@ bool RegionController::busy() const {
 std::optional<std::size_t> RegionController::operation() const {
     if (id_ == 0) return std::nullopt;
     const auto i = document_.index_of(id_);
-    return i && dynamic_cast<const GlobalLocal*>(&document_.operation(*i)) ? i : std::nullopt;
+    return i && document_.operation(*i).rework() ? i : std::nullopt;
 }
 
 void RegionController::open(std::size_t i) {
-    if (i >= document_.operation_count() || !dynamic_cast<const GlobalLocal*>(&document_.operation(i)))
-        return;
+    if (i >= document_.operation_count() || !document_.operation(i).rework()) return;
     commit();
     if (id_ != document_.operation_id(i)) {
         found_.reset();
@@ -233,12 +234,7 @@ Project RegionController::tried() const {
     Operation& operation = *project.operations[*i];
     for (const auto& [key, value] : values_)
         operation.set(key, value);
-    if (drag_)
-        if (auto* regions = dynamic_cast<TakesRegionEdits*>(&operation)) {
-            std::vector<BoundaryDrag> drags = regions->boundary_drags();
-            drags.push_back(*drag_);
-            regions->set_boundary_drags(std::move(drags));
-        }
+    if (drag_) add_drag(operation, *drag_);
     return project;
 }
 
@@ -271,13 +267,15 @@ void RegionController::commit() {
     });
 }
 
-void RegionController::change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit) {
+void RegionController::change(const QString& what, const std::function<void(Operation&)>& edit) {
     commit();
     const auto i = operation();
     if (!i) return;
-    document_.change(what, [&](Project& p) {
-        if (auto* regions = dynamic_cast<TakesRegionEdits*>(p.operations.at(*i).get())) edit(*regions);
-    });
+    try {
+        document_.change(what, [&](Project& p) { edit(*p.operations.at(*i)); });
+    } catch (const Error& e) {
+        dialog_->show_problem({}, sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+    }
 }
 
 void RegionController::edit_region(const QString& what, std::size_t region,
@@ -285,8 +283,8 @@ void RegionController::edit_region(const QString& what, std::size_t region,
     if (!found_ || region >= found_->found.regions.regions.size()) return;
     const auto found = found_; // stays while it is replaced
     const ReworkRegion& r = found->found.regions.regions[region];
-    change(what, [&](TakesRegionEdits& o) {
-        o.set_region_edits(with_region_edited(o.region_edits(), r, found_edits_, edit));
+    change(what, [&](Operation& o) {
+        region_edit_list.set(o, with_region_edited(region_edit_list.of(o), r, found_edits_, edit));
     });
 }
 
@@ -298,10 +296,9 @@ void RegionController::refresh() {
     }
     if (!i) return show_planned();
     const Project project = tried();
-    const auto& operation = static_cast<const GlobalLocal&>(*project.operations[*i]);
-    dialog_->show_settings(operation, project.unit, tool_choices(project, true));
-    const auto& kept = static_cast<const GlobalLocal&>(document_.operation(*i));
-    dialog_->set_edited(!kept.region_edits().empty() || !kept.boundary_drags().empty());
+    dialog_->show_settings(*project.operations[*i], project.unit, tool_choices(project, true));
+    const GlobalLocalSettings& kept = *document_.operation(*i).rework();
+    dialog_->set_edited(!kept.region_edits.empty() || !kept.boundary_drags.empty());
     if (!document_.part_is_current() || !document_.has_stock()) {
         dialog_->show_no_regions(tr("The part is being read…"));
         key_.clear();
@@ -344,7 +341,7 @@ void RegionController::look() {
                 if (end.how == JobEnd::How::failed) dialog_->show_problem({}, sentence(end.message));
                 return;
             }
-            found_edits_ = static_cast<const GlobalLocal&>(*project->operations[place]).region_edits();
+            found_edits_ = project->operations[place]->rework()->region_edits;
             take(*found);
         });
 }
@@ -363,7 +360,7 @@ void RegionController::take(const Found& found) {
     }
     const ReworkRegions& r = found_->found.regions;
     const Project project = tried();
-    const auto& settings = static_cast<const GlobalLocal&>(*project.operations[*i]).settings();
+    const GlobalLocalSettings& settings = *project.operations[*i]->rework();
     if (r.regions.empty()) {
         dialog_->show_no_regions(
             tr("No place needs a lead above %1°: the main path cuts all of the part, there "

@@ -69,7 +69,7 @@ private:
     Project tried() const;
     std::string key_of(const Project& project, std::size_t i) const;
     std::optional<std::size_t> operation() const;
-    void change(const QString& what, const std::function<void(TakesRegionEdits&)>& edit);
+    void change(const QString& what, const std::function<void(Operation&)>& edit);
     void edit_region(const QString& what, std::size_t region, const std::function<void(RegionEdit&)>& edit);
 
     Document& document_;

@@ -248,7 +248,7 @@ QWidget* RegionDialog::make_advice_page() {
     return page;
 }
 
-void RegionDialog::show_settings(const GlobalLocal& operation, LengthUnit unit,
+void RegionDialog::show_settings(const Operation& operation, LengthUnit unit,
                                  const std::vector<FormChoice>& tools) {
     setWindowTitle(tr("Settings of Rework Region – %1").arg(elided(text(operation.common().name), 40)));
     const bool same_tools = tools.size() == tools_.size()
@@ -272,7 +272,7 @@ void RegionDialog::show_settings(const GlobalLocal& operation, LengthUnit unit,
     form_->set_values(operation, unit);
     unit_ = unit;
     const double smallest = unit == LengthUnit::inch ? min_step_inch * mm_per_inch : min_step_mm;
-    step_ = std::max(smallest, step_share * operation.settings().rework_offset);
+    step_ = std::max(smallest, step_share * operation.rework()->rework_offset);
 }
 
 void RegionDialog::show_regions(const std::vector<ReworkRegion>& regions, const QString& status) {
@@ -402,7 +402,9 @@ void RegionDialog::step_grow(int direction) {
     const auto region = chosen();
     if (!region || *region >= grown_.size()) return;
     // Round numbers, whatever it was before.
-    const double grow = step_ * (std::round(grown_[*region] / step_) + direction);
+    const ParameterInfo& info = region_edit_parameters().find("grow")->info;
+    const double grow =
+        std::clamp(step_ * (std::round(grown_[*region] / step_) + direction), info.minimum, info.maximum);
     grown_[*region] = grow;
     filling_ = true;
     table_->item(int(*region), grow_column)->setText(text(format_number(grow / mm_per(unit_), 4)));

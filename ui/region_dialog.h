@@ -34,8 +34,8 @@ public:
     explicit RegionDialog(QWidget* parent = nullptr);
     ~RegionDialog() override;
 
-    /// `tools`: for the rework tool.
-    void show_settings(const GlobalLocal& operation, LengthUnit unit, const std::vector<FormChoice>& tools);
+    /// An operation with rework regions. `tools`: for the rework tool.
+    void show_settings(const Operation& operation, LengthUnit unit, const std::vector<FormChoice>& tools);
     void show_regions(const std::vector<ReworkRegion>& regions, const QString& status);
     /// Instead of regions, with the reason.
     void show_no_regions(const QString& why);

@@ -81,7 +81,7 @@ void RoughController::refresh() {
     const bool on_operation = node_ && node_->kind == TreeNode::Kind::operation
                               && node_->index < document_.operation_count() && document_.part_is_current()
                               && document_.has_stock();
-    if (!on_operation || !dynamic_cast<const Rough*>(&document_.operation(node_->index))) {
+    if (!on_operation || !document_.operation(node_->index).has_layer_preview()) {
         if (id_ != 0) clear();
         return;
     }
@@ -121,7 +121,7 @@ void RoughController::refresh() {
 }
 
 void RoughController::start_preview(std::size_t i) {
-    auto preview = std::make_shared<RoughPreview>();
+    auto preview = std::make_shared<LayerPreview>();
     auto wrong = std::make_shared<QString>();
     std::vector<std::shared_ptr<const OperationResult>> before;
     for (std::size_t k = 0; k < i; ++k)
@@ -131,8 +131,8 @@ void RoughController::start_preview(std::size_t i) {
         [=, project = std::make_shared<Project>(document_.project()),
          part = document_.part()](const Progress& progress) {
             try {
-                *preview = preview_rough(static_cast<const Rough&>(*project->operations.at(i)).settings(),
-                                         preview_context(*project, i, *part, before), progress);
+                *preview = project->operations.at(i)->preview_layers(
+                    preview_context(*project, i, *part, before), progress);
             } catch (const Error& e) {
                 *wrong = with_lengths_in(sentence(text(e.message())), project->unit);
             }

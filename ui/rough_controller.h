@@ -2,7 +2,6 @@
 // as they were planned; and the path of one layer alone.
 #pragma once
 
-#include "core/strategy/rough/rough.h"
 #include "ui/background_job.h"
 #include "ui/controller.h"
 

@@ -88,19 +88,18 @@ const OperationResult* StripController::result() const {
     return at ? results_[*at].get() : nullptr;
 }
 
-const CleanupSettings* StripController::settings() const {
+std::optional<std::string> StripController::switched_off() const {
     const auto at = source();
-    if (!at) return nullptr;
-    const auto index = document_.index_of(ids_[*at]);
-    const auto* cleanup = index ? dynamic_cast<const Cleanup*>(&document_.operation(*index)) : nullptr;
-    return cleanup ? &cleanup->settings() : nullptr;
+    const auto index = at ? document_.index_of(ids_[*at]) : std::nullopt;
+    if (!index || !document_.operation(*index).has(switched_off_key)) return std::nullopt;
+    return std::get<std::string>(document_.operation(*index).get(switched_off_key));
 }
 
 /// Why there is no strip to be listed.
 QString StripController::empty_reason() const {
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         const Operation& operation = document_.operation(i);
-        if (!dynamic_cast<const Cleanup*>(&operation)) continue;
+        if (!operation.has(switched_off_key)) continue;
         if (document_.state(i) == OperationState::failed)
             return with_lengths_in(sentence(document_.failure(i)), document_.unit());
         return tr("Plan “%1” to see its strips here").arg(text(operation.common().name));
@@ -137,14 +136,14 @@ void StripController::refresh() {
 
 /// Check marks and colours as the operation's settings stand now, planned with them or not.
 void StripController::show_states() {
-    const CleanupSettings* now = settings();
-    if (!listed_ || !now) {
+    const std::optional<std::string> off = switched_off();
+    if (!listed_ || !off) {
         panel_->note()->hide();
         return;
     }
     std::vector<bool> cut;
     for (const std::string& name : listed_name_)
-        cut.push_back(!is_switched_off(now->switched_off, name));
+        cut.push_back(!is_switched_off(*off, name));
     panel_->show_states(cut, viewport_.scene().palette());
     const auto on = std::size_t(std::count(cut.begin(), cut.end(), true)), n = cut.size();
     QString note =
@@ -159,17 +158,16 @@ void StripController::show_states() {
 
 /// The check mark was changed by hand.
 void StripController::switch_strip(const QTreeWidgetItem& item) {
-    const CleanupSettings* now = settings();
+    const std::optional<std::string> off = switched_off();
     const std::size_t i = StripPanel::strip_of(item);
-    if (!now || i >= listed_name_.size()) return;
+    if (!off || i >= listed_name_.size()) return;
     const std::string name = listed_name_[i];
     const bool on = item.checkState(StripPanel::name_column) == Qt::Checked;
-    if (on == !is_switched_off(now->switched_off, name)) return;
-    const std::string list = with_switched(now->switched_off, name, on);
+    if (on == !is_switched_off(*off, name)) return;
+    const std::string list = with_switched(*off, name, on);
     const std::size_t index = *document_.index_of(ids_[*source()]);
-    document_.change(
-        (on ? tr("Switch %1 on") : tr("Switch %1 off")).arg(text(name)),
-        [index, list](Project& p) { p.operations[index]->set("switched_off", ParameterValue(list)); });
+    document_.change((on ? tr("Switch %1 on") : tr("Switch %1 off")).arg(text(name)),
+                     [index, list](Project& p) { p.operations[index]->set(switched_off_key, list); });
 }
 
 void StripController::panel_seen(bool) {
@@ -185,8 +183,8 @@ void StripController::panel_seen(bool) {
 
 /// In the view while the list is seen, in the states of the settings.
 void StripController::show_strips() {
-    const CleanupSettings* now = settings();
-    const bool wanted = listed_ && now && panel_->isVisible();
+    const std::optional<std::string> off = switched_off();
+    const bool wanted = listed_ && off && panel_->isVisible();
     if (!wanted) {
         job_.cancel();
         wanted_.clear();
@@ -199,14 +197,14 @@ void StripController::show_strips() {
         return;
     }
     const LengthUnit unit = document_.unit();
-    const std::string key = now->switched_off + '\n' + std::string(unit_name(unit)) + '\n'
-                            + std::to_string(std::uintptr_t(listed_));
+    const std::string key =
+        *off + '\n' + std::string(unit_name(unit)) + '\n' + std::to_string(std::uintptr_t(listed_));
     if (key == wanted_) return;
     wanted_ = key;
     auto display = std::make_shared<StripDisplayPtr>();
     job_.start(
         tr("Drawing the strips"),
-        [display, unit, off = now->switched_off, result = results_[*source()]](const Progress& p) {
+        [display, unit, off = *off, result = results_[*source()]](const Progress& p) {
             std::vector<Strip> strips = result->path.strips;
             for (Strip& s : strips)
                 s.enabled = !is_switched_off(off, s.name);

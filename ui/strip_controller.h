@@ -58,9 +58,9 @@ signals:
 
 private:
     std::optional<std::size_t> source() const;
-    /// The chosen operation's result and settings; null where there is none.
+    /// The chosen operation's result, and the strips that it does not cut; none where there is no such.
     const OperationResult* result() const;
-    const CleanupSettings* settings() const;
+    std::optional<std::string> switched_off() const;
     QString empty_reason() const;
     bool pick(const Vec3& place);
     void refresh();

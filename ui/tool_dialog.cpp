@@ -77,7 +77,7 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     form_ = new ParameterForm(this);
     form_->set_live(true);
     const ParameterView<Tool> view(tool_, tool_parameters());
-    form_->set_parameters(view.parameters(), unit_);
+    form_->set_parameters(view.parameters(), unit_, {}, {holder_list.key}); // the table has it
     form_->set_values(view, unit_);
     connect(form_, &ParameterForm::edited, this, &ToolDialog::set_value);
     connect(form_, &ParameterForm::validity_changed, this, &ToolDialog::validate);

@@ -1,5 +1,7 @@
 #include "core/base/parameter.h"
 
+#include "core/base/parameter_json.h"
+
 #include <cmath>
 #include <numeric>
 
@@ -50,6 +52,12 @@ void check_number(double v, const ParameterInfo& info, LengthUnit unit) {
     case ParameterKind::text:
         expected = "text";
         break;
+    case ParameterKind::names:
+        expected = "names, separated by commas";
+        break;
+    case ParameterKind::records:
+        expected = "a list";
+        break;
     case ParameterKind::pair:
         expected = "two numbers";
         break;
@@ -91,7 +99,29 @@ std::array<double, N> parse_numbers(std::string_view text, const ParameterInfo& 
     return numbers;
 }
 
+void check_records(const ParameterRecords& records, const ParameterInfo& info, LengthUnit unit) {
+    for (std::size_t i = 0; i < records.all.size(); ++i) {
+        const auto& values = records.all[i];
+        const std::string place = strict::element(info.key, i);
+        if (values.size() != info.record.size())
+            throw Error(ErrorCode::wrong_type, place,
+                        "the record has " + std::to_string(values.size()) + " values",
+                        "give it " + std::to_string(info.record.size()));
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            try {
+                info.record[k]->check(values[k], unit);
+            } catch (const Error& e) {
+                throw Error(e.code(), strict::member(place, e.where()), e.message(), e.remedy());
+            }
+        }
+    }
+}
+
 } // namespace
+
+bool ParameterRecords::operator==(const ParameterRecords& other) const {
+    return all == other.all;
+}
 
 void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
     switch (kind) {
@@ -119,6 +149,7 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
         check_word(std::get<std::string>(value), *this);
         return;
     case ParameterKind::text:
+    case ParameterKind::names:
         if (!std::holds_alternative<std::string>(value)) wrong_type(*this);
         return;
     case ParameterKind::pair: {
@@ -139,6 +170,10 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
             check_number(v, *this, unit);
         return;
     }
+    case ParameterKind::records:
+        if (!std::holds_alternative<ParameterRecords>(value)) wrong_type(*this);
+        check_records(std::get<ParameterRecords>(value), *this, unit);
+        return;
     }
 }
 
@@ -161,8 +196,20 @@ std::string ParameterInfo::value_text(const ParameterValue& value, LengthUnit un
     if (const auto* s = std::get_if<std::string>(&value)) return *s;
     if (const auto* p = std::get_if<std::array<double, 2>>(&value))
         return number((*p)[0]) + ", " + number((*p)[1]);
+    if (std::holds_alternative<ParameterRecords>(value)) return write_value(value, *this, key, unit).dump();
     const auto& t = std::get<std::array<double, 3>>(value);
     return number(t[0]) + ", " + number(t[1]) + ", " + number(t[2]);
+}
+
+std::string ParameterInfo::count_text(const ParameterValue& value) const {
+    const auto* list = std::get_if<ParameterRecords>(&value);
+    const std::size_t n = list ? list->all.size() : listed_names(std::get<std::string>(value)).size();
+    return n == 0 ? "none" : std::to_string(n) + " " + nouns[n == 1 ? 0 : 1];
+}
+
+ParameterValue ParameterInfo::empty_list() const {
+    if (kind == ParameterKind::names) return std::string();
+    return ParameterRecords();
 }
 
 ParameterValue ParameterInfo::parse(std::string_view text, LengthUnit unit) const {
@@ -192,7 +239,11 @@ ParameterValue ParameterInfo::parse(std::string_view text, LengthUnit unit) cons
         value = std::string(t);
         break;
     case ParameterKind::text:
+    case ParameterKind::names:
         value = std::string(text);
+        break;
+    case ParameterKind::records:
+        value = read_value(parse_strict_json(t, key), *this, key, unit);
         break;
     case ParameterKind::pair:
         value = parse_numbers<2>(t, *this, scale(unit));
@@ -212,6 +263,11 @@ const ParameterInfo& Parameterized::parameter(std::string_view key) const {
     throw_unknown_key(key, all);
 }
 
+bool Parameterized::has(std::string_view key) const {
+    const auto all = parameters();
+    return std::any_of(all.begin(), all.end(), [&](const ParameterInfo* p) { return p->key == key; });
+}
+
 void throw_unknown_key(std::string_view key, const std::vector<const ParameterInfo*>& known) {
     std::vector<std::string> names;
     for (const auto* p : known)
@@ -219,6 +275,17 @@ void throw_unknown_key(std::string_view key, const std::vector<const ParameterIn
     const std::string near = nearest_name(key, names);
     throw Error(ErrorCode::unknown_key, printable(key), "unknown key",
                 near.empty() ? "known keys: " + joined(names) : "did you mean '" + near + "'?");
+}
+
+std::vector<std::string> listed_names(const std::string& list) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at < list.size();) {
+        const std::size_t end = std::min(list.find(',', at), list.size());
+        const std::size_t first = list.find_first_not_of(' ', at);
+        if (first < end) names.push_back(list.substr(first, list.find_last_not_of(' ', end - 1) + 1 - first));
+        at = end + 1;
+    }
+    return names;
 }
 
 std::string nearest_name(std::string_view mistyped, const std::vector<std::string>& known) {

@@ -61,6 +61,8 @@ public:
                     add(std::to_string(long(v)));
                 else if constexpr (std::is_same_v<T, std::string>)
                     add(std::string_view(v));
+                else if constexpr (std::is_same_v<T, ParameterRecords>)
+                    add_records(v);
                 else
                     add(v);
             },
@@ -81,6 +83,13 @@ public:
     const std::string& text() const { return text_; }
 
 private:
+    void add_records(const ParameterRecords& records) {
+        add(std::to_string(records.all.size()));
+        for (const auto& record : records.all)
+            for (const ParameterValue& value : record)
+                add_value(value);
+    }
+
     std::string text_;
 };
 
@@ -351,23 +360,9 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     key.add_up_to(Stage::strategy, project.stock, stock_parameters());
     key.add(project.part.tessellation_tolerance);
     key.add_up_to(Stage::strategy, context.tool, tool_parameters());
-    for (const HolderSection& s : context.tool.holder)
-        key.add(s.diameter).add(s.length);
     key.add_up_to(Stage::strategy, operation);
-    if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
-        for (const ManualPosture& m : by_hand->manual_postures())
-            key.add(m.point).add(m.lead).add(m.yaw);
-    if (const auto* edited = dynamic_cast<const TakesRegionEdits*>(&operation)) {
-        for (const RegionEdit& e : edited->region_edits())
-            key.add(e.place).add(e.grow).add(e.enabled ? "on" : "off");
-        for (const BoundaryDrag& d : edited->boundary_drags())
-            key.add(d.from).add(d.to);
-    }
-    for (const Tool& t : context.further_tools) {
+    for (const Tool& t : context.further_tools)
         key.add_up_to(Stage::output, t, tool_parameters());
-        for (const HolderSection& s : t.holder)
-            key.add(s.diameter).add(s.length);
-    }
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     key.add(earlier);
     const std::string path_key = key.text();

@@ -1,8 +1,6 @@
 #include "core/job/project.h"
 
 #include "core/mesh/mesh_format.h"
-#include "core/strategy/five_axis/manual_posture.h"
-#include "core/strategy/surface/region_edit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +18,8 @@ const ParameterTable<PartSpec>& part_parameters() {
                                 .help = "The part's mesh (" + mesh_format_names()
                                         + "); a relative path starts at the project file.",
                                 .kind = K::text,
-                                .stage = Stage::mesh});
+                                .stage = Stage::mesh,
+                                .required = "name the part's file"});
         t.add_choice(&PartSpec::unit,
                      {.key = "units",
                       .label = "Units",
@@ -52,30 +51,6 @@ const ParameterTable<PartSpec>& part_parameters() {
                                                   .minimum = 0,
                                                   .maximum = 1000,
                                                   .stage = Stage::contact});
-        return t;
-    }();
-    return table;
-}
-
-const ParameterTable<HolderSection>& holder_parameters() {
-    static const auto table = [] {
-        ParameterTable<HolderSection> t;
-        t.add(&HolderSection::diameter, {.key = "diameter",
-                                         .label = "Diameter",
-                                         .help = "Diameter of the section.",
-                                         .quantity = Quantity::length,
-                                         .minimum = 0,
-                                         .maximum = 1e5,
-                                         .open_minimum = true,
-                                         .stage = Stage::cutter});
-        t.add(&HolderSection::length, {.key = "length",
-                                       .label = "Length",
-                                       .help = "Length of the section along the axis.",
-                                       .quantity = Quantity::length,
-                                       .minimum = 0,
-                                       .maximum = 1e5,
-                                       .open_minimum = true,
-                                       .stage = Stage::cutter});
         return t;
     }();
     return table;
@@ -179,7 +154,7 @@ void check_values(const Parameterized& values, const std::string& place, LengthU
         try {
             info->check(values.get(info->key), unit);
         } catch (const Error& e) {
-            throw Error(e.code(), place + "." + info->key, e.message(), e.remedy());
+            throw Error(e.code(), place + "." + e.where(), e.message(), e.remedy());
         }
     }
 }
@@ -224,8 +199,6 @@ void check_tools(const Project& p) {
         const Tool& tool = p.tools[i];
         const std::string place = at("tools", i);
         check_struct(tool, tool_parameters(), place, p.unit);
-        for (std::size_t k = 0; k < tool.holder.size(); ++k)
-            check_struct(tool.holder[k], holder_parameters(), place + "." + at("holder", k), p.unit);
         try {
             check_tool(tool);
         } catch (const Error& e) {
@@ -246,18 +219,6 @@ void check_operations(const Project& p) {
         const std::string place = at("operations", i);
         const std::string& name = operation.common().name;
         check_values(operation, place, p.unit);
-        if (const auto* by_hand = dynamic_cast<const TakesManualPostures*>(&operation))
-            for (std::size_t k = 0; k < by_hand->manual_postures().size(); ++k)
-                check_struct(by_hand->manual_postures()[k], manual_posture_parameters(),
-                             place + "." + at(TakesManualPostures::file_key, k), p.unit);
-        if (const auto* edited = dynamic_cast<const TakesRegionEdits*>(&operation)) {
-            for (std::size_t k = 0; k < edited->region_edits().size(); ++k)
-                check_struct(edited->region_edits()[k], region_edit_parameters(),
-                             place + "." + at(TakesRegionEdits::edits_key, k), p.unit);
-            for (std::size_t k = 0; k < edited->boundary_drags().size(); ++k)
-                check_struct(edited->boundary_drags()[k], boundary_drag_parameters(),
-                             place + "." + at(TakesRegionEdits::drags_key, k), p.unit);
-        }
         if (name.find_first_not_of(' ') == std::string::npos)
             throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
                         "give the operation a name");
@@ -408,23 +369,22 @@ Project default_turned_project(const fs::path& part_file, LengthUnit unit, const
     p.stock.axis = StockSpec::Axis::x;
     p.stock.margin[0] = 0; // it is held at its ends
     p.operations.clear();
-    for (const char* kind : {"lathe_rough", "lathe_finish"}) {
+    const auto add = [&](const char* kind, const char* name, double tolerance) -> Operation& {
         auto operation = make_operation(kind);
         OperationCommon& common = operation->common();
-        const bool rough = operation->kind() == "lathe_rough";
-        common.name = rough ? "Rough" : "Finish";
+        common.name = name;
         common.tool = finish.tool;
-        common.tolerance = rough ? 10 * finish.tolerance : finish.tolerance;
+        common.tolerance = tolerance;
         common.feed = finish.feed;
         common.spindle = finish.spindle;
         common.clearance = finish.clearance;
-        if (rough) {
-            const double diameter = p.tools.front().diameter;
-            operation->set("depth_of_cut", diameter / 4);
-            operation->set("finishing_allowance", diameter / 20);
-        }
-        p.operations.push_back(std::move(operation));
-    }
+        return *p.operations.emplace_back(std::move(operation));
+    };
+    Operation& rough = add("lathe_rough", "Rough", 10 * finish.tolerance);
+    const double diameter = p.tools.front().diameter;
+    rough.set("depth_of_cut", diameter / 4);
+    rough.set("finishing_allowance", diameter / 20);
+    add("lathe_finish", "Finish", finish.tolerance);
     return p;
 }
 

@@ -22,8 +22,6 @@ struct PartSpec {
 };
 
 const ParameterTable<PartSpec>& part_parameters();
-/// One holder section: in files the members of "holder" of a tool.
-const ParameterTable<HolderSection>& holder_parameters();
 
 /// Newest version of the project file that is read, and the one that is written: key "facetmill".
 inline constexpr long project_version = 1;

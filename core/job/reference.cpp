@@ -2,7 +2,6 @@
 
 #include "core/job/project.h"
 #include "core/setup/machine.h"
-#include "core/strategy/five_axis/manual_posture.h"
 
 namespace facetmill {
 
@@ -31,6 +30,10 @@ std::string type_text(const ParameterInfo& p) {
         return "two numbers";
     case ParameterKind::triple:
         return "three numbers";
+    case ParameterKind::names:
+        return "names, separated by commas";
+    case ParameterKind::records:
+        return "list, see below";
     }
     return {};
 }
@@ -44,24 +47,27 @@ std::string cell(std::string text) {
     return text;
 }
 
-void table(std::string& page, const std::vector<const ParameterInfo*>& parameters) {
-    page += "| key | meaning | value | unit | range | default |\n|---|---|---|---|---|---|\n";
-    for (const ParameterInfo* p : parameters) {
-        const std::string value = p->value_text(p->default_value, shown_unit);
-        page += "| `" + p->key + "` | **" + cell(p->label) + ".** " + cell(p->help) + " | "
-                + cell(type_text(*p)) + " | " + std::string(edge_unit_name(p->quantity, shown_unit)) + " | "
-                + cell(p->range_text(shown_unit)) + " | " + (value.empty() ? "" : "`" + cell(value) + "`")
-                + " |\n";
-    }
-    page += '\n';
+/// What stands where the key is missing, in a cell.
+std::string default_text(const ParameterInfo& p) {
+    if (!p.required.empty()) return "required";
+    if (p.kind == ParameterKind::records) return "none";
+    const std::string value = p.value_text(p.default_value, shown_unit);
+    return value.empty() ? "" : "`" + cell(value) + "`";
 }
 
-template <class Struct>
-void table_of(std::string& page, const ParameterTable<Struct>& parameters) {
-    std::vector<const ParameterInfo*> infos;
-    for (const auto& e : parameters.entries())
-        infos.push_back(&e.info);
-    table(page, infos);
+/// `level`: of the headings of lists, which follow the table.
+void table(std::string& page, const std::vector<const ParameterInfo*>& parameters, const std::string& level) {
+    page += "| key | meaning | value | unit | range | default |\n|---|---|---|---|---|---|\n";
+    for (const ParameterInfo* p : parameters)
+        page += "| `" + p->key + "` | **" + cell(p->label) + ".** " + cell(p->help) + " | "
+                + cell(type_text(*p)) + " | " + std::string(edge_unit_name(p->quantity, shown_unit)) + " | "
+                + cell(p->range_text(shown_unit)) + " | " + default_text(*p) + " |\n";
+    page += '\n';
+    for (const ParameterInfo* p : parameters) {
+        if (p->kind != ParameterKind::records) continue;
+        page += level + " Each of `" + p->key + "`\n\n";
+        table(page, p->record, level + "#");
+    }
 }
 
 void machine_tables(std::string& page) {
@@ -119,7 +125,7 @@ std::string reference_page() {
           "| `operations` | List of operations in machining order; each has a `kind` and the keys of that "
           "kind. |\n\n"
           "## Part\n\n";
-    table_of(page, part_parameters());
+    table(page, part_parameters().infos(), "###");
     page += "## Stock\n\n";
     for (const std::string& kind : stock_parameters().find("kind")->info.words) {
         StockSpec stock;
@@ -131,23 +137,15 @@ std::string reference_page() {
                 + (stock.kind == StockSpec::Kind::mesh ? "; `file` is required" : "") + "\n";
     }
     page += "\n";
-    table_of(page, stock_parameters());
+    table(page, stock_parameters().infos(), "###");
     machine_tables(page);
-    page += "\n## Tools\n\n`number` and `diameter` are required; `shank_diameter` is the tool's diameter "
-            "where it is not given.\n\n";
-    table_of(page, tool_parameters());
-    page += "`holder` is a list of cylinders from the shank upward, each with:\n\n";
-    table_of(page, holder_parameters());
-    page += "## Operations\n\n";
+    page += "\n## Tools\n\n`shank_diameter` is the tool's diameter where it is not given.\n\n";
+    table(page, tool_parameters().infos(), "###");
+    page += "## Operations\n\n| key | meaning |\n|---|---|\n"
+            "| `kind` | The kind of operation: what the headings below say. Required. |\n\n";
     for (const OperationKind& kind : operation_kinds()) {
         page += "### `" + kind.kind + "`: " + kind.label + "\n\n";
-        const auto operation = kind.make();
-        table(page, operation->parameters());
-        if (!dynamic_cast<const TakesManualPostures*>(operation.get())) continue;
-        page += "`" + std::string(TakesManualPostures::file_key)
-                + "` is a list, which may be missing, of postures chosen by hand for single contact points; "
-                  "each of its keys is required:\n\n";
-        table_of(page, manual_posture_parameters());
+        table(page, kind.make()->parameters(), "####");
     }
     page.pop_back();
     return page;

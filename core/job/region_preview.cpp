@@ -12,10 +12,11 @@ constexpr double usual_rework_share = 0.25;
 RegionPreview::Result RegionPreview::find(const Project& project, std::size_t place, const PreparedPart& part,
                                           const Progress& progress) {
     check_project(project);
-    const auto* operation = dynamic_cast<const GlobalLocal*>(project.operations.at(place).get());
-    if (!operation)
-        throw Error(ErrorCode::internal, project.operations[place]->common().name,
-                    "the operation has no rework regions", "report this");
+    const Operation& operation = *project.operations.at(place);
+    const GlobalLocalSettings* settings = operation.rework();
+    if (!settings)
+        throw Error(ErrorCode::internal, operation.common().name, "the operation has no rework regions",
+                    "report this");
     PlanContext context = preview_context(project, place, part, {});
     context.geometry = part.geometry;
 
@@ -24,7 +25,7 @@ RegionPreview::Result RegionPreview::find(const Project& project, std::size_t pl
     alone.part = project.part;
     alone.machine = project.machine;
     alone.tools = {context.tool};
-    GlobalLocalSettings same = operation->settings();
+    GlobalLocalSettings same = *settings;
     const GlobalLocalSettings none;
     same.name = none.name;
     same.lead_limit = none.lead_limit;
@@ -48,16 +49,15 @@ RegionPreview::Result RegionPreview::find(const Project& project, std::size_t pl
     }
     if (key != key_) {
         context.contact = index_;
-        source_ = region_source(context, operation->settings(),
-                                progress.part(0.1, 0.7, "Following the assumed path"));
+        source_ = region_source(context, *settings, progress.part(0.1, 0.7, "Following the assumed path"));
         key_ = key;
         result.followed = true;
     }
-    result.found = find_regions(*source_, operation->settings(), project.unit, {},
+    result.found = find_regions(*source_, *settings, project.unit, {},
                                 progress.part(0.7, 0.9, "Finding rework regions"));
-    const std::vector<Tool> further = project.further_tools_of(*operation);
+    const std::vector<Tool> further = project.further_tools_of(operation);
     const double diameter = context.tool.diameter;
-    result.advice = tool_advice(*source_, diameter, operation->settings(),
+    result.advice = tool_advice(*source_, diameter, *settings,
                                 further.empty() ? usual_rework_share * diameter : further.front().diameter,
                                 progress.part(0.9, 1, "Comparing tools"));
     return result;

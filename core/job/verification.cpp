@@ -3,7 +3,6 @@
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
-#include "core/strategy/lathe/lathe_rough.h"
 #include "core/strategy/plan/budget.h"
 
 #include <array>
@@ -177,11 +176,9 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     if (last) {
         const OperationCommon& common = last->common();
         settings.tolerance = common.tolerance;
-        settings.allowance = common.allowance;
+        settings.allowance = last->left_on_purpose();
         // Nobody says what chord tolerance was kept.
         settings.gouge_limit = chord_budget({0, "auto"}, common.tolerance);
-        if (const auto* rough = dynamic_cast<const LatheRough*>(last))
-            settings.allowance += rough->settings().finishing_allowance;
     }
     if (plan && !plan->operations.empty()) {
         settings.gouge_limit = 0;

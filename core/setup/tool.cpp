@@ -24,6 +24,30 @@ std::string key_of(const std::string& letter) {
 
 } // namespace
 
+const ParameterTable<HolderSection>& holder_parameters() {
+    static const auto table = [] {
+        ParameterTable<HolderSection> t;
+        const auto add = [&](double HolderSection::*member, const char* key, const char* label,
+                             const char* help, const char* required) {
+            t.add(member, {.key = key,
+                           .label = label,
+                           .help = help,
+                           .quantity = Quantity::length,
+                           .minimum = 0,
+                           .maximum = largest_tool,
+                           .open_minimum = true,
+                           .stage = Stage::cutter,
+                           .required = required});
+        };
+        add(&HolderSection::diameter, "diameter", "Diameter", "Diameter of the section.",
+            "give the section's diameter");
+        add(&HolderSection::length, "length", "Length", "Length of the section along the axis.",
+            "give the section's length");
+        return t;
+    }();
+    return table;
+}
+
 const ParameterTable<Tool>& tool_parameters() {
     static const ParameterTable<Tool> table = [] {
         using K = ParameterKind;
@@ -37,7 +61,8 @@ const ParameterTable<Tool>& tool_parameters() {
                               .quantity = Q::count,
                               .minimum = 1,
                               .maximum = largest_tool_number,
-                              .stage = Stage::output});
+                              .stage = Stage::output,
+                              .required = "give the tool a number"});
         t.add(&Tool::name, {.key = "name",
                             .label = "Name",
                             .help = "What the setup sheet calls the tool.",
@@ -52,7 +77,8 @@ const ParameterTable<Tool>& tool_parameters() {
                .minimum = 0,
                .maximum = largest_tool,
                .open_minimum = true,
-               .stage = stage});
+               .stage = stage,
+               .required = "give the tool's diameter"});
         t.add(&Tool::corner_radius, {.key = "corner_radius",
                                      .label = "Corner radius",
                                      .help = "0 for a sharp corner; half the diameter for a ball end.",
@@ -103,6 +129,12 @@ const ParameterTable<Tool>& tool_parameters() {
                                     .minimum = 0,
                                     .maximum = largest_tool,
                                     .stage = stage});
+        t.add_records(&Tool::holder, holder_list,
+                      {.label = "Holder",
+                       .help = "The cylinders that the holder is made of, from the shank upward.",
+                       .stage = stage,
+                       .nouns = {"section", "sections"},
+                       .written_empty = true});
         return t;
     }();
     return table;
@@ -141,17 +173,6 @@ void check_tool(const Tool& tool) {
     for (const auto& entry : tool_parameters().entries())
         entry.info.check(entry.get(tool));
     CutterProfile{tool.cutter()};
-    for (std::size_t i = 0; i < tool.holder.size(); ++i) {
-        const std::string place = "holder[" + std::to_string(i) + "]";
-        for (const auto& [key, value] :
-             {std::pair{".diameter", tool.holder[i].diameter}, std::pair{".length", tool.holder[i].length}}) {
-            if (!std::isfinite(value))
-                refuse(place + key, "the value is not a finite number", "enter a number");
-            if (value <= 0 || value > largest_tool)
-                refuse(place + key, "the value " + mm(value) + " is out of range",
-                       "allowed: above 0 mm and at most " + mm(largest_tool));
-        }
-    }
     if (!tool.holder.empty() && tool.holder.front().diameter < tool.shank_diameter)
         refuse("holder[0].diameter",
                "the holder of " + mm(tool.holder.front().diameter) + " cannot hold a shank of "

@@ -29,7 +29,7 @@ struct Tool {
     double bottom_angle = 0, taper_angle = 0; ///< APT alpha and beta
     double flute_length = 20;
     double shank_diameter = 6, shank_length = 30;
-    std::vector<HolderSection> holder; ///< beside the parameters: key "holder" in files
+    std::vector<HolderSection> holder;
 
     /// The cutting part; throws Error(out_of_range) naming the parameter when the values make no convex
     /// cutter.
@@ -39,6 +39,8 @@ struct Tool {
     std::string shape_name() const;
 };
 
+const ParameterTable<HolderSection>& holder_parameters();
+inline constexpr RecordList<HolderSection> holder_list{"holder", holder_parameters};
 const ParameterTable<Tool>& tool_parameters();
 
 /// Checks every value by itself and all together (corner radius against diameter, taper against flute length,

@@ -102,11 +102,6 @@ std::vector<double> numbers(const StrategyResult& path) {
     return all;
 }
 
-double left_on(const Operation& op) {
-    const auto* rough = dynamic_cast<const LatheRough*>(&op);
-    return op.common().allowance + (rough ? rough->settings().finishing_allowance : 0);
-}
-
 } // namespace
 
 class TestLatheShapes : public QObject {
@@ -148,7 +143,8 @@ private slots:
         const ToolMotions motions = link_operation(*op, path, context, Progress());
         QVERIFY(motions.turning);
         const double tolerance = op->common().tolerance;
-        const Verification v = judged(mesh, context, motions, tolerance, path.chord_tolerance, left_on(*op));
+        const Verification v =
+            judged(mesh, context, motions, tolerance, path.chord_tolerance, op->left_on_purpose());
         QVERIFY2(!v.gouged(), qPrintable(QString("gouge %1").arg(v.figures.gouge_max)));
         for (const Collision& c : v.collisions)
             QFAIL(qPrintable(QString("collision of kind %1, %2 deep, motion %3")

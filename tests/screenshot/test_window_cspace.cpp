@@ -192,9 +192,7 @@ private slots:
         w().document().add_operation("finish5");
         w().document().duplicate_operation(0);
         const auto kept = [&](std::size_t i) {
-            return dynamic_cast<const TakesManualPostures&>(w().document().operation(i))
-                .manual_postures()
-                .size();
+            return manual_posture_list.of(w().document().operation(i)).size();
         };
         QCOMPARE(kept(0), std::size_t(1));
         QCOMPARE(kept(1), std::size_t(1));

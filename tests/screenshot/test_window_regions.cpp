@@ -75,9 +75,7 @@ class TestWindowRegions : public QObject, public WindowFixture {
     RegionController& controller() { return w().regions(); }
     RegionDialog& dialog() { return *controller().dialog(); }
     const std::vector<ReworkRegion>& regions() { return controller().found()->found.regions.regions; }
-    const TakesRegionEdits& edits() {
-        return dynamic_cast<const TakesRegionEdits&>(w().document().operation(0));
-    }
+    const GlobalLocalSettings& edits() { return *w().document().operation(0).rework(); }
     double area() {
         double sum = 0;
         for (const ReworkRegion& r : regions())
@@ -250,12 +248,12 @@ private slots:
         const double whole = area();
         switch_region(1, false);
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(edits().region_edits().size(), std::size_t(1));
+        QCOMPARE(edits().region_edits.size(), std::size_t(1));
         QVERIFY(regions()[0].strip.enabled && !regions()[1].strip.enabled);
         QVERIFY(dialog().status().contains(QStringLiteral("1 switched off")));
         switch_region(1, true);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(edits().region_edits().empty()); // as it was: nothing is left of it
+        QVERIFY(edits().region_edits.empty()); // as it was: nothing is left of it
         switch_region(1, false);
         QVERIFY(wait_until_settled(w()));
 
@@ -273,7 +271,7 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(dialog().problem().isEmpty());
         QVERIFY(regions()[0].strip.area < first);
-        QCOMPARE(edits().region_edits().size(), std::size_t(2));
+        QCOMPARE(edits().region_edits.size(), std::size_t(2));
 
         // A boundary point is dragged outward in the view.
         w().viewport().set_view(StandardView::top);
@@ -289,20 +287,20 @@ private slots:
         QVERIFY(QTest::qWaitFor([this] { return !controller().busy(); }, 30000));
         const double tried = regions()[0].strip.area;
         QVERIFY(tried > shrunk); // before it is let go
-        QVERIFY(edits().boundary_drags().empty());
+        QVERIFY(edits().boundary_drags.empty());
         shot_both(QStringLiteral("regions-dragging"));
         QTest::mouseRelease(&w().viewport(), Qt::LeftButton, {}, to);
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(edits().boundary_drags().size(), std::size_t(1));
+        QCOMPARE(edits().boundary_drags.size(), std::size_t(1));
         QCOMPARE(regions()[0].strip.area, tried);
-        const BoundaryDrag drag = edits().boundary_drags()[0];
+        const BoundaryDrag drag = edits().boundary_drags[0];
         QVERIFY((Vec3(drag.from[0], drag.from[1], drag.from[2]) - handle->first).norm() < 1e-4);
         QVERIFY(drag.to[0] < drag.from[0]);
         shot_both(QStringLiteral("regions-edited"));
 
         action(w(), "undo")->trigger();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(edits().boundary_drags().empty());
+        QVERIFY(edits().boundary_drags.empty());
         QCOMPARE(regions()[0].strip.area, shrunk);
         action(w(), "redo")->trigger();
         QVERIFY(wait_until_settled(w()));
@@ -312,8 +310,8 @@ private slots:
         const QString path = scratch_folder(QStringLiteral("saved")) + QStringLiteral("/job.facetmill");
         QVERIFY(w().files().save_to(path));
         QVERIFY(wait_until_settled(w()));
-        const auto kept = edits().region_edits();
-        const auto dragged = edits().boundary_drags();
+        const auto kept = edits().region_edits;
+        const auto dragged = edits().boundary_drags;
         w().open_file(path);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(!dialog().isVisible());
@@ -321,15 +319,15 @@ private slots:
         const auto near = [](const std::array<double, 3>& p, const std::array<double, 3>& q) {
             return (Vec3(p[0], p[1], p[2]) - Vec3(q[0], q[1], q[2])).norm() < 1e-6;
         };
-        QCOMPARE(edits().region_edits().size(), kept.size());
+        QCOMPARE(edits().region_edits.size(), kept.size());
         for (std::size_t i = 0; i < kept.size(); ++i) {
-            const RegionEdit& loaded = edits().region_edits()[i];
+            const RegionEdit& loaded = edits().region_edits[i];
             QVERIFY(near(loaded.place, kept[i].place) && loaded.enabled == kept[i].enabled
                     && std::abs(loaded.grow - kept[i].grow) < 1e-9);
         }
-        QCOMPARE(edits().boundary_drags().size(), dragged.size());
-        QVERIFY(near(edits().boundary_drags()[0].from, dragged[0].from)
-                && near(edits().boundary_drags()[0].to, dragged[0].to));
+        QCOMPARE(edits().boundary_drags.size(), dragged.size());
+        QVERIFY(near(edits().boundary_drags[0].from, dragged[0].from)
+                && near(edits().boundary_drags[0].to, dragged[0].to));
         w().tree().select({TreeNode::Kind::operation, 0});
         QVERIFY(open_dialog());
         QCOMPARE(regions().size(), std::size_t(2));
@@ -339,7 +337,7 @@ private slots:
 
         dialog().findChild<QPushButton*>(QStringLiteral("drop_edits"))->click();
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(edits().region_edits().empty() && edits().boundary_drags().empty());
+        QVERIFY(edits().region_edits.empty() && edits().boundary_drags.empty());
         QVERIFY(std::abs(area() - whole) < 1e-6 * whole);
         QVERIFY(!dialog().findChild<QPushButton*>(QStringLiteral("drop_edits"))->isEnabled());
     }

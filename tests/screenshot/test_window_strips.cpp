@@ -195,7 +195,7 @@ private slots:
         QTest::keyClick(list(), Qt::Key_Space);
         QVERIFY(wait_until_settled(w()));
         const auto off = [&] {
-            return dynamic_cast<const Cleanup&>(w().document().operation(0)).settings().switched_off;
+            return std::get<std::string>(w().document().operation(0).get(switched_off_key));
         };
         QCOMPARE(off(), std::string("Valley 2"));
         QCOMPARE(row("Valley 2")->checkState(0), Qt::Unchecked);

@@ -40,6 +40,9 @@ struct CleanupSettings : OperationCommon {
     std::string switched_off; ///< names of strips that are not cut, separated by commas
 };
 
+/// The key of CleanupSettings::switched_off.
+inline constexpr const char* switched_off_key = "switched_off";
+
 const ParameterTable<CleanupSettings>& cleanup_parameters();
 
 /// How the previous tool stood along the strips, for showing it.

@@ -4,22 +4,6 @@
 
 namespace facetmill {
 
-namespace {
-
-/// The names in a list that is separated by commas, without the blanks around them.
-std::vector<std::string> listed(const std::string& list) {
-    std::vector<std::string> names;
-    for (std::size_t at = 0; at < list.size();) {
-        const std::size_t end = std::min(list.find(',', at), list.size());
-        const std::size_t first = list.find_first_not_of(' ', at);
-        if (first < end) names.push_back(list.substr(first, list.find_last_not_of(' ', end - 1) + 1 - first));
-        at = end + 1;
-    }
-    return names;
-}
-
-} // namespace
-
 const ParameterTable<CleanupSettings>& cleanup_parameters() {
     static const auto table = [] {
         using K = ParameterKind;
@@ -27,15 +11,12 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
         ParameterTable<S> t;
         add_common_parameters(t);
         t.add(&S::previous_tool,
-              {.key = "previous_tool",
-               .label = "Previous tool",
-               .help = "Number of the tool that cut the part before: clean-up looks for what it "
-                       "could not enter.",
-               .kind = K::integer,
-               .quantity = Quantity::count,
-               .minimum = 1,
-               .maximum = largest_tool_number,
-               .stage = Stage::cutter});
+              further_tool_parameter({.key = "previous_tool",
+                                      .label = "Previous tool",
+                                      .help = "Number of the tool that cut the part before: clean-up looks "
+                                              "for what it could not enter.",
+                                      .stage = Stage::cutter},
+                                     1));
         t.add(&S::normal_change_limit,
               {.key = "normal_change_limit",
                .label = "Normal change limit",
@@ -75,12 +56,8 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
                .maximum = 1000,
                .words = {"auto"},
                .advanced = true});
-        t.add_choice(&S::pattern,
-                     {.key = "pattern",
-                      .label = "Pattern",
-                      .help = "zigzag cuts neighbouring passes to and fro; oneway all in the same "
-                              "direction.",
-                      .words = {"zigzag", "oneway"}});
+        t.add_choice(&S::pattern, pattern_parameter("zigzag cuts neighbouring passes to and fro; oneway "
+                                                    "all in the same direction."));
         t.add(&S::left_points,
               {.key = "left_points",
                .label = "Points left before",
@@ -103,23 +80,24 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
                .quantity = Quantity::angle,
                .minimum = 0,
                .maximum = radians(75)});
-        t.add(&S::switched_off, {.key = "switched_off",
+        t.add(&S::switched_off, {.key = switched_off_key,
                                  .label = "Switched off",
                                  .help = "Names of strips that are found but not cut, separated by commas.",
-                                 .kind = K::text});
+                                 .kind = K::names,
+                                 .nouns = {"strip", "strips"}});
         return t;
     }();
     return table;
 }
 
 bool is_switched_off(const std::string& list, const std::string& name) {
-    const auto names = listed(list);
+    const auto names = listed_names(list);
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::string with_switched(const std::string& list, const std::string& name, bool on) {
     std::string result;
-    for (const std::string& n : listed(list))
+    for (const std::string& n : listed_names(list))
         if (n != name) result += (result.empty() ? "" : ", ") + n;
     if (!on) result += (result.empty() ? "" : ", ") + name;
     return result;

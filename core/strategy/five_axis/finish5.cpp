@@ -265,6 +265,11 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
         add_common_parameters(t);
         t.set_stage("feed", Stage::strategy); // postures are chosen by time
         add_five_axis_parameters(t);
+        t.add_records(&Finish5Settings::manual_postures, manual_posture_list,
+                      {.label = "Kept postures",
+                       .help = "Postures chosen by hand for single contact points, in the configuration "
+                               "space of the point; used wherever they are free.",
+                       .nouns = {"kept posture", "kept postures"}});
         return t;
     }();
     return table;

@@ -50,7 +50,7 @@ const ParameterTable<Finish5Settings>& finish5_parameters();
 StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
                             const Progress& progress, double leave = 0);
 
-class Finish5 : public OperationWith<Finish5Settings, finish5_parameters>, public TakesManualPostures {
+class Finish5 : public OperationWith<Finish5Settings, finish5_parameters> {
 public:
     using OperationWith::OperationWith;
 
@@ -59,10 +59,6 @@ public:
     bool three_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
     bool accelerations() const override { return settings_.accelerations; }
-    const std::vector<ManualPosture>& manual_postures() const override { return settings_.manual_postures; }
-    void set_manual_postures(std::vector<ManualPosture> postures) override {
-        settings_.manual_postures = std::move(postures);
-    }
 
     /// Throws Error(empty_result) when no drive plane meets the part or no posture is free anywhere,
     /// Error(out_of_range) for limits that leave nothing, Error(limit_exceeded) beyond 100 000 drive planes.

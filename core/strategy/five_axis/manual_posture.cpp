@@ -1,6 +1,6 @@
 #include "core/strategy/five_axis/manual_posture.h"
 
-#include "core/base/tolerances.h"
+#include "core/strategy/plan/shared_parameters.h"
 
 namespace facetmill {
 
@@ -8,13 +8,11 @@ const ParameterTable<ManualPosture>& manual_posture_parameters() {
     static const auto table = [] {
         using K = ParameterKind;
         ParameterTable<ManualPosture> t;
-        t.add(&ManualPosture::point, {.key = "point",
-                                      .label = "Point",
-                                      .help = "Place on the part whose nearest contact point it is for.",
-                                      .kind = K::triple,
-                                      .quantity = Quantity::length,
-                                      .minimum = -tolerance::largest_coordinate,
-                                      .maximum = tolerance::largest_coordinate});
+        t.add(&ManualPosture::point,
+              place_parameter({.key = "point",
+                               .label = "Point",
+                               .help = "Place on the part whose nearest contact point it is for.",
+                               .required = "give the place on the part"}));
         t.add(&ManualPosture::lead, {.key = "lead",
                                      .label = "Lead",
                                      .help = "Inclination of the tool axis from the surface normal towards "
@@ -22,7 +20,8 @@ const ParameterTable<ManualPosture>& manual_posture_parameters() {
                                      .kind = K::number,
                                      .quantity = Quantity::angle,
                                      .minimum = 0,
-                                     .maximum = radians(89)});
+                                     .maximum = radians(89),
+                                     .required = "give the inclination"});
         t.add(&ManualPosture::yaw, {.key = "yaw",
                                     .label = "Yaw",
                                     .help = "How far the inclination is turned about the surface normal, to "
@@ -30,7 +29,8 @@ const ParameterTable<ManualPosture>& manual_posture_parameters() {
                                     .kind = K::number,
                                     .quantity = Quantity::angle,
                                     .minimum = -pi,
-                                    .maximum = pi});
+                                    .maximum = pi,
+                                    .required = "give the yaw"});
         return t;
     }();
     return table;

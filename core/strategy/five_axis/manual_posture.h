@@ -18,19 +18,8 @@ struct ManualPosture {
     bool operator==(const ManualPosture&) const = default;
 };
 
-/// One posture: in files the members of the list `manual_postures` of an operation.
 const ParameterTable<ManualPosture>& manual_posture_parameters();
-
-/// An operation that takes such postures, beside its parameters.
-class TakesManualPostures {
-public:
-    static constexpr const char* file_key = "manual_postures";
-    virtual const std::vector<ManualPosture>& manual_postures() const = 0;
-    /// Takes them as they are; check_project checks.
-    virtual void set_manual_postures(std::vector<ManualPosture> postures) = 0;
-
-protected:
-    ~TakesManualPostures() = default;
-};
+/// Among the parameters of an operation that takes such postures.
+inline constexpr RecordList<ManualPosture> manual_posture_list{"manual_postures", manual_posture_parameters};
 
 } // namespace facetmill

@@ -361,14 +361,11 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
                .minimum = 0,
                .maximum = 1e4});
         t.add(&S::rework_tool,
-              {.key = "rework_tool",
-               .label = "Rework tool",
-               .help = "Number of the tool that cuts the regions; 0: none, they are shown and "
-                       "left to other operations.",
-               .kind = K::integer,
-               .quantity = Quantity::count,
-               .minimum = 0,
-               .maximum = largest_tool_number});
+              further_tool_parameter({.key = "rework_tool",
+                                      .label = "Rework tool",
+                                      .help = "Number of the tool that cuts the regions; 0: none, they are "
+                                              "shown and left to other operations."},
+                                     0));
         t.add_choice(&S::rework_cutting,
                      {.key = "rework_cutting",
                       .label = "Rework cutting",
@@ -377,16 +374,10 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
                           "or bull-nosed tool whose lead matches the curvature.",
                       .words = {"ball", "cm2"}});
         t.add(&S::machining_direction,
-              {.key = "machining_direction",
-               .label = "Machining direction",
-               .help =
-                   "Direction of travel of the rework path: auto is that of the main path; a number is an "
-                   "angle from X.",
-               .kind = K::number_or_word,
-               .quantity = Quantity::angle,
-               .minimum = -2 * pi,
-               .maximum = 2 * pi,
-               .words = {"auto", "x", "y"}});
+              travel_parameter({.key = "machining_direction",
+                                .label = "Machining direction",
+                                .help = "Direction of travel of the rework path: auto is that of the main "
+                                        "path; a number is an angle from X."}));
         t.add(&S::view_direction,
               {.key = "view_direction",
                .label = "View direction",
@@ -397,6 +388,14 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
                .maximum = 1e6,
                .advanced = true});
         add_five_axis_parameters(t);
+        t.add_records(&S::region_edits, region_edit_list,
+                      {.label = "Region edits",
+                       .help = "Rework regions that were switched off, grown or shrunk by hand.",
+                       .nouns = {"edited region", "edited regions"}});
+        t.add_records(&S::boundary_drags, boundary_drag_list,
+                      {.label = "Boundary drags",
+                       .help = "Points of the regions' boundaries that were dragged over the surface.",
+                       .nouns = {"dragged point", "dragged points"}});
         return t;
     }();
     return table;

@@ -49,8 +49,7 @@ struct GlobalLocalSettings : Finish5Settings {
 
 const ParameterTable<GlobalLocalSettings>& global_local_parameters();
 
-class GlobalLocal : public OperationWith<GlobalLocalSettings, global_local_parameters>,
-                    public TakesRegionEdits {
+class GlobalLocal : public OperationWith<GlobalLocalSettings, global_local_parameters> {
 public:
     using OperationWith::OperationWith;
 
@@ -67,14 +66,7 @@ public:
         Operation::renumber_tool(from, to);
         if (settings_.rework_tool == from) settings_.rework_tool = to;
     }
-    const std::vector<RegionEdit>& region_edits() const override { return settings_.region_edits; }
-    const std::vector<BoundaryDrag>& boundary_drags() const override { return settings_.boundary_drags; }
-    void set_region_edits(std::vector<RegionEdit> edits) override {
-        settings_.region_edits = std::move(edits);
-    }
-    void set_boundary_drags(std::vector<BoundaryDrag> drags) override {
-        settings_.boundary_drags = std::move(drags);
-    }
+    const GlobalLocalSettings* rework() const override { return &settings_; }
 
     /// Throws what Finish5::plan does; Error(out_of_range) as find_regions does, and for a rework tool that
     /// does not suit the cutting; Error(empty_result) where the lead limit leaves next to nothing to the main

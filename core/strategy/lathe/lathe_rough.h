@@ -33,6 +33,7 @@ public:
 
     std::string_view kind() const override { return "lathe_rough"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<LatheRough>(settings_); }
+    double left_on_purpose() const override { return settings_.allowance + settings_.finishing_allowance; }
 
     /// `layers` are the passes' tip distances u from the axis, from outside. Throws what LatheFinish does,
     /// and Error(empty_result) where nothing of the stock stands above part and allowance.

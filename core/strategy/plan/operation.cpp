@@ -40,6 +40,10 @@ std::unique_ptr<Operation> make_operation(std::string_view kind) {
                 "use one of: " + known);
 }
 
+LayerPreview Operation::preview_layers(const PlanContext&, const Progress&) const {
+    throw Error(ErrorCode::internal, common().name, "the operation has no preview of layers", "report this");
+}
+
 void check_plannable(const PlanContext& context, const OperationCommon& settings) {
     if (!context.part || context.part->facets.empty())
         throw Error(ErrorCode::empty_result, settings.name, "the part has no facets", "choose another part");

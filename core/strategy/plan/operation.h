@@ -15,6 +15,7 @@
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/path.h"
+#include "core/strategy/plan/shared_parameters.h"
 
 #include <functional>
 #include <memory>
@@ -78,7 +79,16 @@ struct OperationCommon {
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
 };
 
-struct LatheCommon; // lathe.h
+struct LatheCommon;         // lathe.h
+struct GlobalLocalSettings; // global_local.h
+
+/// The layers as an operation would choose them; some of them may turn out to cut nothing.
+struct LayerPreview {
+    std::vector<double> heights;                       ///< the tip's on each layer, from the top down, mm
+    double depth_min = 0, depth_max = 0, stepover = 0; ///< between layers; between lines where a floor stays
+    double remaining = 0; ///< what they leave above the allowance on the slopes that the part has, at most
+    Box3 stock;           ///< as it stands before the operation
+};
 
 /// How the passes of an operation are joined (motion.h).
 enum class Linking {
@@ -99,6 +109,15 @@ public:
     virtual Linking linking() const { return three_axis() ? Linking::upright : Linking::tilted; }
     /// The settings of an operation that turns the part about an axis; else null.
     virtual const LatheCommon* turning() const { return nullptr; }
+    /// The settings of an operation that leaves regions to rework with a smaller tool; else null.
+    virtual const GlobalLocalSettings* rework() const { return nullptr; }
+    /// True when `preview_layers` tells the layers without planning them.
+    virtual bool has_layer_preview() const { return false; }
+    /// Needs neither contact index nor geometry in the context. Throws what `plan` does of depth, step-over,
+    /// tolerance and stock; Error(internal) where there is no preview.
+    virtual LayerPreview preview_layers(const PlanContext& context, const Progress& progress) const;
+    /// What it leaves on the part on purpose, mm.
+    virtual double left_on_purpose() const { return common().allowance; }
     /// True when the plan depends on what stands of the stock: raw material and earlier operations.
     virtual bool reads_stock() const { return false; }
     /// What of the operations before it the plan depends on beside that.

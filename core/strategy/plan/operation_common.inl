@@ -21,7 +21,8 @@ void add_common_parameters(ParameterTable<S>& table) {
                                  .quantity = Quantity::count,
                                  .minimum = 1,
                                  .maximum = largest_tool_number,
-                                 .stage = Stage::cutter});
+                                 .stage = Stage::cutter,
+                                 .required = "give the number of a tool"});
     table.add(
         member(&S::tolerance),
         {.key = "tolerance",
@@ -67,17 +68,12 @@ void add_common_parameters(ParameterTable<S>& table) {
                                       .maximum = 1e4,
                                       .open_minimum = true,
                                       .stage = Stage::link});
-    table.add(
-        member(&S::direction),
-        {.key = "direction",
-         .label = "Direction",
-         .help =
-             "Direction of travel: auto picks x or y by the change of normals; a number is an angle from X.",
-         .kind = K::number_or_word,
-         .quantity = Quantity::angle,
-         .minimum = -2 * pi,
-         .maximum = 2 * pi,
-         .words = {"auto", "x", "y"}});
+    table.add(member(&S::direction),
+              travel_parameter({.key = "direction",
+                                .label = "Direction",
+                                .help = "Direction of travel: auto picks x or y by the "
+                                        "change of normals; a number is an angle "
+                                        "from X."}));
 }
 
 } // namespace facetmill

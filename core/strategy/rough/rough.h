@@ -50,6 +50,8 @@ public:
     bool three_axis() const override { return true; }
     Linking linking() const override { return Linking::over_stock; }
     bool reads_stock() const override { return true; }
+    bool has_layer_preview() const override { return true; }
+    LayerPreview preview_layers(const PlanContext& context, const Progress& progress) const override;
 
     /// The passes are level, one or more a layer, but for those along floors of valleys between two layers,
     /// which count with the one above; in machining order, which is not that of layers. `Pass::layer` counts
@@ -63,18 +65,5 @@ public:
     /// Error(limit_exceeded) for parts that ask for more than 20 million places or 100 000 layers.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
-
-/// The layers as `plan` would choose them; some of them may turn out to cut nothing.
-struct RoughPreview {
-    std::vector<double> heights;                       ///< the tip's on each layer, from the top down, mm
-    double depth_min = 0, depth_max = 0, stepover = 0; ///< between layers; between lines where a floor stays
-    double remaining = 0; ///< what they leave above the allowance on the slopes that the part has, at most
-    Box3 stock;           ///< as it stands before the operation
-};
-
-/// Needs neither contact index nor geometry in the context. Throws what `plan` does of depth, step-over,
-/// tolerance and stock.
-RoughPreview preview_rough(const RoughSettings& settings, const PlanContext& context,
-                           const Progress& progress);
 
 } // namespace facetmill

@@ -121,13 +121,12 @@ RoughHeights::RoughHeights(const RoughSettings& settings, const PlanContext& con
     expected = layers.excess + 2 * measures.margin + measures.min_work;
 }
 
-RoughPreview preview_rough(const RoughSettings& settings, const PlanContext& context,
-                           const Progress& progress) {
-    check_plannable(context, settings);
-    const RoughMeasures measures(settings, context);
-    const StockField field = rough_stock(settings, context, measures, progress.part(0, 0.5));
-    const RoughHeights heights(settings, context, measures, field, progress.part(0.5, 1));
-    RoughPreview preview;
+LayerPreview Rough::preview_layers(const PlanContext& context, const Progress& progress) const {
+    check_plannable(context, settings_);
+    const RoughMeasures measures(settings_, context);
+    const StockField field = rough_stock(settings_, context, measures, progress.part(0, 0.5));
+    const RoughHeights heights(settings_, context, measures, field, progress.part(0.5, 1));
+    LayerPreview preview;
     preview.heights = heights.layers.heights;
     preview.depth_min = heights.layers.depth_min;
     preview.depth_max = heights.layers.depth_max;

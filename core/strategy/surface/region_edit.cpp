@@ -1,6 +1,6 @@
 #include "core/strategy/surface/region_edit.h"
 
-#include "core/base/tolerances.h"
+#include "core/strategy/plan/shared_parameters.h"
 
 namespace facetmill {
 
@@ -8,13 +8,11 @@ const ParameterTable<RegionEdit>& region_edit_parameters() {
     static const auto table = [] {
         using K = ParameterKind;
         ParameterTable<RegionEdit> t;
-        t.add(&RegionEdit::place, {.key = "place",
-                                   .label = "Place",
-                                   .help = "A place on the part: the region nearest to it is meant.",
-                                   .kind = K::triple,
-                                   .quantity = Quantity::length,
-                                   .minimum = -tolerance::largest_coordinate,
-                                   .maximum = tolerance::largest_coordinate});
+        t.add(&RegionEdit::place,
+              place_parameter({.key = "place",
+                               .label = "Place",
+                               .help = "A place on the part: the region nearest to it is meant.",
+                               .required = "give a place in the region"}));
         t.add(
             &RegionEdit::enabled,
             {.key = "enabled", .label = "Cut", .help = "false: the region is not cut.", .kind = K::boolean});
@@ -33,19 +31,15 @@ const ParameterTable<RegionEdit>& region_edit_parameters() {
 
 const ParameterTable<BoundaryDrag>& boundary_drag_parameters() {
     static const auto table = [] {
-        using K = ParameterKind;
         ParameterTable<BoundaryDrag> t;
-        const auto info = [](const char* key, const char* label, const char* help) {
-            return ParameterInfo{.key = key,
-                                 .label = label,
-                                 .help = help,
-                                 .kind = K::triple,
-                                 .quantity = Quantity::length,
-                                 .minimum = -tolerance::largest_coordinate,
-                                 .maximum = tolerance::largest_coordinate};
-        };
-        t.add(&BoundaryDrag::from, info("from", "From", "Where the boundary was."));
-        t.add(&BoundaryDrag::to, info("to", "To", "Where it was dragged to."));
+        t.add(&BoundaryDrag::from, place_parameter({.key = "from",
+                                                    .label = "From",
+                                                    .help = "Where the boundary was.",
+                                                    .required = "give the boundary's place"}));
+        t.add(&BoundaryDrag::to, place_parameter({.key = "to",
+                                                  .label = "To",
+                                                  .help = "Where it was dragged to.",
+                                                  .required = "give the place it moves to"}));
         return t;
     }();
     return table;

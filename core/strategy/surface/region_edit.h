@@ -24,23 +24,10 @@ struct BoundaryDrag {
     bool operator==(const BoundaryDrag&) const = default;
 };
 
-/// One of them: in files the members of the lists `region_edits` and `boundary_drags` of an operation.
 const ParameterTable<RegionEdit>& region_edit_parameters();
 const ParameterTable<BoundaryDrag>& boundary_drag_parameters();
-
-/// An operation whose regions can be edited, beside its parameters.
-class TakesRegionEdits {
-public:
-    static constexpr const char* edits_key = "region_edits";
-    static constexpr const char* drags_key = "boundary_drags";
-    virtual const std::vector<RegionEdit>& region_edits() const = 0;
-    virtual const std::vector<BoundaryDrag>& boundary_drags() const = 0;
-    /// Takes them as they are; check_project checks.
-    virtual void set_region_edits(std::vector<RegionEdit> edits) = 0;
-    virtual void set_boundary_drags(std::vector<BoundaryDrag> drags) = 0;
-
-protected:
-    ~TakesRegionEdits() = default;
-};
+/// Among the parameters of an operation whose regions can be edited.
+inline constexpr RecordList<RegionEdit> region_edit_list{"region_edits", region_edit_parameters};
+inline constexpr RecordList<BoundaryDrag> boundary_drag_list{"boundary_drags", boundary_drag_parameters};
 
 } // namespace facetmill

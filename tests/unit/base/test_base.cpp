@@ -24,6 +24,27 @@ using facetmill::test::code_of;
 
 namespace {
 
+struct Spot {
+    std::array<double, 3> place{0, 0, 0};
+    double size = 1;
+    bool operator==(const Spot&) const = default;
+};
+
+const ParameterTable<Spot>& spot_parameters() {
+    static const auto t = [] {
+        ParameterTable<Spot> p;
+        p.add(&Spot::place, {.key = "place",
+                             .kind = ParameterKind::triple,
+                             .quantity = Quantity::length,
+                             .required = "say where"});
+        p.add(&Spot::size, {.key = "size", .quantity = Quantity::length, .minimum = 0, .maximum = 10});
+        return p;
+    }();
+    return t;
+}
+
+constexpr RecordList<Spot> spot_list{"spots", spot_parameters};
+
 struct Sample {
     double length = 2.0;
     NumberOrWord step{0.0, "auto"};
@@ -32,6 +53,8 @@ struct Sample {
     std::string name = "a";
     std::array<double, 2> limits{0.0, 0.5};
     enum class Kind { box, round } kind = Kind::round;
+    std::string off;
+    std::vector<Spot> spots;
 };
 
 const ParameterTable<Sample>& table() {
@@ -59,6 +82,8 @@ const ParameterTable<Sample>& table() {
                                 .maximum = pi / 2,
                                 .ordered = true});
         p.add_choice(&Sample::kind, {.key = "kind", .words = {"box", "round"}});
+        p.add(&Sample::off, {.key = "off", .kind = K::names, .nouns = {"strip", "strips"}});
+        p.add_records(&Sample::spots, spot_list, {.label = "Spots", .nouns = {"spot", "spots"}});
         return p;
     }();
     return t;
@@ -113,6 +138,83 @@ private slots:
                               LengthUnit::inch)
                     == p->value_text(view.get(p->key), LengthUnit::inch),
                 p->key.c_str());
+    }
+
+    void lists_of_records_are_parameters() {
+        Sample s;
+        ParameterView<Sample> view(s, table());
+        const ParameterInfo& info = view.parameter("spots");
+        QVERIFY(info.is_list() && info.record.size() == 2);
+        QCOMPARE(info.count_text(view.get("spots")), std::string("none"));
+        // As structs, as values and as text.
+        const std::vector<Spot> two{{{25.4, 0, -2.54}, 1}, {{0, 0, 1}, 5.08}};
+        QVERIFY(spot_list.is_in(view));
+        spot_list.set(view, two);
+        QVERIFY(s.spots == two && spot_list.of(view) == two);
+        QCOMPARE(info.count_text(view.get("spots")), std::string("2 spots"));
+        const std::string text = info.value_text(view.get("spots"), LengthUnit::inch);
+        QVERIFY2(text.starts_with(R"([{"place":[1,0,-0.1],"size":)"), text.c_str());
+        QCOMPARE(info.value_text(info.parse(text, LengthUnit::inch), LengthUnit::inch), text);
+        QVERIFY(info.parse(info.value_text(view.get("spots"), LengthUnit::mm), LengthUnit::mm)
+                == view.get("spots"));
+        view.set("spots", info.parse(R"( [{ "place": [1, 2, 3] }] )", LengthUnit::mm));
+        QVERIFY((s.spots == std::vector<Spot>{{{1, 2, 3}, 1}})); // the size has its default
+        QCOMPARE(info.count_text(view.get("spots")), std::string("1 spot"));
+        view.set("spots", info.empty_list());
+        QVERIFY(s.spots.empty() && info.parse("[]", LengthUnit::mm) == info.empty_list());
+
+        const ParameterInfo& off = view.parameter("off");
+        QCOMPARE(off.count_text(std::string(" V1,V 2 , ,")), std::string("2 strips"));
+        QCOMPARE(off.count_text(std::string("V1")), std::string("1 strip"));
+        QVERIFY(off.empty_list() == view.get("off"));
+
+        // Who has no such list has none of it.
+        Spot spot;
+        const ParameterView<Spot> other(spot, spot_parameters());
+        QVERIFY(!spot_list.is_in(other) && spot_list.of(other).empty());
+    }
+
+    void bad_records_are_refused_and_change_nothing() {
+        Sample s;
+        s.spots = {{{1, 2, 3}, 4}};
+        ParameterView<Sample> view(s, table());
+        const ParameterInfo& info = view.parameter("spots");
+        const auto wrong = [&](const std::string& text, const char* code, const char* where) {
+            try {
+                view.set("spots", info.parse(text, LengthUnit::mm));
+            } catch (const Error& e) {
+                return code_name(e.code()) == code && e.where() == where;
+            }
+            return false;
+        };
+        QVERIFY(wrong("7", "wrong_type", "spots"));
+        QVERIFY(wrong("[7]", "wrong_type", "spots[0]"));
+        QVERIFY(wrong("[{}]", "missing_key", "spots[0].place"));
+        QVERIFY(wrong(R"([{"place": [0, 0]}])", "wrong_type", "spots[0].place"));
+        QVERIFY(wrong(R"([{"place": [0, 0, 0]}, {"place": [0, 0, 0], "size": 11}])", "out_of_range",
+                      "spots[1].size"));
+        QVERIFY(wrong(R"([{"place": [0, 0, 0], "sise": 1}])", "unknown_key", "spots[0].sise"));
+        // In code, too.
+        QCOMPARE(code_of([&] { spot_list.set(view, {{{0, 0, 0}, -1}}); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { view.set("spots", 1.0); }), std::string("wrong_type"));
+        QCOMPARE(code_of([&] { view.set("spots", ParameterRecords{{{1.0}}}); }), std::string("wrong_type"));
+        QVERIFY((s.spots == std::vector<Spot>{{{1, 2, 3}, 4}}));
+        s.spots[0].size = 11;
+        try {
+            info.check(view.get("spots"));
+            QFAIL("no error");
+        } catch (const Error& e) {
+            QCOMPARE(e.where(), std::string("spots[0].size"));
+        }
+    }
+
+    void what_is_not_described_cannot_be_described_otherwise() {
+        ParameterTable<Spot> t = spot_parameters();
+        t.set_help("size", "How wide it is.").set_stage("size", Stage::link);
+        QCOMPARE(t.find("size")->info.help, std::string("How wide it is."));
+        QVERIFY(t.find("size")->info.stage == Stage::link);
+        QCOMPARE(code_of([&] { t.set_help("sise", "No."); }), std::string("unknown_key"));
+        QCOMPARE(code_of([&] { t.set_stage("sise", Stage::link); }), std::string("unknown_key"));
     }
 
     void bad_values_are_refused_and_change_nothing() {

@@ -4,7 +4,8 @@
 #include "core/job/project.h"
 #include "core/job/reference.h"
 #include "core/setup/machine.h"
-#include "core/strategy/five_axis/manual_posture.h"
+#include "core/strategy/five_axis/finish5.h"
+#include "core/strategy/global_local/global_local.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -60,6 +61,124 @@ Failure failure_of(const std::string& text) {
 
 const ParameterValue value(const Project& p, const char* key) {
     return p.operations.at(0)->get(key);
+}
+
+/// The project with one text in place of another is refused, at this place of its operation.
+void check_refusal(std::string text, const char* from, const char* to, const char* code, const char* where) {
+    text.replace(text.find(from), std::string(from).size(), to);
+    const Failure f = failure_of(text);
+    if (f.code != code || f.where != std::string("p.facetmill: operations[0]") + where)
+        qFatal("%s gives %s at %s", to, f.code.c_str(), f.where.c_str());
+}
+
+/// A key that the reader of projects takes, and where on the reference page it has to stand.
+struct Known {
+    std::string heading, list, key; ///< list: whose records have it; empty: none
+    std::string name() const { return heading + " " + list + (list.empty() ? "" : ".") + key; }
+};
+
+/// The keys that the reader names to one that it does not know, and that has no likeness to any of them; none
+/// where it wants no object. `text`: a project with these members in the object's beginning.
+std::vector<std::string> named_keys(const std::function<std::string(const std::string&)>& text) {
+    const std::string stranger(70, 'q');
+    std::string members = "\"" + stranger + "\": 0";
+    for (int i = 0; i < 20; ++i) {
+        try {
+            parsed(text(members));
+            return {};
+        } catch (const Error& e) {
+            const std::string last = e.where().substr(e.where().find_last_of(".: ") + 1);
+            if (e.code() == ErrorCode::missing_key) { // it wants that first
+                members += ", \"" + last + "\": 0";
+                continue;
+            }
+            if (e.code() != ErrorCode::unknown_key || !last.starts_with("qqqq")) return {};
+            const std::string title = "known keys: ";
+            if (!e.remedy().starts_with(title)) qFatal("%s", e.what());
+            std::vector<std::string> keys;
+            for (std::size_t at = title.size(); at < e.remedy().size();) {
+                const std::size_t end = std::min(e.remedy().find(", ", at), e.remedy().size());
+                keys.push_back(e.remedy().substr(at, end - at));
+                at = end + 2;
+            }
+            return keys;
+        }
+    }
+    qFatal("the reader wants ever more keys");
+}
+
+/// Those of an object, and of the records of its lists.
+void add_known(std::vector<Known>& all, const std::string& heading,
+               const std::function<std::string(const std::string&)>& text) {
+    for (const std::string& key : named_keys(text)) {
+        if (key == "kind" && heading.starts_with("###")) continue; // stands once, before the kinds
+        all.push_back({heading, "", key});
+        const auto in_list = [&](const std::string& members) {
+            return text("\"" + key + "\": [ { " + members + " } ]");
+        };
+        if (heading == "## Project file") continue; // its lists have headings of their own
+        for (const std::string& field : named_keys(in_list))
+            all.push_back({heading, key, field});
+    }
+}
+
+/// All that the reader takes anywhere in a project.
+std::vector<Known> keys_of_the_reader() {
+    std::vector<Known> all;
+    const std::string head = "{ \"facetmill\": 1, \"units\": \"mm\"",
+                      part = ", \"part\": { \"file\": \"a.stl\" }";
+    add_known(all, "## Project file",
+              [&](const std::string& members) { return "{ " + members + ", \"facetmill\": 1 }"; });
+    add_known(all, "## Part",
+              [&](const std::string& members) { return head + ", \"part\": { " + members + " } }"; });
+    add_known(all, "## Stock",
+              [&](const std::string& members) { return head + part + ", \"stock\": { " + members + " } }"; });
+    add_known(all, "## Tools", [&](const std::string& members) {
+        return head + part + ", \"tools\": [ { " + members + ", \"number\": 1, \"diameter\": 1 } ] }";
+    });
+    all.push_back({"## Operations", "", "kind"});
+    for (const OperationKind& kind : operation_kinds())
+        add_known(all, "### `" + kind.kind + "`", [&](const std::string& members) {
+            return head + part + ", \"operations\": [ { " + members + ", \"tool\": 1, \"kind\": \""
+                   + kind.kind + "\" } ] }";
+        });
+    return all;
+}
+
+/// Lines of the page, from and to.
+struct Section {
+    std::size_t first = std::string::npos, last = std::string::npos;
+};
+
+/// Where the page has to have the key: below its heading, before the next one, or in the lists' own.
+Section section_of(const std::string& page, const Known& known) {
+    Section section;
+    const std::string level = known.heading.substr(0, known.heading.find(' '));
+    section.first = page.find("\n" + known.heading);
+    if (section.first == std::string::npos) return section;
+    if (!known.list.empty()) {
+        const std::size_t end = std::min(page.find("\n" + level + " ", section.first + 1), page.size());
+        section.first = page.find("\n" + level + "# Each of `" + known.list + "`", section.first + 1);
+        if (section.first > end) return {};
+    }
+    section.last = std::min(page.find("\n#", section.first + 1), page.size());
+    return section;
+}
+
+std::string row_of(const Known& known) {
+    return "\n| `" + known.key + "` |";
+}
+
+/// The keys that the page does not have where they belong, a line each.
+std::string not_on(const std::string& page, const std::vector<Known>& all) {
+    std::string missing;
+    for (const Known& known : all) {
+        const Section section = section_of(page, known);
+        const bool there =
+            section.first != std::string::npos && page.find(row_of(known), section.first) < section.last;
+        if (!there) missing += known.name() + "\n";
+    }
+    return missing;
 }
 
 } // namespace
@@ -126,10 +245,9 @@ private slots:
         const std::string text =
             changed("\"kind\": \"finish3\",", "\"kind\": \"finish5\", \"manual_postures\": " + list + ",");
         const Project p = parsed(text);
-        const auto* by_hand = dynamic_cast<const TakesManualPostures*>(p.operations[0].get());
-        QVERIFY(by_hand);
-        QCOMPARE(by_hand->manual_postures().size(), std::size_t(2));
-        const ManualPosture& first = by_hand->manual_postures()[0];
+        const auto by_hand = manual_posture_list.of(*p.operations[0]);
+        QCOMPARE(by_hand.size(), std::size_t(2));
+        const ManualPosture& first = by_hand[0];
         QCOMPARE(first.point[1], 2.5 * 25.4);
         QCOMPARE(first.lead, radians(12.5));
         QCOMPARE(first.yaw, radians(-30));
@@ -139,15 +257,11 @@ private slots:
         QCOMPARE(project_to_json(Project(p)), once);
         // Without any, the file says nothing of them.
         Project none = p;
-        dynamic_cast<TakesManualPostures*>(none.operations[0].get())->set_manual_postures({});
+        manual_posture_list.set(*none.operations[0], {});
         QVERIFY(project_to_json(none).find("manual_postures") == std::string::npos);
 
         const auto wrong = [&](const char* from, const char* to, const char* code, const char* where) {
-            std::string broken = text;
-            broken.replace(broken.find(from), std::string(from).size(), to);
-            const Failure f = failure_of(broken);
-            if (f.code != code || f.where != std::string("p.facetmill: operations[0]") + where)
-                qFatal("%s gives %s at %s", to, f.code.c_str(), f.where.c_str());
+            check_refusal(text, from, to, code, where);
         };
         wrong("finish5", "finish3", "unknown_key", ".manual_postures");
         wrong(list.c_str(), "7", "wrong_type", ".manual_postures");
@@ -157,9 +271,56 @@ private slots:
         wrong("[1, 2.5, -0.1]", "[1, 2.5]", "wrong_type", ".manual_postures[0].point");
         wrong("\"yaw\": -30", "\"yaw\": -30, \"lift\": 1", "unknown_key", ".manual_postures[0].lift");
         Project off = p;
-        dynamic_cast<TakesManualPostures*>(off.operations[0].get())->set_manual_postures({{{0, 0, 0}, 2, 0}});
+        Finish5Settings settings;
+        settings.manual_postures = {{{0, 0, 0}, 2, 0}};
+        off.operations[0] = std::make_unique<Finish5>(settings);
         QCOMPARE(failure_of([&] { check_project(off); }).where,
                  std::string("operations[0].manual_postures[0].lead"));
+    }
+
+    void edited_regions_are_saved() {
+        const std::string edits = R"([{ "place": [1, 2.5, -0.1], "enabled": false, "grow": 0 },)"
+                                  R"({ "place": [0, 0, 0], "enabled": true, "grow": -0.5 }])";
+        const std::string drags = R"([{ "from": [1, 2, 3], "to": [1, 2.5, 3] }])";
+        const std::string text =
+            changed("\"kind\": \"finish3\",", "\"kind\": \"global_local\", \"region_edits\": " + edits
+                                                  + ", \"boundary_drags\": " + drags + ",");
+        const Project p = parsed(text);
+        const GlobalLocalSettings& s = *p.operations[0]->rework();
+        QVERIFY(
+            (s.region_edits
+             == std::vector<RegionEdit>{{{25.4, 2.5 * 25.4, -2.54}, false, 0}, {{0, 0, 0}, true, -12.7}}));
+        QCOMPARE(s.boundary_drags.size(), std::size_t(1));
+        QCOMPARE(s.boundary_drags[0].to[1], 63.5);
+        // Last of the operation, in this order; without any, the file says nothing of them.
+        const std::string once = project_to_json(p);
+        const std::size_t at = once.find("\"region_edits\": [");
+        QVERIFY(at != std::string::npos && at < once.find("\"boundary_drags\": ["));
+        QVERIFY(once.find("\"accelerations\"") < at);
+        QVERIFY(once.find("{ \"place\": [1, 2.5, -0.1], \"enabled\": false, \"grow\": 0 }")
+                != std::string::npos);
+        QCOMPARE(project_to_json(parsed(once)), once);
+        Project none = p;
+        region_edit_list.set(*none.operations[0], {});
+        boundary_drag_list.set(*none.operations[0], {});
+        QVERIFY(project_to_json(none).find("region_edits") == std::string::npos);
+        QVERIFY(project_to_json(none).find("boundary_drags") == std::string::npos);
+        // On the command line as in the file.
+        apply_setting(none, "1.boundary_drags=" + drags);
+        QVERIFY(none.operations[0]->rework()->boundary_drags == s.boundary_drags);
+        apply_setting(none, "1.boundary_drags=[]");
+        QVERIFY(none.operations[0]->rework()->boundary_drags.empty());
+
+        const auto wrong = [&](const char* from, const char* to, const char* code, const char* where) {
+            check_refusal(text, from, to, code, where);
+        };
+        wrong("global_local", "finish5", "unknown_key", ".region_edits");
+        wrong("\"place\": [0, 0, 0], ", "", "missing_key", ".region_edits[1].place");
+        wrong("\"grow\": -0.5", "\"grow\": -500", "out_of_range", ".region_edits[1].grow");
+        wrong("\"enabled\": false", "\"enabled\": 0", "wrong_type", ".region_edits[0].enabled");
+        wrong(", \"to\": [1, 2.5, 3]", "", "missing_key", ".boundary_drags[0].to");
+        wrong("\"to\": [1, 2.5, 3]", "\"too\": 1, \"to\": [1, 2.5, 3]", "unknown_key",
+              ".boundary_drags[0].too");
     }
 
     void any_number_of_fifteen_digits_survives() {
@@ -588,15 +749,35 @@ private slots:
                  "write it with: facetmill-cli reference -o resources/reference.md");
         QVERIFY2(std::string(InputFile(path).bytes()) == reference_page(),
                  "renew it with: facetmill-cli reference -o resources/reference.md");
-        // Every key of every kind stands in it.
-        const std::string page = reference_page();
-        for (const OperationKind& kind : operation_kinds()) {
-            QVERIFY(page.find("### `" + kind.kind + "`") != std::string::npos);
-            const auto operation = kind.make();
-            for (const ParameterInfo* info : operation->parameters()) {
-                QVERIFY(page.find("| `" + info->key + "` |") != std::string::npos);
+        for (const OperationKind& kind : operation_kinds())
+            for (const ParameterInfo* info : kind.make()->parameters()) {
                 QVERIFY2(!info->label.empty() && !info->help.empty(), info->key.c_str());
+                for (const ParameterInfo* field : info->record)
+                    QVERIFY2(!field->label.empty() && !field->help.empty(), field->key.c_str());
             }
+    }
+
+    /// Every key that the reader takes has its row where it belongs, and a row that is missing is missed.
+    void the_reference_page_has_every_key_of_the_reader() {
+        const std::string page = reference_page();
+        const std::vector<Known> all = keys_of_the_reader();
+        QVERIFY2(all.size() > 150, std::to_string(all.size()).c_str());
+        const auto has = [&](const char* heading, const char* list, const char* key) {
+            return std::any_of(all.begin(), all.end(), [&](const Known& k) {
+                return k.heading == heading && k.list == list && k.key == key;
+            });
+        };
+        QVERIFY(has("### `finish5`", "manual_postures", "yaw"));
+        QVERIFY(has("### `global_local`", "region_edits", "enabled"));
+        QVERIFY(has("### `global_local`", "boundary_drags", "from"));
+        QVERIFY(has("### `cleanup`", "", "switched_off"));
+        QVERIFY(has("## Tools", "holder", "length"));
+        QVERIFY(has("## Stock", "", "margin") && has("## Project file", "", "machine"));
+        QCOMPARE(not_on(page, all), std::string());
+        for (const Known& k : all) {
+            std::string torn = page;
+            torn.erase(torn.find(row_of(k), section_of(page, k).first), row_of(k).size());
+            QCOMPARE(not_on(torn, all), k.name() + "\n");
         }
     }
 };

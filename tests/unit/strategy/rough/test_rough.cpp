@@ -311,7 +311,7 @@ private slots:
         const Tool tool = flat_tool(6);
         const PlanContext c = context(pocket(true), tool, 3.3);
         RoughSettings s = settings(2);
-        RoughPreview preview = preview_rough(s, c, Progress());
+        LayerPreview preview = Rough(s).preview_layers(c, Progress());
         StrategyResult r = Rough(s).plan(c, Progress());
         // All of them but the floor at the part's lowest place, where the layer above has left the allowance.
         QVERIFY(preview.heights.size() == r.as<RoughPath>()->layers.size() + 1
@@ -326,15 +326,15 @@ private slots:
         later.earlier.push_back(cuts_of(r, tool));
         RoughSettings finer = settings(1);
         finer.allowance = 0.1;
-        preview = preview_rough(finer, later, Progress());
+        preview = Rough(finer).preview_layers(later, Progress());
         r = Rough(finer).plan(later, Progress());
         for (const double z : r.as<RoughPath>()->layers)
             QVERIFY(std::find(preview.heights.begin(), preview.heights.end(), z) != preview.heights.end());
         s.stepover = {6.1, {}};
-        QCOMPARE(code_of([&] { preview_rough(s, c, Progress()); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { Rough(s).preview_layers(c, Progress()); }), std::string("out_of_range"));
         Job job;
         job.cancel();
-        QVERIFY_EXCEPTION_THROWN(preview_rough(settings(2), c, Progress(job)), Cancelled);
+        QVERIFY_EXCEPTION_THROWN(Rough(settings(2)).preview_layers(c, Progress(job)), Cancelled);
     }
 
     void bad_values_are_refused() {
