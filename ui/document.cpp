@@ -4,7 +4,6 @@
 #include "core/job/stock_solid.h"
 #include "ui/text.h"
 
-#include <QFileInfo>
 #include <QUndoCommand>
 
 #include <algorithm>
@@ -64,15 +63,11 @@ private:
 Document::Document(QObject* parent) : QObject(parent) {
     undo_.setUndoLimit(200);
     connect(&undo_, &QUndoStack::cleanChanged, this, &Document::modified_changed);
-    settled_.setSingleShot(true);
-    settled_.setInterval(300);
-    for (const auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
-        connect(&files_, signal, &settled_, qOverload<>(&QTimer::start));
-    connect(&settled_, &QTimer::timeout, this, [this] {
+    connect(&files_, &FileWatch::settled, this, [this] {
         // Reading anew would displace a plan that is being made; it reads what has changed by itself.
         if (std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.planning; }))
-            return settled_.start();
-        watch_files();
+            return files_.wait_again();
+        files_.watch(files_of(project_));
         emit states_changed();
         if (part_ && !part_is_current()) emit part_changed();
     });
@@ -95,7 +90,7 @@ void Document::open(Project project, const QString& name, bool unsaved) {
     part_key_.clear();
     undo_.clear();
     undo_.setClean();
-    watch_files();
+    files_.watch(files_of(project_));
     emit opened();
     emit part_changed();
     emit states_changed();
@@ -122,7 +117,7 @@ void Document::saved(const Project& written) {
         if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
     never_saved_ = false;
     undo_.setClean();
-    watch_files();
+    files_.watch(files_of(project_));
     emit modified_changed();
     emit changed();
 }
@@ -147,7 +142,7 @@ void Document::restore(const Snapshot& snapshot) {
     project_.path = path;
     project_.part.file = part_file;
     ids_ = snapshot.ids;
-    watch_files();
+    files_.watch(files_of(project_));
     emit changed();
     emit states_changed();
     if (has_part() && part_ && !part_is_current()) emit part_changed();
@@ -245,19 +240,6 @@ void Document::remove_tool(std::size_t i) {
                         "operation '" + o->common().name + "' uses this tool",
                         "give the operation another tool first");
     change(tr("Remove tool"), [&](Project& p) { p.tools.erase(p.tools.begin() + std::ptrdiff_t(i)); });
-}
-
-void Document::watch_files() {
-    QStringList wanted;
-    for (const std::filesystem::path& file : files_of(project_)) {
-        wanted << path_text(file);
-        wanted << path_text(file.parent_path()); // a file that is replaced, or comes back
-    }
-    const QStringList watched = files_.files() + files_.directories();
-    for (const QString& path : watched)
-        if (!wanted.contains(path)) files_.removePath(path);
-    for (const QString& path : wanted)
-        if (!watched.contains(path) && QFileInfo::exists(path)) files_.addPath(path);
 }
 
 void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::string& key) {

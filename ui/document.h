@@ -4,11 +4,10 @@
 
 #include "core/job/planner.h"
 #include "core/job/project.h"
+#include "ui/file_watch.h"
 
-#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -127,7 +126,6 @@ private:
     void restore(const Snapshot& snapshot);
     void push(const QString& what, Snapshot after);
     Snapshot snapshot() const { return {project_, ids_}; }
-    void watch_files();
 
     Project project_;
     std::vector<int> ids_;
@@ -138,8 +136,7 @@ private:
     std::shared_ptr<const PreparedPart> part_;
     std::string part_key_;
     std::map<int, Record> records_;
-    QFileSystemWatcher files_; ///< part, stock and machine, and their folders
-    QTimer settled_;           ///< a file that is being written changes many times
+    FileWatch files_; ///< part, stock and machine
 };
 
 } // namespace facetmill::ui

@@ -58,6 +58,12 @@ const StrategyEstimate* least(const std::vector<StrategyEstimate>& all) {
     return at == all.end() ? nullptr : &*at;
 }
 
+/// As near to a growth (mm) as a region takes.
+double allowed_growth(double grow) {
+    const ParameterInfo& info = region_edit_parameters().find("grow")->info;
+    return std::clamp(grow, info.minimum, info.maximum);
+}
+
 } // namespace
 
 RegionDialog::RegionDialog(QWidget* parent) : QDialog(parent, Qt::Tool) {
@@ -402,9 +408,7 @@ void RegionDialog::step_grow(int direction) {
     const auto region = chosen();
     if (!region || *region >= grown_.size()) return;
     // Round numbers, whatever it was before.
-    const ParameterInfo& info = region_edit_parameters().find("grow")->info;
-    const double grow =
-        std::clamp(step_ * (std::round(grown_[*region] / step_) + direction), info.minimum, info.maximum);
+    const double grow = allowed_growth(step_ * (std::round(grown_[*region] / step_) + direction));
     grown_[*region] = grow;
     filling_ = true;
     table_->item(int(*region), grow_column)->setText(text(format_number(grow / mm_per(unit_), 4)));
