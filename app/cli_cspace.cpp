@@ -9,7 +9,7 @@ namespace facetmill::cli {
 
 namespace {
 
-void run(const Arguments& arguments, Session& session) {
+void run_cspace(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
     const std::size_t number = point_number(arguments.value("--point"));
@@ -54,7 +54,7 @@ Command cspace_command() {
                   .repeated = true},
                  threads_option(),
                  {.name = "-o", .value = "FILE.json", .help = "the file to write", .required = true}},
-            .run = run};
+            .run = run_cspace};
 }
 
 } // namespace facetmill::cli

@@ -126,7 +126,7 @@ AptCutter read_cutter(const std::string& text, double per) {
     }
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_drop(const Arguments& arguments, Session& session) {
     const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
     const double per = mm_per(unit);
     if (arguments.has("--grid") == arguments.has("--points"))
@@ -226,7 +226,7 @@ Command drop_command() {
                     {.name = "--units", .value = "mm|in", .help = "unit of all numbers (default: mm)"},
                     threads_option(),
                     {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
-        .run = run};
+        .run = run_drop};
 }
 
 } // namespace facetmill::cli

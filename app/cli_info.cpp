@@ -13,7 +13,7 @@ Json plain(double v) {
     return json_number(v, "info");
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_info(const Arguments& arguments, Session& session) {
     const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
     const std::string path = arguments.operand(0);
     const LoadedMesh loaded = load_mesh(path, unit, session.progress());
@@ -71,7 +71,7 @@ Command info_command() {
             .options = {{.name = "--units",
                          .value = "mm|in",
                          .help = "unit of the file's numbers (default: mm)"}},
-            .run = run};
+            .run = run_info};
 }
 
 } // namespace facetmill::cli

@@ -10,7 +10,7 @@ namespace facetmill::cli {
 
 namespace {
 
-void run(const Arguments& arguments, Session& session) {
+void run_plan(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
     Project project = load_project(file);
@@ -44,7 +44,7 @@ Command plan_command() {
                          .value = "DIR",
                          .help = "the folder to write to; made if missing",
                          .required = true}},
-            .run = run};
+            .run = run_plan};
 }
 
 } // namespace facetmill::cli

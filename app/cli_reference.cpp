@@ -8,7 +8,7 @@ namespace facetmill::cli {
 
 namespace {
 
-void run(const Arguments& arguments, Session& session) {
+void run_reference(const Arguments& arguments, Session& session) {
     const std::string page = reference_page();
     if (!arguments.has("-o")) {
         session.print(page);
@@ -25,7 +25,7 @@ Command reference_command() {
     return {.name = "reference",
             .summary = "Prints all parameters of projects, tools and operations as a Markdown page.",
             .options = {{.name = "-o", .value = "FILE", .help = "writes it to a file instead"}},
-            .run = run};
+            .run = run_reference};
 }
 
 } // namespace facetmill::cli

@@ -117,7 +117,7 @@ void run_cspace(const Arguments& arguments, Session& session) {
     print_picture(render_cspace(request), arguments, session);
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_render(const Arguments& arguments, Session& session) {
     if (arguments.value("--show") == "cspace") return run_cspace(arguments, session);
     if (arguments.has("--point"))
         throw Error(ErrorCode::usage, "--point", "is for --show cspace", "leave it out");
@@ -185,7 +185,7 @@ void run(const Arguments& arguments, Session& session) {
 
 #else
 
-void run(const Arguments&, Session&) {
+void run_render(const Arguments&, Session&) {
     throw Error(ErrorCode::unsupported_format, "render", "this facetmill-cli was built without pictures",
                 "build with -DFACETMILL_VIZ=ON");
 }
@@ -223,7 +223,7 @@ Command render_command() {
                      .help = "unit of a mesh file's numbers (default: mm)"},
                     threads_option(),
                     {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
-        .run = run};
+        .run = run_render};
 }
 
 } // namespace facetmill::cli

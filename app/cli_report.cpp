@@ -55,7 +55,7 @@ std::vector<SheetPicture> pictures(const Project& project, const PlanResult& pla
     return all;
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_report(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
     const Project project = load_project(file);
@@ -97,7 +97,7 @@ Command report_command() {
                 "that is not verified has its sheet too, which says so first; the exit status is 1 then.",
         .options = {threads_option(),
                     {.name = "-o", .value = "FILE.html", .help = "the file to write", .required = true}},
-        .run = run};
+        .run = run_report};
 }
 
 } // namespace facetmill::cli

@@ -23,7 +23,7 @@ const SampleKind& find_kind(const std::string& name) {
                 near.empty() ? "samples: " + list : "did you mean '" + near + "'?");
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_sample(const Arguments& arguments, Session& session) {
     const SampleKind& kind = find_kind(arguments.operand(0));
     const LengthUnit unit = arguments.unit("--units", kind.natural_unit);
     const double per = mm_per(unit);
@@ -71,7 +71,7 @@ Command sample_command() {
                          .help = "unit of the file (default: that of the sample's source)"},
                         threads_option(),
                         {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
-            .run = run};
+            .run = run_sample};
 }
 
 } // namespace facetmill::cli

@@ -31,7 +31,7 @@ double positive_length(const Arguments& arguments, const char* option, double pe
     return v;
 }
 
-void run(const Arguments& arguments, Session& session) {
+void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
     const Project project = load_project(file);
@@ -128,7 +128,7 @@ Command simulate_command() {
                      .value = "DIR",
                      .help = "the folder to write to; made if missing",
                      .required = true}},
-        .run = run};
+        .run = run_simulate};
 }
 
 } // namespace facetmill::cli

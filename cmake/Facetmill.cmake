@@ -20,6 +20,7 @@ target_compile_options(facetmill_options INTERFACE
     -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
     -Wno-missing-field-initializers # designated initializers name what they set
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized> # false alarms of g++ 12 in std::string and std::variant
+    $<$<BOOL:${CMAKE_UNITY_BUILD}>:$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>> # files compiled together keep what is their own
     -Werror
     -ffp-contract=off # the same bits whichever instruction set a kernel is compiled for
     $<$<CONFIG:Release>:-O3>)

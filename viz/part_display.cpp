@@ -1,6 +1,7 @@
 #include "viz/part_display.h"
 
 #include "core/base/parallel.h"
+#include "core/base/plane_geometry.h"
 #include "core/mesh/edge_table.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ double corner_angle(const Mesh& mesh, std::size_t corner) {
     const int k = int(corner % 3);
     const Vec3 a = mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k),
                b = mesh.corner(f, (k + 2) % 3) - mesh.corner(f, k);
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    return angle_between(a, b);
 }
 
 /// The display vertices of a run of mesh vertices.

@@ -1,5 +1,6 @@
 #include "viz/path_tint.h"
 
+#include "core/base/plane_geometry.h"
 #include "core/job/planner.h"
 #include "viz/overlay.h"
 #include "viz/round_ticks.h"
@@ -28,10 +29,6 @@ struct Values {
     }
 };
 
-double angle_between(const Vec3& a, const Vec3& b) {
-    return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
-}
-
 Values values_of(const PathFigures& figures, PathQuantity quantity, double per, const Progress& progress) {
     const OperationResult& operation = *figures.operation;
     const auto& motions = operation.program.motions.motions;
@@ -51,13 +48,13 @@ Values values_of(const PathFigures& figures, PathQuantity quantity, double per, 
             if (m % check_every == 0) progress.check();
             if (motions[m].kind == MotionKind::cut && motions[m].pass < passes.size()
                 && motions[m].point < passes[motions[m].pass].cc.size())
-                values.at[m] =
-                    angle_between(passes[motions[m].pass].cc[motions[m].point].normal, motions[m].to.axis);
+                values.at[m] = degrees(
+                    angle_between(passes[motions[m].pass].cc[motions[m].point].normal, motions[m].to.axis));
         }
         break;
     case PathQuantity::tilt:
         for (std::size_t m = 0; m < motions.size(); ++m)
-            values.at[m] = angle_between(Vec3::UnitZ(), motions[m].to.axis);
+            values.at[m] = degrees(angle_between(Vec3::UnitZ(), motions[m].to.axis));
         break;
     case PathQuantity::cusp:
         scaled(motion_cusps(operation, progress));

@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-double slope_of(double angle, bool vertical) {
+double piece_slope(double angle, bool vertical) {
     return vertical ? infinity : std::tan(angle);
 }
 
@@ -77,8 +77,8 @@ SurfaceTable lower_surface(const CutterProfile& profile) {
             q.e = p.center.x();
             q.f = p.center.y();
             q.r = p.radius;
-            q.slope0 = std::max(0.0, slope_of(p.angle_at_start(), false));
-            q.slope1 = slope_of(p.angle_at_end(), p.to.y() >= q.f);
+            q.slope0 = std::max(0.0, piece_slope(p.angle_at_start(), false));
+            q.slope1 = piece_slope(p.angle_at_end(), p.to.y() >= q.f);
         }
         table.piece[table.count++] = q;
     }

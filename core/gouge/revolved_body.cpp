@@ -1,4 +1,5 @@
 #include "core/gouge/revolved_body.h"
+#include "core/base/plane_geometry.h"
 
 #include "core/base/error.h"
 
@@ -11,11 +12,6 @@ namespace {
 /// Positive when b lies beyond a, on the way of the normals from below over outward to above.
 double beyond(double ar, double az, double br, double bz) {
     return ar * bz - az * br;
-}
-
-/// sqrt(a^2 - b^2) without cancellation; 0 where b is larger.
-double leg(double a, double b) {
-    return std::sqrt(std::max(0.0, (a - b) * (a + b)));
 }
 
 } // namespace
@@ -106,7 +102,7 @@ RevolvedBody::Section RevolvedBody::section(double z) const {
         if (z < p.z0 || z > p.z1) continue;
         double rho;
         if (p.arc)
-            rho = p.e + leg(p.r, z - p.f);
+            rho = p.e + leg_length(p.r, z - p.f);
         else if (p.z1 > p.z0)
             rho = p.rho0 + (z - p.z0) / (p.z1 - p.z0) * (p.rho1 - p.rho0);
         else
@@ -118,7 +114,7 @@ RevolvedBody::Section RevolvedBody::section(double z) const {
 }
 
 double RevolvedBody::on_piece(const Piece& p, double rho, bool lower) const {
-    if (p.arc) return p.f + (lower ? -1 : 1) * leg(p.r, rho - p.e);
+    if (p.arc) return p.f + (lower ? -1 : 1) * leg_length(p.r, rho - p.e);
     return std::clamp(p.z0 + p.g0 * (rho - p.rho0), p.z0, p.z1);
 }
 

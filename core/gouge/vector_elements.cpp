@@ -1,4 +1,5 @@
 #include "core/gouge/vector_elements.h"
+#include "core/base/plane_geometry.h"
 
 #include "core/base/tolerances.h"
 
@@ -13,10 +14,6 @@ namespace {
 /// The distance from 1 to the next double: bounds of rounding are multiples of it.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int max_steps = 200; // a guard only: steps halve an interval of doubles at worst
-
-double leg(double a, double b) {
-    return std::sqrt(std::max(0.0, (a - b) * (a + b)));
-}
 
 /// Value and slope of a convex function along the line.
 struct Slope {
@@ -110,7 +107,7 @@ VectorElement lift_across_axis(const RevolvedBody& body, const LiftVector& w, co
     if (!(q.z() >= body.bottom() && q.z() <= body.top())) return {};
     const RevolvedBody::Section section = body.section(q.z());
     if (!(std::abs(q.y()) <= section.rho)) return {};
-    return {(q.x() + leg(section.rho, q.y())) / w.wx, q, section.piece};
+    return {(q.x() + leg_length(section.rho, q.y())) / w.wx, q, section.piece};
 }
 
 /// The section of a body by the plane through an edge and along w, in axes that turn the plane's normal into
@@ -148,7 +145,7 @@ void try_circle(const Slice& k, const RevolvedBody::Circle& circle, Candidates& 
         const double level = std::sqrt(k.e2x * k.e2x + k.e2y * k.e2y);
         x = level > 0 ? circle.rho * (k.e2x / level) : circle.rho;
     }
-    const double y = leg(circle.rho, x);
+    const double y = leg_length(circle.rho, x);
     found.add(k, x, y, circle.z, circle.piece);
     if (y > 0) found.add(k, x, -y, circle.z, circle.piece);
 }
@@ -160,7 +157,7 @@ void try_cone(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Cand
     if (!(level > 0)) return; // the edge is parallel to the axis: its ends and the circles have it
     const double ratio = -p.nz0 * k.dz / (p.nr0 * level);
     if (!(std::abs(ratio) <= 1)) return;
-    const double ux = k.dx / level, uy = k.dy / level, side = leg(1, ratio);
+    const double ux = k.dx / level, uy = k.dy / level, side = leg_length(1, ratio);
     for (const double sign : {1.0, -1.0}) {
         const double cosine = ratio * ux - sign * side * uy, sine = ratio * uy + sign * side * ux;
         const double at0 = k.m1x * p.rho0 * cosine + k.m1z * p.z0;
@@ -176,7 +173,7 @@ void try_cone(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Cand
 void try_sphere(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Candidates& found) {
     const double away = k.c - k.m1z * p.f;
     if (!(std::abs(away) <= p.r)) return;
-    const double out = leg(p.r, away), z = p.f + away * k.m1z + out * k.e2z;
+    const double out = leg_length(p.r, away), z = p.f + away * k.m1z + out * k.e2z;
     if (z < p.z0 || z > p.z1) return;
     found.add(k, away * k.m1x + out * k.e2x, out * k.e2y, z, piece);
 }
@@ -186,7 +183,7 @@ void try_sphere(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Ca
 /// edge's plane never falls with phi, because the hull of the torus is convex. So its zero is found by
 /// Newton's steps that are kept inside a bracket. e < 0 makes a body with points at both ends.
 void try_torus(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Candidates& found) {
-    const double end = p.e < 0 ? leg(p.r, p.e) : 0; // half the distance between those points
+    const double end = p.e < 0 ? leg_length(p.r, p.e) : 0; // half the distance between those points
     struct Place {
         double value, slope, x, y, z, rho;
     };
@@ -238,7 +235,7 @@ VectorElement vector_vertex_lift(const RevolvedBody& body, const LiftVector& w, 
     // The body is their common part, so each only shortens the interval.
     const double radius = body.max_radius();
     if (!(std::abs(q.y()) <= radius)) return {};
-    const double half = leg(radius, q.y());
+    const double half = leg_length(radius, q.y());
     double lo = (q.x() - half) / w.wx, hi = (q.x() + half) / w.wx;
     unsigned piece = 0;
     const auto pieces = body.pieces();
@@ -269,7 +266,7 @@ VectorElement vector_vertex_lift(const RevolvedBody& body, const LiftVector& w, 
                 const Vec3 nearest = from - along * w.vec();
                 const double away = nearest.norm();
                 if (away <= p.r) {
-                    guess = along + leg(p.r, away);
+                    guess = along + leg_length(p.r, away);
                     const double rho = std::hypot(q.x() - guess * w.wx, q.y());
                     if (!arc_distance(p, rho, q.z() - guess * w.wz).in_range)
                         guess = std::numeric_limits<double>::quiet_NaN();

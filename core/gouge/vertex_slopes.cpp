@@ -15,7 +15,7 @@ namespace {
 constexpr float steepest = 1e9f;
 
 /// The slope of a facet; false where it is not known well, or nothing is known of how far the facet goes on.
-bool slope_of(const Vec3& a, const Vec3& b, const Vec3& c, double min_height, double& x, double& y) {
+bool facet_slope(const Vec3& a, const Vec3& b, const Vec3& c, double min_height, double& x, double& y) {
     const Vec3 u = b - a, v = c - a, n = u.cross(v);
     const double square =
         std::max({u.head<2>().squaredNorm(), v.head<2>().squaredNorm(), (c - b).head<2>().squaredNorm()});
@@ -58,7 +58,7 @@ std::vector<SlopeRange> vertex_slopes(const Mesh& mesh, const std::vector<std::u
         if (f % 20000 == 0) progress.check();
         SlopeRange range = SlopeRange::all();
         double x, y;
-        if (slope_of(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2), min_height, x, y)) {
+        if (facet_slope(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2), min_height, x, y)) {
             const double slack = tolerance::slope_slack * (1 + std::abs(x) + std::abs(y));
             range = {float(x - slack), float(x + slack), float(y - slack), float(y + slack)};
         }

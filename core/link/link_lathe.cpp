@@ -10,7 +10,7 @@ namespace {
 
 /// The share of the clearance by which the chord of a rapid may lie nearer to the axis than its ends: three
 /// quarters stay, whether the tip runs on the arc or on its chord.
-constexpr double chord_share = 0.25;
+constexpr double lathe_chord_share = 0.25;
 
 /// How far below the tip's distance from the axis a tilted tool reaches: its lower rims.
 double reach_in(const Tool& tool, double cutter_radius, double tilt) {
@@ -27,10 +27,10 @@ double reach_in(const Tool& tool, double cutter_radius, double tilt) {
     return reach;
 }
 
-class Linker {
+class LatheLinker {
 public:
-    Linker(const LatheCommon& settings, const PlanContext& context, const TurnedPath& turned,
-           const LinkOptions& options, const Progress& progress)
+    LatheLinker(const LatheCommon& settings, const PlanContext& context, const TurnedPath& turned,
+                const LinkOptions& options, const Progress& progress)
         : frame_(settings, context), stock_(frame_, context, LatheStock::Of::whole_tool, progress),
           clearance_(options.clearance) {
         const Mesh stock = lathe_stock_mesh(context.stock, context.stock_box);
@@ -107,7 +107,7 @@ private:
             retract();
             const LathePlace from = place_of(*at_);
             const double turn = std::remainder(to.angle - from.angle, 2 * pi);
-            const double most = std::acos(std::max(0.0, 1 - chord_share * clearance_ / out_));
+            const double most = std::acos(std::max(0.0, 1 - lathe_chord_share * clearance_ / out_));
             const double parts = std::ceil(std::abs(turn) / std::min(2 * most, 0.25 * pi));
             for (double k = 1; k < parts; ++k)
                 put(MotionKind::rapid,
@@ -139,7 +139,7 @@ ToolMotions link_lathe(const StrategyResult& path, const PlanContext& context, c
     const auto* turned = path.as<TurnedPath>();
     if (!turned)
         throw Error(ErrorCode::internal, "link", "the path of a turning part knows no axis", "report this");
-    Linker linker(settings, context, *turned, options, progress.part(0, 0.1));
+    LatheLinker linker(settings, context, *turned, options, progress.part(0, 0.1));
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
         progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
         if (!path.passes[i].cl.empty()) linker.add(path.passes[i], Index(i));

@@ -21,10 +21,10 @@ constexpr double air_piece = 0.5;
 /// roughing takes for nothing to cut. The tool cuts it at feed.
 constexpr double min_share = 2e-3;
 
-class Linker {
+class RoughLinker {
 public:
-    Linker(const StrategyResult& path, const PlanContext& context, double allowance,
-           const LinkOptions& options, const Progress& progress)
+    RoughLinker(const StrategyResult& path, const PlanContext& context, double allowance,
+                const LinkOptions& options, const Progress& progress)
         : path_(path), options_(options), progress_(progress), profile_(context.tool.cutter()),
           cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
           field_(stock_before(context, path.as<RoughPath>()->stock_cell, progress.part(0, 0.1))),
@@ -150,7 +150,7 @@ ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, d
                        const LinkOptions& options, const Progress& progress) {
     check_link_options(options);
     if (path.passes.empty()) return {};
-    return Linker(path, context, allowance, options, progress).run();
+    return RoughLinker(path, context, allowance, options, progress).run();
 }
 
 ToolMotions link_operation(const Operation& operation, const StrategyResult& path, const PlanContext& context,

@@ -12,7 +12,7 @@ namespace facetmill {
 namespace {
 
 /// Facets, or vertices, between two looks at whether the job was cancelled.
-constexpr std::size_t block = 20'000;
+constexpr std::size_t edges_per_check = 20'000;
 
 /// By the higher vertex; sides that share it keep their order, which is that of their numbers.
 void sort_by_high(std::span<EdgeSide> sides, const Progress& progress) {
@@ -51,7 +51,7 @@ EdgeTable::EdgeTable(const Mesh& mesh, const Progress& progress) {
     const std::size_t facets = mesh.facet_count(), vertices = mesh.vertices.size();
     start_.assign(vertices + 1, 0);
     for (std::size_t f = 0; f < facets; ++f) {
-        if (f % block == 0) progress.check();
+        if (f % edges_per_check == 0) progress.check();
         const Facet& v = mesh.facets[f];
         if (std::max({v[0], v[1], v[2]}) >= vertices)
             throw Error(ErrorCode::internal, "facet " + std::to_string(f),
@@ -65,7 +65,7 @@ EdgeTable::EdgeTable(const Mesh& mesh, const Progress& progress) {
     {
         std::vector<Index> next(start_.begin(), start_.end() - 1);
         for (std::size_t f = 0; f < facets; ++f) {
-            if (f % block == 0) progress.check();
+            if (f % edges_per_check == 0) progress.check();
             const Facet& v = mesh.facets[f];
             for (std::size_t k = 0; k < 3; ++k) {
                 const Index a = v[k], b = v[(k + 1) % 3];
@@ -73,10 +73,11 @@ EdgeTable::EdgeTable(const Mesh& mesh, const Progress& progress) {
             }
         }
     }
-    parallel_blocks(vertices, block, progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            sort_by_high({sides_.data() + start_[v], sides_.data() + start_[v + 1]}, progress);
-    });
+    parallel_blocks(
+        vertices, edges_per_check, progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v)
+                sort_by_high({sides_.data() + start_[v], sides_.data() + start_[v + 1]}, progress);
+        });
 }
 
 } // namespace facetmill

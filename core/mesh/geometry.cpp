@@ -1,4 +1,5 @@
 #include "core/mesh/geometry.h"
+#include "core/base/plane_geometry.h"
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
@@ -9,11 +10,6 @@
 namespace facetmill {
 
 namespace {
-
-/// Angle between two edges, exact for needles and for straight angles alike.
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Weighted normal of one facet at the corner where it meets `vertex`, and the weight.
 struct Share {

@@ -1,6 +1,7 @@
 // Curvature at vertices: Meyer's operators for mean and Gaussian, a height function fitted for the principal
 // ones.
 #include "core/base/parallel.h"
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/geometry_incidence.h"
@@ -16,11 +17,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Neighbours with more facets than this are hubs of fans; what lies beyond them is not near.
 constexpr std::size_t hub = 64;
-
-/// Angle between two edges, exact for needles and for straight angles alike.
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 VertexCurvature nothing() {
     const Vec3 none = Vec3::Constant(nan);

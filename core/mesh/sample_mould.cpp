@@ -15,7 +15,7 @@ namespace {
 /// Facets have edges of about this many chord tolerances: the part is flat, so the tolerance asks for
 /// nothing.
 constexpr double edge_per_tolerance = 40;
-constexpr double depth = 20, boss_height = 12;
+constexpr double cavity_depth = 20, boss_height = 12;
 
 struct Level {
     Vec2 middle, half;
@@ -32,9 +32,9 @@ std::array<Level, 5> levels() {
     const Vec2 opening(40, 30), top(14, 8), boss(6, -4);
     return {{{Vec2(0, 0), Vec2(50, 40), 0},
              {Vec2(0, 0), opening, 0},
-             {Vec2(0, 0), opening - Vec2::Constant(depth * lean), -depth},
-             {boss, top + Vec2::Constant(boss_height * lean), -depth},
-             {boss, top, boss_height - depth}}};
+             {Vec2(0, 0), opening - Vec2::Constant(cavity_depth * lean), -cavity_depth},
+             {boss, top + Vec2::Constant(boss_height * lean), -cavity_depth},
+             {boss, top, boss_height - cavity_depth}}};
 }
 
 } // namespace

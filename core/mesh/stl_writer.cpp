@@ -12,7 +12,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t block = 16384, record = 50, header_size = 84;
+constexpr std::size_t facets_per_write = 16384, record = 50, written_header_size = 84;
 
 void put_word(char* to, std::uint32_t word) {
     for (int i = 0; i < 4; ++i)
@@ -28,12 +28,12 @@ void put_vector(char* to, const Vec3& v) {
 
 StlStream::StlStream(OutputFile& file, LengthUnit unit)
     : file_(&file), name_(printable(file.target().string(), 400)), mm_(mm_per(unit)) {
-    std::array<char, header_size> header{};
+    std::array<char, written_header_size> header{};
     // Not "solid": that would look like a text.
     const std::string title = "facetmill binary STL, " + std::string(unit_name(unit));
     std::memcpy(header.data(), title.data(), title.size());
     file_->write({header.data(), header.size()});
-    buffer_.reserve(block * record);
+    buffer_.reserve(facets_per_write * record);
 }
 
 void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -53,7 +53,7 @@ void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c) {
         put_vector(bytes.data() + 12 + 12 * k, corner);
     }
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (buffer_.size() >= block * record) flush();
+    if (buffer_.size() >= facets_per_write * record) flush();
 }
 
 void StlStream::flush() {
@@ -67,13 +67,13 @@ void StlStream::finish() {
     flush();
     std::array<char, 4> count;
     put_word(count.data(), std::uint32_t(count_));
-    file_->overwrite(header_size - count.size(), {count.data(), count.size()});
+    file_->overwrite(written_header_size - count.size(), {count.data(), count.size()});
 }
 
 void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress) {
     StlStream stl(file, unit);
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-        if (f % block == 0) progress.set(double(f) / double(mesh.facets.size()));
+        if (f % facets_per_write == 0) progress.set(double(f) / double(mesh.facets.size()));
         stl.add(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
     }
     stl.finish();

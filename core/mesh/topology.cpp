@@ -9,7 +9,7 @@ namespace facetmill {
 namespace {
 
 /// Facets, vertices or corners between two looks at whether the job was cancelled: about a millisecond.
-constexpr std::size_t block = 20'000;
+constexpr std::size_t items_per_check = 20'000;
 /// OpenMesh numbers half-edges with int, two for each of up to three edges a facet.
 constexpr std::size_t facet_limit = 300'000'000;
 
@@ -25,7 +25,7 @@ bool names_vertex_twice(const Facet& f) {
 template <class Body>
 void for_each_checked(std::size_t n, const Progress& progress, Body&& body) {
     for (std::size_t i = 0; i < n; ++i) {
-        if (i % block == 0) progress.set(double(i) / double(n));
+        if (i % items_per_check == 0) progress.set(double(i) / double(n));
         body(i);
     }
 }

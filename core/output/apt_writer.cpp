@@ -225,12 +225,12 @@ const ProgramWriter& apt_writer() {
 namespace {
 
 const ProgramWriterRegistration
-    registration({.name = "apt",
-                  .label = "APT",
-                  .extension = ".apt",
-                  .files = [](const ClProgram&) { return std::vector<std::string>{""}; },
-                  .write = [](const ClProgram& program, std::size_t, OutputFile& file,
-                              const Progress& progress) { write_apt(program, file, progress); }});
+    apt_registration({.name = "apt",
+                      .label = "APT",
+                      .extension = ".apt",
+                      .files = [](const ClProgram&) { return std::vector<std::string>{""}; },
+                      .write = [](const ClProgram& program, std::size_t, OutputFile& file,
+                                  const Progress& progress) { write_apt(program, file, progress); }});
 
 } // namespace
 

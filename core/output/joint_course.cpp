@@ -1,5 +1,6 @@
 #include "core/output/joint_course.h"
 
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -204,13 +205,12 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
                      const Vec3& axis_from, const Vec3& axis_to, double enough) {
     const Vec3 sum = axis_from + axis_to;
     if (kinematics.rotary_axes() == 0 || !(sum.norm() > tolerance::unit_axis)) return 0; // there is no middle
-    const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
     double turned = 0;
     for (std::size_t r = 0; r < 2; ++r)
         turned += std::abs(to.rotary[r] - from.rotary[r]);
     // Half-way is where axes stray most, but after whole turns they are back in the middle there.
     const int pieces = 2 * int(std::ceil(std::min(turned, max_turned) / (2 * look_every)) + 1);
-    const double middle = 0.5 * angle(axis_from, axis_to);
+    const double middle = 0.5 * angle_between(axis_from, axis_to);
     double most = 0;
     for (int k = 1; k < pieces && most - middle <= enough; ++k) {
         const double t = double(k) / pieces;
@@ -218,7 +218,7 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
         at.linear = from.linear + t * (to.linear - from.linear);
         for (std::size_t r = 0; r < 2; ++r)
             at.rotary[r] = from.rotary[r] + t * (to.rotary[r] - from.rotary[r]);
-        most = std::max(most, angle(kinematics.forward(at).axis, sum));
+        most = std::max(most, angle_between(kinematics.forward(at).axis, sum));
     }
     return most - middle;
 }

@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t motions_per_check = 4096;
+constexpr std::size_t rows_per_check = 4096;
 constexpr double full_turn = 360;
 
 /// One table per range: "-pass-01", or nothing for one that is all.
@@ -42,7 +42,7 @@ void write_table(const ClProgram& program, std::size_t table, OutputFile& file, 
     bool first = true;
     char line[96];
     for (std::size_t i = range.first; i < range.last; ++i) {
-        if (i % motions_per_check == 0) progress.check();
+        if (i % rows_per_check == 0) progress.check();
         const CutterLocation& at = section.motions.motions[i].to;
         const Vec3 tip = at.tip - axis.point;
         const double here = degrees(std::atan2(at.axis.dot(side), at.axis.dot(zero)));
@@ -69,11 +69,11 @@ void write_table(const ClProgram& program, std::size_t table, OutputFile& file, 
     progress.check();
 }
 
-const ProgramWriterRegistration registration({.name = "turning-table",
-                                              .label = "Turning table",
-                                              .extension = ".txt",
-                                              .files = tables,
-                                              .write = write_table});
+const ProgramWriterRegistration turning_table_registration({.name = "turning-table",
+                                                            .label = "Turning table",
+                                                            .extension = ".txt",
+                                                            .files = tables,
+                                                            .write = write_table});
 
 } // namespace
 

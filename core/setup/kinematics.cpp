@@ -1,6 +1,7 @@
 #include "core/setup/kinematics.h"
 
 #include "core/base/error.h"
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 #include "core/setup/tool.h"
 
@@ -11,11 +12,6 @@ namespace facetmill {
 namespace {
 
 constexpr double turn = 2 * pi;
-
-/// Precise for small angles, too.
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Vec3 turned(const Vec3& v, const Vec3& line, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonDocument>
 #include <QProcess>
 
 #include <csignal>
@@ -53,6 +54,15 @@ CliRun run_cli_and_signal(const QStringList& arguments, const QString& folder, i
     start(process, arguments, folder);
     if (!process.waitForFinished(milliseconds)) ::kill(pid_t(process.processId()), signal);
     return finish(process);
+}
+
+QByteArray bytes_of(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QJsonObject json(const QByteArray& text) {
+    return QJsonDocument::fromJson(text).object();
 }
 
 bool Sandbox::copy(const std::string& relative) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -35,5 +36,10 @@ public:
 private:
     QTemporaryDir dir_;
 };
+
+/// The bytes of a file; none where there is no such file.
+QByteArray bytes_of(const QString& path);
+/// A text as a JSON object; empty where it is none.
+QJsonObject json(const QByteArray& text);
 
 } // namespace facetmill::test

@@ -42,10 +42,6 @@ facet normal 0 0 1 outer loop vertex 0 10 4 vertex 20 10 4 vertex 10 20 0 endloo
 endsolid roof
 )";
 
-QJsonObject json(const CliRun& run) {
-    return QJsonDocument::fromJson(run.out).object();
-}
-
 } // namespace
 
 class TestCli : public QObject {
@@ -295,7 +291,7 @@ private slots:
         const CliRun run =
             run_cli({"drop", "part.stl", "--cutter", "flat:2", "--points", "p.txt", "-o", "z.txt"}, s.path());
         QVERIFY2(run.status == 0, run.err);
-        QCOMPARE(json(run)["contacts"].toInt(), 2);
+        QCOMPARE(json(run.out)["contacts"].toInt(), 2);
         QFile file(s.path() + "/z.txt");
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(),

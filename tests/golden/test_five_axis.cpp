@@ -57,7 +57,7 @@ QByteArray wall() {
            + "endsolid wall\n";
 }
 
-const char* const good_project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
+const char* const blade_project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
   "machine": "tarus-tpi-2000",
   "tools": [ { "number": 1, "name": "Flat", "diameter": 6, "corner_radius": 0, "flute_length": 20, "shank_diameter": 6,
                "shank_length": 20, "holder": [ { "diameter": 20, "length": 30 } ] },
@@ -66,26 +66,17 @@ const char* const good_project = R"({ "facetmill": 1, "units": "mm", "part": { "
   "operations": [ { "kind": "finish5", "name": "Five", "tool": 1, "tolerance": 0.1, "direction": "x" },
                   { "kind": "finish3", "name": "Three", "tool": 2, "tolerance": 0.2, "stepover": 2 } ] })";
 
-QByteArray changed(const QByteArray& from, const QByteArray& to) {
-    QByteArray text = good_project;
+QByteArray changed_blade(const QByteArray& from, const QByteArray& to) {
+    QByteArray text = blade_project;
     if (!text.contains(from)) qFatal("the test's text is not in the project");
     return text.replace(from, to);
 }
 
-QJsonObject json(const QByteArray& text) {
-    return QJsonDocument::fromJson(text).object();
-}
-
-Sandbox& prepared(Sandbox& s, const QByteArray& project = good_project) {
+Sandbox& prepared_blade(Sandbox& s, const QByteArray& project = blade_project) {
     s.write("part.stl", saddle());
     s.write("wall.stl", wall());
     s.write("job.facetmill", project);
     return s;
-}
-
-QByteArray bytes_of(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// A machine with a head of two axes, whose Z ends at `top` mm above the part's bottom.
@@ -173,7 +164,7 @@ private slots:
 
     void the_report_has_the_keys_of_five_axes() {
         Sandbox s;
-        prepared(s);
+        prepared_blade(s);
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
         QVERIFY2(run.status == 0, run.err);
         QCOMPARE(s.files("out"), (QStringList{"01-Five.apt", "02-Three.apt", "report.json"}));
@@ -213,7 +204,7 @@ private slots:
 
     void the_program_turns_its_axis() {
         Sandbox s;
-        prepared(s);
+        prepared_blade(s);
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
         QVERIFY2(run.status == 0, run.err);
         QCOMPARE(s.files("out"), (QStringList{"01-Five.apt", "report.json"}));
@@ -246,7 +237,7 @@ private slots:
 
     void a_point_has_its_configuration_space() {
         Sandbox s;
-        prepared(s);
+        prepared_blade(s);
         const CliRun run =
             run_cli({"cspace", "job.facetmill", "--op", "Five", "--point", "7", "-o", "c.json"}, s.path());
         QVERIFY2(run.status == 0, run.err);
@@ -300,7 +291,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QByteArray, said);
         Sandbox s;
-        prepared(s);
+        prepared_blade(s);
         const QStringList before = s.files();
         const CliRun run =
             run_cli(QStringList{"cspace", "job.facetmill", "-o", "c.json"} + line.split(' '), s.path());
@@ -318,7 +309,7 @@ private slots:
             QTest::newRow(name) << project << QByteArray(code) << QByteArray(said);
         };
         const QByteArray key = "\"direction\": \"x\"";
-        const auto with = [&](const QByteArray& more) { return changed(key, key + ", " + more); };
+        const auto with = [&](const QByteArray& more) { return changed_blade(key, key + ", " + more); };
         const char* none = "empty_result";
         row("lead limits reversed", "out_of_range", "lead_limits", with("\"lead_limits\": [45, 0]"));
         row("lead limits equal", "out_of_range", "lead_limits", with("\"lead_limits\": [20, 20]"));
@@ -326,20 +317,21 @@ private slots:
         row("yaw limits reversed", "out_of_range", "yaw_limits", with("\"yaw_limits\": [45, -45]"));
         row("grid of 0", "out_of_range", "grid_degrees", with("\"grid_degrees\": 0"));
         row("unknown posture", "out_of_range", "posture", with("\"posture\": \"best\""));
-        row("nothing from above", none, "from above", changed("part.stl", "wall.stl"));
+        row("nothing from above", none, "from above", changed_blade("part.stl", "wall.stl"));
         row("holder everywhere", none, "would hit the part",
-            changed("\"tool\": 1", "\"tool\": 1, \"holder_clearance\": 500"));
-        row("machine without rotary axes", none, "machine", changed("tarus-tpi-2000", "generic-3-axis"));
-        row("machine that cannot reach", none, "machine", changed("tarus-tpi-2000", "own.json"));
-        row("no such machine", "missing_reference", "machine", changed("tarus-tpi-2000", "tarus"));
-        row("no such machine file", "not_found", "none.json", changed("tarus-tpi-2000", "none.json"));
+            changed_blade("\"tool\": 1", "\"tool\": 1, \"holder_clearance\": 500"));
+        row("machine without rotary axes", none, "machine",
+            changed_blade("tarus-tpi-2000", "generic-3-axis"));
+        row("machine that cannot reach", none, "machine", changed_blade("tarus-tpi-2000", "own.json"));
+        row("no such machine", "missing_reference", "machine", changed_blade("tarus-tpi-2000", "tarus"));
+        row("no such machine file", "not_found", "none.json", changed_blade("tarus-tpi-2000", "none.json"));
     }
     void what_cannot_be_planned_is_told() {
         QFETCH(QByteArray, project);
         QFETCH(QByteArray, code);
         QFETCH(QByteArray, said);
         Sandbox s;
-        prepared(s, project);
+        prepared_blade(s, project);
         s.write("own.json", own_machine(20)); // hardly longer than the flutes
         const QStringList before = s.files();
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
@@ -354,7 +346,7 @@ private slots:
     /// The surface lies within the machine's travel, the clearance above it does not.
     void a_machine_that_does_not_hold_the_program_is_a_warning() {
         Sandbox s;
-        prepared(s, changed("tarus-tpi-2000", "own.json"));
+        prepared_blade(s, changed_blade("tarus-tpi-2000", "own.json"));
         s.write("own.json", own_machine(76));
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
         QVERIFY2(run.status == 0, run.err);

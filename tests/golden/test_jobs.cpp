@@ -71,12 +71,6 @@ double distance(const Vec3& p, const Mesh& mesh, double beyond) {
     return least;
 }
 
-QByteArray bytes_of(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    return file.readAll();
-}
-
 } // namespace
 
 class TestJobs : public QObject {

@@ -18,7 +18,8 @@ using test::Sandbox;
 
 namespace {
 
-const char* const project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "PART.stl", "units": "mm" },
+const char* const lathe_project =
+    R"({ "facetmill": 1, "units": "mm", "part": { "file": "PART.stl", "units": "mm" },
   "stock": { "kind": "cylinder", "axis": "x", "margin": [0, 1, 1] }, "machine": "lathe-mill",
   "tools": [ { "number": 1, "name": "Ball 8", "diameter": 8, "corner_radius": 4, "flute_length": 30,
                "shank_diameter": 8, "shank_length": 30, "holder": [ { "diameter": 40, "length": 30 } ] },
@@ -28,15 +29,6 @@ const char* const project = R"({ "facetmill": 1, "units": "mm", "part": { "file"
     { "kind": "lathe_rough", "name": "Rough", "tool": 1, "tolerance": 0.8, "depth_of_cut": 4,
       "finishing_allowance": 0.5 },
     { "kind": "lathe_finish", "name": "Finish", "tool": 2, "tolerance": 0.3 } ] })";
-
-QJsonObject json(const QByteArray& text) {
-    return QJsonDocument::fromJson(text).object();
-}
-
-QByteArray bytes_of(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// Numbers of a table, three a line.
 std::vector<std::array<double, 3>> rows_of(const QByteArray& text) {
@@ -67,7 +59,7 @@ private slots:
         CliRun run = run_cli({"sample", part, "--tolerance", "0.01", "-o", part + ".stl"}, sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
         const QString job = part + ".facetmill";
-        sandbox_.write(job, QByteArray(project).replace("PART", part.toUtf8()));
+        sandbox_.write(job, QByteArray(lathe_project).replace("PART", part.toUtf8()));
         run = run_cli({"simulate", job, "--resolution", "1", "--spacing", "1.2", "-o", "verified"},
                       sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
@@ -82,7 +74,7 @@ private slots:
 
     void the_report_and_the_tables_are_there() {
         QVERIFY(run_cli({"sample", "square-prism", "-o", "square-prism.stl"}, sandbox_.path()).status == 0);
-        sandbox_.write("prism.facetmill", QByteArray(project).replace("PART", "square-prism"));
+        sandbox_.write("prism.facetmill", QByteArray(lathe_project).replace("PART", "square-prism"));
         const QStringList coarse{"--set", "Finish.points_per_turn=720", "--set", "Finish.side_feed=2",
                                  "--set", "Finish.tolerance=0.5"};
         CliRun run = run_cli(QStringList{"plan", "prism.facetmill", "-o", "prism"} + coarse, sandbox_.path());
@@ -162,9 +154,9 @@ private slots:
     }
 
     void a_machine_that_cannot_turn_the_part_is_told() {
-        sandbox_.write(
-            "three.facetmill",
-            QByteArray(project).replace("PART", "square-prism").replace("lathe-mill", "generic-3-axis"));
+        sandbox_.write("three.facetmill", QByteArray(lathe_project)
+                                              .replace("PART", "square-prism")
+                                              .replace("lathe-mill", "generic-3-axis"));
         const CliRun run = run_cli(
             {"plan", "three.facetmill", "--op", "Finish", "--set", "Finish.tolerance=0.5", "-o", "three"},
             sandbox_.path());
@@ -182,7 +174,7 @@ private slots:
                 == 0);
         // Feet of the pads' flanks curve with a radius of 3.2 mm.
         sandbox_.write("narrow.facetmill",
-                       QByteArray(project)
+                       QByteArray(lathe_project)
                            .replace("PART", "pattern")
                            .replace("\"tool\": 2, \"tolerance\": 0.3", "\"tool\": 3, \"tolerance\": 0.1")
                            .replace(R"("shank_diameter": 3.175, "shank_length": 30 } ],)",
@@ -260,10 +252,10 @@ private slots:
     }
 
     void a_part_beside_its_axis_is_refused() {
-        sandbox_.write(
-            "off.facetmill",
-            QByteArray(project).replace("PART.stl\", \"units\": \"mm\"",
-                                        "square-prism.stl\", \"units\": \"mm\", \"translate\": [0, 100, 0]"));
+        sandbox_.write("off.facetmill",
+                       QByteArray(lathe_project)
+                           .replace("PART.stl\", \"units\": \"mm\"",
+                                    "square-prism.stl\", \"units\": \"mm\", \"translate\": [0, 100, 0]"));
         const CliRun run = run_cli({"plan", "off.facetmill", "-o", "bad"}, sandbox_.path());
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains("beside the part") && run.err.contains("Rough")

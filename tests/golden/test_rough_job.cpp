@@ -18,7 +18,8 @@ using test::Sandbox;
 
 namespace {
 
-const char* const project = R"({ "facetmill": 1, "units": "in", "part": { "file": "part.stl", "units": "in" },
+const char* const rough_project =
+    R"({ "facetmill": 1, "units": "in", "part": { "file": "part.stl", "units": "in" },
   "stock": { "kind": "box", "margin": [0.25, 0.25, 0.25] },
   "tools": [ { "number": 1, "name": "Ball 1", "diameter": 1, "corner_radius": 0.5, "flute_length": 4,
                "shank_diameter": 1, "shank_length": 3, "holder": [ { "diameter": 2.5, "length": 3 } ] },
@@ -29,15 +30,6 @@ const char* const project = R"({ "facetmill": 1, "units": "in", "part": { "file"
     { "kind": "rough", "name": "Rest", "tool": 2, "depth": 0.1, "tolerance": 0.2, "allowance": 0.05, "feed": 100,
       "clearance": 0.25, "pattern": "zigzag" } ] })";
 
-QJsonObject json(const QByteArray& text) {
-    return QJsonDocument::fromJson(text).object();
-}
-
-QByteArray bytes_of(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 } // namespace
 
 class TestRoughJob : public QObject {
@@ -47,7 +39,7 @@ private slots:
         const CliRun sample = run_cli(
             {"sample", "complex", "--tolerance", "0.01", "--units", "in", "-o", "part.stl"}, sandbox_.path());
         QVERIFY2(sample.status == 0, sample.err);
-        sandbox_.write("job.facetmill", project);
+        sandbox_.write("job.facetmill", rough_project);
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
         operations_ = json(run.out)["operations"].toArray();
@@ -75,7 +67,7 @@ private slots:
         QVERIFY2(alone.status == 0, alone.err);
         const QJsonObject rest = json(alone.out)["operations"].toArray()[0].toObject();
         QCOMPARE(rest["cut_length"].toDouble(), operations_[1].toObject()["cut_length"].toDouble());
-        QByteArray only = project;
+        QByteArray only = rough_project;
         only.replace("\"Rough\"", "\"R0\"")
             .replace("\"tool\": 1, \"tolerance\": 0.4", "\"tool\": 2, \"depth\": 0.1, \"tolerance\": 0.2");
         sandbox_.write("fresh.facetmill", only);

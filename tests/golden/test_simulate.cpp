@@ -20,7 +20,7 @@ using test::Sandbox;
 namespace {
 
 /// A plate 40 x 30 whose top is z = 0, with stock 2 above it and a tool with shank and holder.
-const char* const project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
+const char* const plate_project = R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" },
   "stock": { "kind": "box", "margin": [1, 1, 2] },
   "tools": [ { "number": 1, "name": "Ball", "diameter": 8, "corner_radius": 4, "flute_length": 6, "shank_diameter": 8,
                "shank_length": 10, "holder": [ { "diameter": 30, "length": 20 } ] } ],
@@ -69,11 +69,7 @@ QByteArray file(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-QJsonObject json(const QByteArray& text) {
-    return QJsonDocument::fromJson(text).object();
-}
-
-Sandbox& prepared(Sandbox& s, const QByteArray& apt, const QByteArray& text = project) {
+Sandbox& prepared_plate(Sandbox& s, const QByteArray& apt, const QByteArray& text = plate_project) {
     s.write("part.stl", plate());
     s.write("job.facetmill", text);
     s.write("path.apt", apt);
@@ -90,11 +86,11 @@ class TestSimulate : public QObject {
 private slots:
     void the_setup_sheet_tells_all() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 20");
         text.replace("\"name\": \"Ball\"", "\"name\": \"<b>Ball & co\"");
         text.replace("\"name\": \"Finish\"", "\"name\": \"Top \\\"A\\\" <i>\"");
-        prepared(s, {}, text);
+        prepared_plate(s, {}, text);
         const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
         QVERIFY2(run.status == 0, run.err.constData());
         QCOMPARE(json(run.out)["verdict"].toString(), QString("verified"));
@@ -124,7 +120,8 @@ private slots:
     /// A short tool whose shank runs into the stock: there is a sheet, and it says so.
     void the_setup_sheet_warns() {
         Sandbox s;
-        prepared(s, {}, QByteArray(project).replace("\"flute_length\": 6", "\"flute_length\": 1"));
+        prepared_plate(s, {},
+                       QByteArray(plate_project).replace("\"flute_length\": 6", "\"flute_length\": 1"));
         const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
         QCOMPARE(run.status, 1);
         QVERIFY(run.err.contains("not verified: "));
@@ -136,7 +133,7 @@ private slots:
 
     void no_setup_sheet_of_bad_input() {
         Sandbox s;
-        prepared(s, {});
+        prepared_plate(s, {});
         const QStringList before = s.files();
         QCOMPARE(run_cli({"report", "job.facetmill"}, s.path()).status, 2);
         QCOMPARE(run_cli({"report", "-o", "sheet.html"}, s.path()).status, 2);
@@ -155,9 +152,9 @@ private slots:
 
     void a_plan_is_verified() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 20");
-        prepared(s, {}, text);
+        prepared_plate(s, {}, text);
         const CliRun run =
             run_cli({"simulate", "job.facetmill", "--resolution", "0.5", "-o", "out"}, s.path());
         QVERIFY2(run.status == 0, run.err.constData());
@@ -190,7 +187,7 @@ private slots:
 
     void a_good_cl_file() {
         Sandbox s;
-        const CliRun run = run_cli(simulate, prepared(s, cl()).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl()).path());
         QVERIFY2(run.status == 0, run.err.constData());
         const double cusp = 4 - std::sqrt(16 - 0.25);
         QVERIFY(json(run.out)["excess_max"].toDouble() <= cusp + 1e-6);
@@ -200,7 +197,7 @@ private slots:
     void a_planted_gouge() {
         Sandbox s;
         const int at = 1 + 29 * 10 + 15; // row 9, in the middle
-        const CliRun run = run_cli(simulate, prepared(s, cl(at, -0.35)).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl(at, -0.35)).path());
         QCOMPARE(run.status, 1);
         const QJsonObject o = json(run.out);
         QCOMPARE(o["verdict"].toString(), QString("failed"));
@@ -215,10 +212,10 @@ private slots:
 
     void what_is_left_is_the_stock_of_the_next_job() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 40"); // nothing but the cutter meets the bar
         text.replace(box_stock, R"({ "kind": "cylinder", "diameter": 56, "margin": [0, 0, 2] })");
-        const CliRun first = run_cli(simulate, prepared(s, cl(), text).path());
+        const CliRun first = run_cli(simulate, prepared_plate(s, cl(), text).path());
         QVERIFY2(first.status == 0, first.err.constData());
         const QJsonObject before = json(first.out);
         // 2 mm off a bar of 56 mm where the rows go, 12 mm long.
@@ -246,10 +243,10 @@ private slots:
 
     void a_stock_that_is_too_small_is_told() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 40");
         text.replace(box_stock, R"({ "kind": "cylinder", "diameter": 44, "margin": [0, 0, 2] })");
-        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl(), text).path());
         QVERIFY2(run.status == 0, run.err.constData());
         const QByteArray remarks = QJsonDocument(json(run.out)["remarks"].toArray()).toJson();
         QVERIFY2(remarks.contains("does not hold the part: its diameter is 44 mm, the part needs 50 mm"),
@@ -276,13 +273,13 @@ private slots:
         QFETCH(QByteArray, stock);
         QFETCH(QByteArray, said);
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace(box_stock, stock);
         QByteArray open = plate();
         open.replace(open.indexOf("facet"), open.indexOf("endfacet\n") + 9 - open.indexOf("facet"), "");
         s.write("open.stl", open);
         s.write("job.txt", "no mesh at all");
-        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl(), text).path());
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains(said), run.err.constData());
         QVERIFY(run.out.isEmpty());
@@ -291,10 +288,10 @@ private slots:
 
     void a_holder_in_the_stock() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"shank_length\": 10", "\"shank_length\": 0")
             .replace("\"margin\": [1, 1, 2]", "\"margin\": [1, 1, 8]");
-        const CliRun run = run_cli(simulate, prepared(s, cl(), text).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl(), text).path());
         QCOMPARE(run.status, 1);
         const QJsonArray collisions = json(run.out)["collisions"].toArray();
         QVERIFY(!collisions.isEmpty());
@@ -306,7 +303,7 @@ private slots:
         Sandbox s;
         QByteArray apt = cl();
         apt.replace("FINI\n", "RAPID\nGOTO/60,15,-3\nRAPID\nGOTO/-20,15,-3\nFINI\n");
-        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 1);
         bool found = false;
         for (const auto& c : json(run.out)["collisions"].toArray()) {
@@ -322,11 +319,11 @@ private slots:
     /// The whole tool is one thing in a rapid: one entry, with the stock and with the part.
     void a_rapid_with_the_holder_is_one_collision() {
         Sandbox s;
-        QByteArray text = project; // shank from 6, holder from 16 above the tip
+        QByteArray text = plate_project; // shank from 6, holder from 16 above the tip
         QByteArray apt = cl();
         // Past the cutter's and the shank's own way the holder comes down on the plate's side.
         apt.replace("FINI\n", "RAPID\nGOTO/-10,15,30\nRAPID\nGOTO/-10,15,-20\nRAPID\nGOTO/-10,15,30\nFINI\n");
-        const CliRun run = run_cli(simulate, prepared(s, apt, text).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt, text).path());
         QCOMPARE(run.status, 1);
         const int down = 1 + 41 * 29 + 1 + 2;
         int found = 0;
@@ -361,10 +358,10 @@ private slots:
         QFETCH(bool, collides);
         QFETCH(QByteArray, said);
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"shank_length\": 10", "\"shank_length\": 0")
             .replace("\"margin\": [1, 1, 2]", "\"margin\": [1, 1, 8]");
-        const CliRun run = run_cli(simulate, prepared(s, cl(0, 0, head), text).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, cl(0, 0, head), text).path());
         const QJsonObject o = json(run.out);
         QVERIFY2(o["collisions"].toArray().isEmpty() != collides, run.err.constData());
         const QByteArray remarks = QJsonDocument(o["remarks"].toArray()).toJson();
@@ -396,7 +393,7 @@ private slots:
             }
         apt += "RAPID\n" + go(-12, 35, 60, 0.5 * most);
         Sandbox s;
-        const CliRun good = run_cli(simulate, prepared(s, apt + "FINI\n").path());
+        const CliRun good = run_cli(simulate, prepared_plate(s, apt + "FINI\n").path());
         QVERIFY2(good.status == 0, good.err.constData());
         const QJsonObject o = json(good.out);
         const double cusp = std::sin(most) * (r - std::sqrt(r * r - 0.25));
@@ -410,7 +407,7 @@ private slots:
         const double wide = 3.14159265358979 / 3;
         apt += "RAPID\n" + go(10, 15, 60, 0) + go(10, 15, 0, 0) + go(14, 15, r * std::sin(wide), wide)
                + "RAPID\n" + go(14, 15, 60, wide) + "FINI\n";
-        const CliRun bad = run_cli(simulate, prepared(s, apt).path());
+        const CliRun bad = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(bad.status, 1);
         const QJsonObject b = json(bad.out);
         const double depth = b["gouge_max"].toDouble();
@@ -423,7 +420,7 @@ private slots:
         Sandbox s;
         QByteArray apt = cl();
         apt.replace("LOADTL/1\n", "LOADTL/1\nPPRINT HELLO\nFROBNI/3\n");
-        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 0);
         QVERIFY(run.err.contains("FROBNI"));
     }
@@ -447,7 +444,7 @@ private slots:
         QVERIFY(apt.contains(from));
         apt.replace(from, to);
         Sandbox s;
-        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains("path.apt"), run.err.constData());
         QVERIFY(run.out.isEmpty());
@@ -457,7 +454,7 @@ private slots:
     void no_motion_near_the_stock() {
         QByteArray apt = "UNITS/MM\nCUTTER/8,4,0,4,0,0,6\nRAPID\nGOTO/1000,0,0\nGOTO/1100,0,0\nFINI\n";
         Sandbox s;
-        const CliRun run = run_cli(simulate, prepared(s, apt).path());
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains("no motion at feed comes near the stock"), run.err.constData());
         QVERIFY(!s.files().contains("out"));
@@ -467,9 +464,9 @@ private slots:
     /// Beside findings the stock is drawn as it is left.
     void pictures_show_what_is_left_of_the_stock() {
         Sandbox s;
-        QByteArray text = project;
+        QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 20");
-        prepared(s, {}, text);
+        prepared_plate(s, {}, text);
         const auto picture = [&](const char* layers) {
             const CliRun run = run_cli(
                 {"render", "job.facetmill", "--show", layers, "--size", "200x150", "-o", "p.png"}, s.path());
@@ -489,7 +486,7 @@ private slots:
         QByteArray apt = cl();
         apt.replace("GOTO/0.0000,0.0000,0.0000\n", "GOTO/0.0000,0.0000,0.0000\nGOTO/0.0000,0.0000,0.0000\n");
         Sandbox s;
-        QCOMPARE(run_cli(simulate, prepared(s, apt).path()).status, 0);
+        QCOMPARE(run_cli(simulate, prepared_plate(s, apt).path()).status, 0);
     }
 };
 

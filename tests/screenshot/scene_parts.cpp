@@ -42,6 +42,10 @@ double hill(double x, double y) {
     return 18 * std::exp(-((x - 55) * (x - 55) + (y - 38) * (y - 38)) / 900);
 }
 
+MeshPtr hill_part() {
+    return sheet_part({0, 0}, {hill_length, hill_width}, 40, hill);
+}
+
 PathSource hill_path(int passes, int points, double ball_radius) {
     auto path = std::make_shared<StrategyResult>();
     auto tool = std::make_shared<ToolMotions>();

@@ -20,6 +20,7 @@ MeshPtr moved(const MeshPtr& mesh, const Vec3& by);
 /// A gentle hill on [0, 100] x [0, 80].
 double hill(double x, double y);
 inline constexpr double hill_length = 100, hill_width = 80;
+MeshPtr hill_part();
 
 /// Zigzag passes over the hill: a ball of the given radius on the contacts, links between neighbours, and one
 /// move at clearance height in the middle, so that every kind of motion occurs.

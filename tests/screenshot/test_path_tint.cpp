@@ -50,18 +50,11 @@ std::vector<PathFiguresPtr> figures_of(const std::shared_ptr<const OperationResu
     return {path_figures(result, find_machine(machine), {})};
 }
 
-std::size_t count_near(const Picture& p, const Rgb& c, int within) {
+std::size_t count_tinted(const Picture& p, const Rgb& c, int within) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < p.rgb.size(); i += 3)
         n += std::abs(p.rgb[i] - 255 * c.r) <= within && std::abs(p.rgb[i + 1] - 255 * c.g) <= within
              && std::abs(p.rgb[i + 2] - 255 * c.b) <= within;
-    return n;
-}
-
-std::size_t different_pixels(const Picture& a, const Picture& b) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); i += 3)
-        n += a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
     return n;
 }
 
@@ -234,17 +227,17 @@ private slots:
         const Rgb blue = colors_of(Palette::light).motions[std::size_t(MotionKind::cut)];
         scene.set_path_tint(prepare_tinted_path(figures, PathQuantity::tilt, LengthUnit::mm, {}));
         const Picture tinted = window_.render();
-        QVERIFY(count_near(plain, blue, 30) > 300);
-        QVERIFY(count_near(tinted, blue, 12) < 60);
+        QVERIFY(count_tinted(plain, blue, 30) > 300);
+        QVERIFY(count_tinted(tinted, blue, 12) < 60);
         for (const double t : {0.05, 0.3, 0.5, 0.95})
-            QVERIFY2(count_near(tinted, path_tint_color(t), 20) > 50, qPrintable(QString::number(t)));
+            QVERIFY2(count_tinted(tinted, path_tint_color(t), 20) > 50, qPrintable(QString::number(t)));
         const std::string wrong = check_picture(tinted, "path-tilt", FACETMILL_PICTURE_OUT);
         QVERIFY2(wrong.empty(), wrong.c_str());
         // Hidden with the cuts, legend and all; gone with the next path.
         for (const MotionKind kind :
              {MotionKind::cut, MotionKind::link, MotionKind::approach, MotionKind::retract})
             scene.set_motion_visible(kind, false);
-        QVERIFY(count_near(window_.render(), path_tint_color(0.95), 20) < 30);
+        QVERIFY(count_tinted(window_.render(), path_tint_color(0.95), 20) < 30);
         for (const MotionKind kind :
              {MotionKind::cut, MotionKind::link, MotionKind::approach, MotionKind::retract})
             scene.set_motion_visible(kind, true);
@@ -264,7 +257,7 @@ private slots:
         scene.set_view(StandardView::iso);
         const Colors& colors = colors_of(Palette::light);
         const Picture plain = window_.render();
-        const auto shows = [&](const Rgb& color) { return count_near(window_.render(), color, 12); };
+        const auto shows = [&](const Rgb& color) { return count_tinted(window_.render(), color, 12); };
         const std::size_t left_before = shows(colors.left), kept_before = shows(colors.kept);
 
         const auto at = [](double x, double y) { return Vec3(x, y, hill(x, y)); };

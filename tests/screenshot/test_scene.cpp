@@ -14,10 +14,6 @@ using namespace facetmill::test;
 
 namespace {
 
-MeshPtr hill_part() {
-    return sheet_part({0, 0}, {hill_length, hill_width}, 40, hill);
-}
-
 Tool ball_tool() {
     Tool tool;
     tool.diameter = 12;
@@ -46,13 +42,6 @@ void show_only(Scene& scene, const std::vector<Layer>& layers) {
     for (const Layer l :
          {Layer::part, Layer::edges, Layer::stock, Layer::cc, Layer::cl, Layer::tool, Layer::marker})
         scene.set_visible(l, std::find(layers.begin(), layers.end(), l) != layers.end());
-}
-
-std::size_t different_pixels(const Picture& a, const Picture& b) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); i += 3)
-        n += a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
-    return n;
 }
 
 } // namespace

@@ -15,11 +15,7 @@ using namespace facetmill::test;
 
 namespace {
 
-MeshPtr hill_part() {
-    return sheet_part({0, 0}, {hill_length, hill_width}, 40, hill);
-}
-
-std::shared_ptr<const OperationResult> hill_operation() {
+std::shared_ptr<const OperationResult> short_operation() {
     auto operation = std::make_shared<OperationResult>();
     const PathSource path = hill_path(9, 30, 6);
     operation->name = "Finish";
@@ -37,7 +33,7 @@ RenderRequest hill_request(int width = 200, int height = 150) {
     return request;
 }
 
-std::size_t count_near(const Picture& p, const std::array<int, 3>& color, int within) {
+std::size_t count_colored(const Picture& p, const std::array<int, 3>& color, int within) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < p.rgb.size(); i += 3)
         n += std::abs(p.rgb[i] - color[0]) <= within && std::abs(p.rgb[i + 1] - color[1]) <= within
@@ -280,7 +276,7 @@ private slots:
         const Picture part = render_picture(request, {});
         QCOMPARE(part.width, 200);
         QCOMPARE(part.height, 150);
-        QCOMPARE(count_near(part, cut_blue, 16), std::size_t(0));
+        QCOMPARE(count_colored(part, cut_blue, 16), std::size_t(0));
 
         Project project;
         project.unit = LengthUnit::inch;
@@ -294,18 +290,18 @@ private slots:
         prepared->mesh = request.part;
         plan.part = prepared;
         plan.stock.box = {{-5, -5, 0}, {105, 85, 20}};
-        plan.operations = {hill_operation()};
+        plan.operations = {short_operation()};
         take_plan(request, project, plan);
         QVERIFY(request.title.find("hill") != std::string::npos
                 && request.title.find("Finish") != std::string::npos);
         QVERIFY(request.tool && request.tool->number == 3);
         QCOMPARE(request.unit, LengthUnit::inch);
         request.layers = {Layer::part, Layer::cl};
-        QVERIFY(count_near(render_picture(request, {}), cut_blue, 16) > 30);
+        QVERIFY(count_colored(render_picture(request, {}), cut_blue, 16) > 30);
         request.layers = {Layer::part, Layer::tool};
         const Picture tool = render_picture(request, {});
-        QCOMPARE(count_near(tool, cut_blue, 16), std::size_t(0));
-        QVERIFY(count_near(tool, cutter_yellow, 60) > 10);
+        QCOMPARE(count_colored(tool, cut_blue, 16), std::size_t(0));
+        QVERIFY(count_colored(tool, cutter_yellow, 60) > 10);
 
         const QTemporaryDir folder;
         const std::string file = folder.filePath("out.png").toStdString();

@@ -130,9 +130,9 @@ public:
         }
     }
     const std::vector<std::uint32_t>& near(const Vec3& p) const {
-        static const std::vector<std::uint32_t> none;
+        static const std::vector<std::uint32_t> nothing;
         if (p.x() < box_.lo.x() || p.x() > box_.hi.x() || p.y() < box_.lo.y() || p.y() > box_.hi.y())
-            return none;
+            return nothing;
         return lists_[column(p.y(), box_.lo.y(), ny_) * nx_ + column(p.x(), box_.lo.x(), nx_)];
     }
 

@@ -41,6 +41,13 @@ PictureDifference compare_pictures(const Picture& a, const Picture& b) {
     return result;
 }
 
+std::size_t different_pixels(const Picture& a, const Picture& b) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3)
+        n += a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
+    return n;
+}
+
 Picture difference_picture(const Picture& a, const Picture& b) {
     Picture d{a.width, a.height, std::vector<std::uint8_t>(a.rgb.size())};
     for (std::size_t i = 0; i < d.rgb.size() && i < b.rgb.size(); ++i)

@@ -19,6 +19,9 @@ struct PictureDifference {
 /// Every 8 x 8 window (smaller where the picture is), red, green and blue each for itself.
 PictureDifference compare_pictures(const Picture& a, const Picture& b);
 
+/// How many pixels differ between two pictures of one size.
+std::size_t different_pixels(const Picture& a, const Picture& b);
+
 /// Black where equal, brighter the more two pictures of one size differ.
 Picture difference_picture(const Picture& a, const Picture& b);
 

@@ -17,11 +17,11 @@ constexpr std::size_t max_knots = 4000;
 constexpr double tilt_step = pi / 36;
 constexpr int around = 16;
 /// An axis turns by no more between two knots.
-constexpr double max_turn = pi / 4.5;
+constexpr double max_tilt_turn = pi / 4.5;
 /// Weights of inclination, turn and raise (as a share of the largest), squared.
 constexpr double tilt_weight = 0.1, turn_weight = 1, raise_weight = 0.05;
 /// A motion that is not clear is halved so often, then left out.
-constexpr int max_divisions = 6;
+constexpr int max_tilt_divisions = 6;
 
 class Tilter {
 public:
@@ -143,7 +143,7 @@ private:
         for (std::size_t b = 0; b < axes_.size(); ++b) {
             if (!(search.cost[b] < before)) continue;
             const double turn = std::acos(std::clamp(axes_[a].dot(axes_[b]), -1.0, 1.0));
-            if (turn > max_turn) continue;
+            if (turn > max_tilt_turn) continue;
             const double sum = search.cost[b] + turn_weight * turn * turn;
             if (sum >= before) continue;
             before = sum;
@@ -180,7 +180,7 @@ private:
             const Knot &a = knots_[i], &b = knots_[i + 1];
             const bool sure = a.axis >= 0 && b.axis >= 0
                               && axes_[std::size_t(a.axis)].dot(axes_[std::size_t(b.axis)])
-                                     >= std::cos(max_turn) - tolerance::level_angle;
+                                     >= std::cos(max_tilt_turn) - tolerance::level_angle;
             if (sure) {
                 join(a, b);
                 continue;
@@ -224,7 +224,7 @@ private:
         if (keeps_clear_between(*in_.whole, a, b, looking_step(radius_, in_.chord),
                                 in_.looked_share * in_.chord, hint_))
             return true;
-        if (divisions == max_divisions) return false;
+        if (divisions == max_tilt_divisions) return false;
         CutterLocation middle = location_on_route(a, b, 0.5);
         const double lift = in_.whole->lift({middle.tip, middle.axis}, hint_);
         if (lift > in_.raise) return false;

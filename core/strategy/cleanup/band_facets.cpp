@@ -12,15 +12,15 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 8192;
+constexpr std::size_t facets_per_check = 8192;
 /// Points of the band that are asked are so far apart, of the distance.
-constexpr double point_share = 0.3;
+constexpr double facet_point_share = 0.3;
 
 } // namespace
 
 std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, const RestBand& band,
                                      double within, const Progress& progress) {
-    const double apart = point_share * within;
+    const double apart = facet_point_share * within;
     PointGrid thin(apart), points(within);
     // Columns over the band and beside it, seen from above.
     std::set<std::array<long, 2>> columns;
@@ -33,7 +33,7 @@ std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, co
                 columns.insert({x + dx, y + dy});
     };
     for (std::size_t i = 0; i < band.band.size(); ++i) {
-        if (i % check_every == 0) progress.check();
+        if (i % facets_per_check == 0) progress.check();
         for (const Vec3& p : band.band[i])
             add(p);
     }
@@ -48,7 +48,7 @@ std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, co
 
     std::vector<BandFacet> all(facets.size());
     std::vector<char> beside(facets.size(), 0);
-    parallel_for(facets.size(), check_every / 8, progress, [&](std::size_t i) {
+    parallel_for(facets.size(), facets_per_check / 8, progress, [&](std::size_t i) {
         const Vec3 &a = mesh.corner(facets[i], 0), &b = mesh.corner(facets[i], 1),
                    &c = mesh.corner(facets[i], 2);
         const Vec3 middle = (a + b + c) / 3;

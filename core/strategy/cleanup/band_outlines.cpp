@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 2048;
+constexpr std::size_t edges_per_check = 2048;
 /// Two bands that meet on an edge each get this share of it at least.
 constexpr double min_part = 0.02;
 
@@ -25,7 +25,7 @@ public:
 
     OutlinedBands run(const Progress& progress) {
         for (std::size_t i = 0; i < facets_.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % edges_per_check == 0) progress.check();
             if (owners_.of[i] >= 0) cut(facets_[i], owners_.of[i]);
         }
         for (std::size_t i = 0; i < out_.bands.size(); ++i) {

@@ -6,7 +6,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 2048;
+constexpr std::size_t samples_per_check = 2048;
 /// The nearest centre is looked for up to so many radii away.
 constexpr double farthest_center = 64;
 
@@ -74,7 +74,7 @@ void measure_reach(OutlinedBands& outlined, const Valleys& valleys, double radiu
         band.length += length_of(curve);
         const CurveReach reach(curve, radius);
         for (; i < at.size() && at[i].owner <= c; ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % samples_per_check == 0) progress.check();
             if (at[i].owner == c) reach.add(outlined.points[at[i].point], band);
         }
         for (const auto& f : band.flank)

@@ -11,7 +11,7 @@ namespace {
 /// An inclined tool that would cut elsewhere is drawn out of it by no more than this share of the tolerance:
 /// so much more may stay where it was to cut.
 constexpr double raise_share = 0.25;
-constexpr std::size_t check_every = 256;
+constexpr std::size_t locations_per_check = 256;
 
 /// The whole tool, with shank and holder a hair thinner: a shank as thick as the cutter runs along what the
 /// cutter has cut.
@@ -33,7 +33,7 @@ TiltedPass upright_where_free(const ToolLift& whole, double chord, const Pass& p
     run.cl.clear();
     run.cc.clear();
     for (std::size_t k = 0; k < pass.cl.size(); ++k) {
-        if (k % check_every == 0) progress.check();
+        if (k % locations_per_check == 0) progress.check();
         const ToolContact c = whole.contact_above({pass.cl[k].tip, pass.cl[k].axis}, chord, hint);
         if (c.body == ToolBody::shank || c.body == ToolBody::holder) {
             kept.by = c.body;

@@ -16,8 +16,8 @@ constexpr std::size_t near_points = 8;
 /// A stretch is the neighbourhood of its ends and of every so many of its points.
 constexpr std::size_t asked_points = 4;
 /// Facets lift the cutter if they face along the fitted vector by more than this cosine.
-constexpr double facing = 0.01;
-constexpr std::size_t check_every = 8192;
+constexpr double min_facing = 0.01;
+constexpr std::size_t lifts_per_check = 8192;
 
 class CurveLifts {
 public:
@@ -100,10 +100,10 @@ private:
         const Mesh& mesh = *with_.mesh;
         std::vector<Index> facets;
         for (std::size_t i = 0; i < beside_.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % lifts_per_check == 0) progress.check();
             const auto& [f, middle, size] = beside_[i];
             if (near.holds(middle, size)
-                && with_.side->towards_tool(mesh.facet_normal(f)).dot(near.up) > facing)
+                && with_.side->towards_tool(mesh.facet_normal(f)).dot(near.up) > min_facing)
                 facets.push_back(f);
         }
         if (facets.empty()) return nullptr;

@@ -11,9 +11,9 @@ namespace {
 
 /// The step-over is the widest of these, in radii, each this share of the one before, that keeps no more than
 /// the cusp on a level floor; less by a share for floors that lean by up to 45 degrees.
-constexpr double widest_step = 1.9, smallest_step = 0.01, next_step = 0.9, leaning_share = 0.7;
+constexpr double widest_step = 1.9, smallest_hollow_step = 0.01, next_step = 0.9, leaning_share = 0.7;
 /// Points on lines, and those that stand for the hollow, are so far apart, in radii.
-constexpr double point_share = 0.1, hollow_share = 0.5;
+constexpr double hollow_point_share = 0.1, hollow_share = 0.5;
 
 /// Lines over a hollow, along its longer side.
 class HollowCutter {
@@ -46,7 +46,7 @@ public:
 private:
     double step() const {
         double step = widest_step * radius_;
-        while (step > smallest_step * radius_
+        while (step > smallest_hollow_step * radius_
                && ridge(with_.cover->profile(), step * across_, along_) > with_.cusp)
             step *= next_step;
         return leaning_share * step;
@@ -64,7 +64,7 @@ private:
         pass.drive = number;
         pass.offset = at;
         const double from = box_.lo.dot(along_), to = box_.hi.dot(along_), overlap = with_.overlap;
-        const int points = int(std::ceil((to - from + 2 * overlap) / (point_share * radius_)));
+        const int points = int(std::ceil((to - from + 2 * overlap) / (hollow_point_share * radius_)));
         for (int k = 0; k <= points; ++k) {
             const Vec3 place =
                 (from - overlap + (to - from + 2 * overlap) * k / points) * along_ + at * across_;

@@ -9,7 +9,7 @@ namespace {
 
 /// A move is divided so often, and no further once it is shorter than this share of the chord tolerance:
 /// what is left then is an upright move.
-constexpr int max_divisions = 30;
+constexpr int max_clearing_divisions = 30;
 constexpr double shortest_share = 0.1;
 /// A point is moved out of what it would cut sideways, along the normal, by so many chord tolerances,
 /// doubled from the first to the last; if none is enough, up.
@@ -54,7 +54,7 @@ private:
                 where = k;
             }
         }
-        if (where == 0 || depth > max_divisions || length < shortest_share * with_.chord) return;
+        if (where == 0 || depth > max_clearing_divisions || length < shortest_share * with_.chord) return;
         Vec3 mid = a + (double(where) / double(parts)) * (b - a);
         // Away from what it would cut: a little sideways is enough on steep flanks.
         Vec3 out_of = cc.normal;

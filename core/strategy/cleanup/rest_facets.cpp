@@ -10,14 +10,14 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 2048;
+constexpr std::size_t divided_per_check = 2048;
 /// Edges of facets in a band are not longer than this many radii of the cutter.
 constexpr double edge_share = 0.07;
 /// Cells that say where a band may be, in radii; larger where there would be more than so many.
 constexpr double mark_share = 0.12, max_cells = 1.6e7;
 /// Samples are not farther apart than this many radii.
 constexpr double sample_share = 0.25;
-constexpr int max_divisions = 24;
+constexpr int max_facet_divisions = 24;
 
 class FacetDivider {
 public:
@@ -32,7 +32,7 @@ public:
         if (samples.empty()) return std::move(out_);
         const Progress dividing = progress.part(0.2, 1);
         for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-            if (f % check_every == 0) dividing.set(double(f) / double(mesh.facet_count()));
+            if (f % divided_per_check == 0) dividing.set(double(f) / double(mesh.facet_count()));
             const Vec3 n = in_.side->towards_tool(mesh.facet_normal(f));
             if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
             divide(mesh.facets[f], Index(f), 0);
@@ -50,7 +50,7 @@ private:
 
     void mark(const std::vector<RestSample>& samples, const Progress& progress) {
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % divided_per_check == 0) progress.check();
             marks_.mark(samples[i].point.head<2>(), sample_share * radius_);
         }
         marks_.finish();
@@ -91,7 +91,7 @@ private:
         }
         // A large facet of which no edge is near to a band may still hold one.
         const bool inside = count == 0 && longest_edge(c) > longest_;
-        if (depth == max_divisions || (count == 0 && !inside)) {
+        if (depth == max_facet_divisions || (count == 0 && !inside)) {
             out_.facets.push_back({c, facet});
             return;
         }

@@ -9,12 +9,12 @@ namespace facetmill {
 namespace {
 
 /// Normals nearer to each other than this (cosine) ask the same.
-constexpr double same_normal = 0.9999;
+constexpr double same_gap_normal = 0.9999;
 /// Tips are asked within so many radii, one after the other until none farther away can be nearer: an upright
 /// wall is just at the radius.
 constexpr std::array asked_radii{1.02, 1.5, 2.5, 4.0};
 /// Two valleys that leave the same within this share of the tolerance leave alike.
-constexpr double alike = 0.25;
+constexpr double alike_share = 0.25;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
 constexpr double last_step = 0.02;
 
@@ -98,7 +98,7 @@ private:
         for (const Index f : facets) {
             if (!(nearest.gap > in_.tolerance)) break;
             const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(f));
-            if (n.dot(last) > same_normal) continue;
+            if (n.dot(last) > same_gap_normal) continue;
             last = n;
             const RestSample by = nearest_touch(in_, p, n, hint);
             if (by.gap < nearest.gap) nearest = by;
@@ -115,7 +115,7 @@ private:
             tips_.near(Vec3(p.x(), p.y(), 0), within, [&](std::size_t t) {
                 const Valleys::Tip& tip = valleys_.tips[t];
                 const Vec3 rel = p - tip.tip;
-                const double most = least + alike * in_.tolerance + radius_;
+                const double most = least + alike_share * in_.tolerance + radius_;
                 if (rel.head<2>().squaredNorm() > most * most) return;
                 const double d = in_.cover->distance(rel);
                 least = std::min(least, d);
@@ -131,10 +131,12 @@ private:
         return least;
     }
 
-    /// The curve that a place of a band belongs to. Where two leave alike, as about the corner in which they
-    /// meet, it is the one with the nearer centre; -1 where none comes near.
+    /// The curve that a place of a band belongs to. Where two leave alike, as about the corner in which
+    /// they meet, it is the one with the nearer centre; -1 where none comes near.
     int curve_of(const Vec3& p, const std::vector<ByCurve>& left, double least) const {
-        const auto is_alike = [&](const ByCurve& by) { return by.left <= least + alike * in_.tolerance; };
+        const auto is_alike = [&](const ByCurve& by) {
+            return by.left <= least + alike_share * in_.tolerance;
+        };
         // Mostly there is one, and nothing to compare.
         if (std::count_if(left.begin(), left.end(), is_alike) == 1)
             return std::find_if(left.begin(), left.end(), is_alike)->curve;

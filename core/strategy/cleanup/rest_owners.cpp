@@ -6,7 +6,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 2048;
+constexpr std::size_t owners_per_check = 2048;
 
 class Sharing {
 public:
@@ -39,7 +39,7 @@ private:
     void own_by_points(const Progress& progress) {
         in_.assign(rest_.facets.size(), 0);
         for (std::size_t i = 0; i < rest_.facets.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % owners_per_check == 0) progress.check();
             double most = 0;
             for (const Index c : rest_.facets[i].corner) {
                 in_[i] = in_[i] || gaps_.gap[c] > tolerance_;
@@ -71,7 +71,7 @@ private:
     /// From the queue's facets on to those without an owner beside them.
     void spread(std::size_t begin, const Progress& progress) {
         for (std::size_t q = begin; q < queue_.size(); ++q) {
-            if (q % check_every == 0) progress.check();
+            if (q % owners_per_check == 0) progress.check();
             const std::uint32_t from = queue_[q];
             for (const Index c : rest_.facets[from].corner)
                 for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k)

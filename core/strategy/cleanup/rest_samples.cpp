@@ -11,7 +11,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t block_facets = 256;
-constexpr std::size_t check_every = 8192;
+constexpr std::size_t sampled_per_check = 8192;
 constexpr double max_samples = 4e6;
 /// Facets with edges shorter than this share of the samples' spacing are small.
 constexpr double small_share = 0.6;
@@ -44,7 +44,7 @@ std::vector<Index> asked_facets(const ValleyInput& in, double spacing, const Pro
     // that faces its direction.
     enum : std::uint8_t { out, asked_for, small };
     std::vector<std::uint8_t> what(mesh.facet_count(), out);
-    parallel_for(mesh.facet_count(), check_every, progress.part(0, 0), [&](std::size_t f) {
+    parallel_for(mesh.facet_count(), sampled_per_check, progress.part(0, 0), [&](std::size_t f) {
         const Vec3 n = in.side->towards_tool(mesh.facet_normal(f));
         if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) return;
         const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
@@ -57,7 +57,7 @@ std::vector<Index> asked_facets(const ValleyInput& in, double spacing, const Pro
                                   PointGrid(spacing), PointGrid(spacing)};
     std::vector<Index> asked;
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        if (f % check_every == 0) progress.check();
+        if (f % sampled_per_check == 0) progress.check();
         if (what[f] == out) continue;
         if (what[f] >= small
             && !seen[std::size_t(what[f] - small)].add_first(

@@ -15,20 +15,20 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 4096;
+constexpr std::size_t touched_per_check = 4096;
 /// In hollows that the cutter does not fill samples are so far apart, in radii.
 constexpr double deep_share = 0.25;
-constexpr double max_samples = 2e6;
+constexpr double max_touch_samples = 2e6;
 /// The least that the cutter can leave is looked for in steps down to this share of what may be left, unless
 /// it is less than enough.
-constexpr double finest_share = 0.1, enough_share = 0.25;
+constexpr double finest_touch_share = 0.1, enough_share = 0.25;
 /// Places of the cutter are looked for by cells of this size, in radii; those over a sample are within a
 /// reach.
 constexpr double cell_share = 0.25, near_share = 0.2;
 /// The next place on a pass is within this many radii, or else the first after a gap of up to this many.
-constexpr double next_share = 0.5, gap_share = 4;
+constexpr double next_touch_share = 0.5, gap_share = 4;
 /// A pass turns by no more than this cosine from one place to the next.
-constexpr double max_turn = 0.5, max_turn_after_gap = 0.95;
+constexpr double max_touch_turn = 0.5, max_turn_after_gap = 0.95;
 /// A pass goes on over its ends in so many steps of this share of the radius.
 constexpr int end_steps = 3;
 constexpr double end_share = 0.1;
@@ -109,13 +109,13 @@ private:
         for (const BandCut& b : bands_)
             area += b.band->area;
         const double apart = std::max(sampling_.sample_share * std::sqrt(2 * ball_ * with_.cusp),
-                                      std::sqrt(area / max_samples));
+                                      std::sqrt(area / max_touch_samples));
         std::vector<Place> all;
         PointGrid seen(apart);
         std::size_t count = 0;
         for (std::size_t b = 0; b < bands_.size(); ++b)
             for (const std::array<Vec3, 3>& t : bands_[b].band->band) {
-                if (count++ % check_every == 0) progress.check();
+                if (count++ % touched_per_check == 0) progress.check();
                 const Vec3 n = with_.side->towards_tool((t[1] - t[0]).cross(t[2] - t[0]).normalized());
                 if (!(n.squaredNorm() > 0) || n.z() < -tolerance::vertical_normal_z) continue;
                 const auto add = [&](const Vec3& at) { all.push_back({at + with_.allowance * n, n, b}); };
@@ -138,24 +138,25 @@ private:
     void find(const Progress& progress) {
         const std::vector<Place> all = places(progress.part(0, 0.1));
         std::vector<Left> found(all.size());
-        parallel_for(
-            (all.size() + check_every - 1) / check_every, 1, progress.part(0.1, 0.7), [&](std::size_t block) {
-                LiftHint hint;
-                const std::size_t end = std::min(all.size(), (block + 1) * check_every);
-                for (std::size_t i = block * check_every; i < end; ++i) {
-                    if (i % 256 == 0) progress.check();
-                    Left& l = found[i];
-                    const auto& [p, n, band] = all[i];
-                    const Vec3 wanted = p
-                                        + (n.z() > tolerance::vertical_normal_z ? with_.cover->tip_offset(n)
-                                                                                : Vec3(radius_ * n));
-                    l.rest = rest_near(p, wanted, allowed_);
-                    if (l.rest <= allowed_) continue;
-                    l.sample = nearest_touch(in_, p, n, hint);
-                    l.rest = std::min(l.rest, rest_near(p, l.sample.tip, allowed_));
-                    l.band = band;
-                }
-            });
+        parallel_for((all.size() + touched_per_check - 1) / touched_per_check, 1, progress.part(0.1, 0.7),
+                     [&](std::size_t block) {
+                         LiftHint hint;
+                         const std::size_t end = std::min(all.size(), (block + 1) * touched_per_check);
+                         for (std::size_t i = block * touched_per_check; i < end; ++i) {
+                             if (i % 256 == 0) progress.check();
+                             Left& l = found[i];
+                             const auto& [p, n, band] = all[i];
+                             const Vec3 wanted =
+                                 p
+                                 + (n.z() > tolerance::vertical_normal_z ? with_.cover->tip_offset(n)
+                                                                         : Vec3(radius_ * n));
+                             l.rest = rest_near(p, wanted, allowed_);
+                             if (l.rest <= allowed_) continue;
+                             l.sample = nearest_touch(in_, p, n, hint);
+                             l.rest = std::min(l.rest, rest_near(p, l.sample.tip, allowed_));
+                             l.band = band;
+                         }
+                     });
         // Where the cutter does not touch, what is left changes less from place to place.
         PointGrid deep(deep_share * radius_);
         std::erase_if(found, [&](const Left& l) {
@@ -166,7 +167,7 @@ private:
             Left& l = found[i];
             l.rest = rest(l.sample.point, allowed_);
             if (l.rest <= allowed_ || l.rest == infinity) return;
-            l.sample = nearest_about(in_, l.sample, enough_, finest_share * allowed_, hint);
+            l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint);
         });
         std::erase_if(found, [&](const Left& l) { return l.rest <= allowed_ || l.rest == infinity; });
         std::erase_if(found, [&](const Left& l) { return !too_much(l); });
@@ -179,7 +180,7 @@ private:
 
     /// Passes over what was found, from where most is left.
     void join(const Progress& progress) {
-        PointGrid tips(next_share * radius_), points(radius_);
+        PointGrid tips(next_touch_share * radius_), points(radius_);
         for (const Left& l : left_) {
             tips.add(level(l.sample.tip));
             points.add(level(l.sample.point));
@@ -255,15 +256,16 @@ private:
     /// The place where most is left of those that come next on a pass, or, where there is none, the first
     /// after a gap; the number of places where there is none either.
     std::size_t next_on(const Vec3& at, const Vec3& ahead, const PointGrid& tips) const {
-        for (const double reach : {next_share * radius_, gap_share * radius_}) {
+        for (const double reach : {next_touch_share * radius_, gap_share * radius_}) {
             std::size_t next = left_.size();
             double least = infinity;
             tips.near(level(at), reach, [&](std::size_t i) {
                 const Vec3 step = left_[i].sample.tip - at;
                 const double length = step.norm();
-                const double cosine = reach == next_share * radius_ ? max_turn : max_turn_after_gap;
+                const double cosine =
+                    reach == next_touch_share * radius_ ? max_touch_turn : max_turn_after_gap;
                 if (!too_much(left_[i]) || length > reach || step.dot(ahead) < cosine * length) return;
-                const double rank = reach == next_share * radius_ ? -excess(i) : length;
+                const double rank = reach == next_touch_share * radius_ ? -excess(i) : length;
                 if (rank > least || (rank == least && i > next)) return;
                 least = rank;
                 next = i;

@@ -19,9 +19,9 @@ constexpr double flat_corner = 0.02;
 constexpr double corner_reach = 3;
 /// What is left ahead of the last centre is looked for up to this angle from the fitted vector, by turns that
 /// move the centre by about this share of a step.
-constexpr double max_turn = 1.2, turn_share = 0.5;
+constexpr double max_node_turn = 1.2, turn_share = 0.5;
 /// A cutter that leaves less than this, of the tolerance, leaves as much as another.
-constexpr double alike = 0.1;
+constexpr double alike_direction = 0.1;
 
 /// Where the planes at the touched points meet, if they do in one place.
 std::optional<Vec3> corner(const std::vector<Vec3>& touches, const std::vector<Vec3>& normals) {
@@ -183,7 +183,7 @@ private:
         return !tips.near_until(q.center, within, [&](std::size_t i) {
             const Vec3& tip = tips.points()[i];
             return (tip - q.tip).norm() > ValleyScale::min_step * scale_.step
-                   && in_.cover->distance(q.center - tip) < q.gap - alike * in_.tolerance;
+                   && in_.cover->distance(q.center - tip) < q.gap - alike_direction * in_.tolerance;
         });
     }
 
@@ -197,7 +197,7 @@ private:
         const double turn = turn_share * scale_.step / (end.center - end.from).norm();
         std::vector<PencilPoint> more;
         PencilPoint q = end;
-        for (double angle = turn; angle < max_turn; angle += turn) {
+        for (double angle = turn; angle < max_node_turn; angle += turn) {
             const Vec3 ray = std::sin(angle) * ahead - std::cos(angle) * end.up;
             const auto hit = in_.grid->first_hit(end.from, ray, scale_.reach);
             if (!hit) break;

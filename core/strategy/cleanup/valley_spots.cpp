@@ -19,7 +19,7 @@ constexpr double aside_share = 0.3, aside_accuracy = 7e-4;
 /// The end of a pass is found to this many halvings of a step.
 constexpr int end_halvings = 8;
 /// A flank whose normal meets the fitted vector at no more than this cosine does not hold the cutter up.
-constexpr double facing = 0.01;
+constexpr double spot_facing = 0.01;
 
 } // namespace
 
@@ -90,7 +90,7 @@ bool ValleySpots::place_along_z(const PencilPoint& p, const Vec3& left, double o
     if (offset == 0) {
         double k = 0;
         for (const Vec3& n : p.normal)
-            if (const double c = p.up.dot(n); c > facing && n.z() >= 0) k = std::max(k, lack(n) / c);
+            if (const double c = p.up.dot(n); c > spot_facing && n.z() >= 0) k = std::max(k, lack(n) / c);
         s.tip = p.center + (k + tolerance::contact_distance) * p.up;
         return true;
     }

@@ -1,6 +1,7 @@
 #include "core/strategy/five_axis/posture_path.h"
 
 #include "core/base/parallel.h"
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -142,7 +143,7 @@ private:
 CutterLocation location_on_route(const CutterLocation& a, const CutterLocation& b, double t) {
     CutterLocation at;
     at.tip = a.tip + t * (b.tip - a.tip);
-    const double angle = std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
+    const double angle = angle_between(a.axis, b.axis);
     if (angle < tolerance::level_angle) {
         at.axis = (a.axis + t * (b.axis - a.axis)).normalized();
     } else {

@@ -6,7 +6,7 @@
 namespace facetmill {
 
 namespace {
-constexpr std::size_t places_per_block = 8;
+constexpr std::size_t studied_per_block = 8;
 /// Room that postures keep to the top, in chord tolerances: what motions between them may miss their strip
 /// by, and as much again. Motions between postures on the border of their spaces leave these.
 constexpr double room_chords = 3;
@@ -31,7 +31,7 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
                             const Progress& progress) {
     PostureStudy study;
     study.curves.resize(places.size());
-    parallel_for(places.size(), places_per_block, progress.part(0, 0),
+    parallel_for(places.size(), studied_per_block, progress.part(0, 0),
                  [&](std::size_t i) { study.curves[i] = field.strip_curves(places[i]); });
     std::vector<ContactFrame> frames;
     frames.reserve(places.size());

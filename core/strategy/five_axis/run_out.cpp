@@ -11,7 +11,7 @@ namespace {
 
 /// In radii of the cutter: how finely the motion is looked at, how far back and ahead, and how far apart the
 /// lines are whose ends count. No pose reaches farther than two radii from its contact.
-constexpr double step_share = 1.0 / 32, back_share = 2, ahead_share = 2, line_share = 1.0 / 16;
+constexpr double run_step_share = 1.0 / 32, run_back_share = 2, run_ahead_share = 2, line_share = 1.0 / 16;
 
 } // namespace
 
@@ -26,13 +26,13 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
     const ToolPose pose = posture_pose(field.cutter(), end.frame, posture);
     const double raised = field.allowance() + field.cusp() - 0.5 * field.chord();
     const long apart = std::max(1L, std::lround(line_share * r / lines.spacing()));
-    const int back = int(back_share / step_share), ahead = int(ahead_share / step_share);
+    const int back = int(run_back_share / run_step_share), ahead = int(run_ahead_share / run_step_share);
 
     int need = 0;
     const auto look = [&](const Vec3& border) {
         const RaisedCurve point{border + raised * end.frame.normal};
         const auto holds = [&](int k) {
-            const ToolPose there{pose.tip + k * step_share * r * onward, pose.axis};
+            const ToolPose there{pose.tip + k * run_step_share * r * onward, pose.axis};
             return field.builder().top(there, std::span(&point, 1)) >= 0;
         };
         for (int k = 0; k >= -back; --k)
@@ -70,7 +70,7 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
         look(border);
     if (need == 0) return std::nullopt;
 
-    const double distance = need * step_share * r;
+    const double distance = need * run_step_share * r;
     ContactPlace further = field.place(line, end.s + (low ? -distance : distance), end.v, travel);
     further.v_lo = end.v_lo;
     further.v_hi = end.v_hi;

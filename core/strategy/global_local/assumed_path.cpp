@@ -20,7 +20,7 @@ constexpr double lifted_share = 0.5;
 /// Leads are looked for in steps of the first size, which are then halved down to the second.
 constexpr double lead_step = pi / 180, lead_accuracy = lead_step / 16;
 /// A part that asks for more contacts is most likely in another unit.
-constexpr double max_contacts = 5e6;
+constexpr double max_assumed_contacts = 5e6;
 
 /// The smallest lead at which the tool touches, from a guess on; +inf where there is none. The guess becomes
 /// the lead found, or the limit.
@@ -82,11 +82,11 @@ AssumedPath assume_path(const FiveAxisField& field, double spacing, const Progre
     path.travel = Vec3(field.drive().along.x(), field.drive().along.y(), 0);
     const double width = lines.hi() - lines.lo();
     const Vec3 size = field.context().part_box.size();
-    if (size.x() * size.y() > max_contacts * spacing * spacing)
+    if (size.x() * size.y() > max_assumed_contacts * spacing * spacing)
         throw Error(ErrorCode::limit_exceeded, "part",
                     "a part of " + length_text(size.x(), field.context().unit) + " by "
                         + length_text(size.y(), field.context().unit) + " asks for more than "
-                        + format_number(max_contacts) + " contact points of these tools",
+                        + format_number(max_assumed_contacts) + " contact points of these tools",
                     "check the part's units, or take larger tools");
     const auto planes = std::size_t(std::max(1.0, std::ceil(width / spacing)));
     struct Trajectory {

@@ -11,7 +11,7 @@ namespace facetmill {
 namespace {
 
 /// Distance of the trajectories, in radii of the main cutter; no more contacts than about the number.
-constexpr double spacing_share = 1.0 / 8, max_contacts = 400'000;
+constexpr double spacing_share = 1.0 / 8, max_study_contacts = 400'000;
 /// Diameter of a rework tool that is not known yet, in diameters of the main tool.
 constexpr double usual_rework_share = 0.25;
 /// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
@@ -19,7 +19,7 @@ constexpr double along_share = 0.1;
 
 double spacing_of(const Box3& box, double radius) {
     const Vec3 size = box.size();
-    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_contacts));
+    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_study_contacts));
 }
 
 void check_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit) {

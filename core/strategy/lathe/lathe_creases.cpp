@@ -13,13 +13,13 @@ namespace {
 constexpr std::size_t creases_per_block = 32, facets_per_check = 8192;
 /// A fillet of less than this share of what is allowed takes nothing from the feed.
 constexpr double min_fillet = 0.05;
-/// Where between two turns a crease may lie, in advances; halvings of the advance that it allows, and the
-/// least, as a share of that without it.
+/// Where between two turns a crease may lie, in advances; halvings of the advance that it allows, and
+/// the least, as a share of that without it.
 constexpr std::array<double, 3> shares{0.35, 0.5, 0.65};
-constexpr int halvings = 6;
+constexpr int crease_halvings = 6;
 constexpr double smallest_share = 1.0 / 16;
 
-CreaseSearch::Found joined(CreaseSearch::Found a, const CreaseSearch::Found& b) {
+CreaseSearch::Found joined_creases(CreaseSearch::Found a, const CreaseSearch::Found& b) {
     a.doubtful.insert(a.doubtful.end(), b.doubtful.begin(), b.doubtful.end());
     a.limits.insert(a.limits.end(), b.limits.begin(), b.limits.end());
     a.cusp = std::max(a.cusp, b.cusp);
@@ -53,7 +53,7 @@ CreaseSearch::Found CreaseSearch::find(const Progress& progress) const {
             }
             return here;
         },
-        joined);
+        joined_creases);
     thin_out(found.doubtful);
     return found;
 }
@@ -195,7 +195,7 @@ void CreaseSearch::limit_feed(const LathePlace& place, const Vec3& p, std::span<
     found.cusp = std::max(found.cusp, leaves);
     if (leaves <= probe_.allowed()) return;
     double good = 0, bad = wanted;
-    for (int k = 0; k < halvings; ++k) {
+    for (int k = 0; k < crease_halvings; ++k) {
         const double mid = 0.5 * (good + bad);
         (left(mid) <= probe_.allowed() ? good : bad) = mid;
     }

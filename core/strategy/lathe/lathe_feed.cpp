@@ -17,7 +17,7 @@ constexpr double steepest = 0.5, place_share = 0.25;
 /// No feed is longer than this share of the cutter's diameter.
 constexpr double widest_share = 0.95;
 constexpr std::size_t fewest_lines = 24, max_lines = 720;
-constexpr int halvings = 7;
+constexpr int feed_halvings = 7;
 /// Places between two cutters at which the cusp is looked at, and halvings of their distance about the
 /// highest.
 constexpr int pieces = 6, crest_rounds = 4;
@@ -167,7 +167,7 @@ double SideFeed::advance_at(double a, const Progress& progress) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (fit(lines_[i], best)) continue;
                 double good = 0, bad = best;
-                for (int k = 0; k < halvings; ++k) {
+                for (int k = 0; k < feed_halvings; ++k) {
                     const double mid = 0.5 * (good + bad);
                     (fit(lines_[i], mid) ? good : bad) = mid;
                 }

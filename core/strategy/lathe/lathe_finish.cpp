@@ -7,8 +7,8 @@ namespace facetmill {
 
 namespace {
 
-const OperationRegistration registration("lathe_finish", "Finish, turning part",
-                                         [] { return std::make_unique<LatheFinish>(); });
+const OperationRegistration finish_registration("lathe_finish", "Finish, turning part",
+                                                [] { return std::make_unique<LatheFinish>(); });
 
 constexpr std::size_t points_per_check = 256;
 

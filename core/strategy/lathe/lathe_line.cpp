@@ -10,7 +10,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t points_per_block = 256;
+constexpr std::size_t line_points_per_block = 256;
 constexpr int deepest = 40;
 
 LathePlace between(const LathePlace& a, const LathePlace& b, double t) {
@@ -89,7 +89,7 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
 
     const std::size_t n = places.size();
     std::vector<LathePoint> nodes(n);
-    parallel_blocks(n, points_per_block, progress.part(0, 0.7), [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(n, line_points_per_block, progress.part(0, 0.7), [&](std::size_t begin, std::size_t end) {
         LatheField::Hint hint;
         for (std::size_t i = begin; i < end; ++i)
             nodes[i] = field.point(places[i], hint);
@@ -112,11 +112,11 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
         return 0.25 * ds * std::max(before, after) / std::hypot(1.0, s) > least;
     };
     const Refiner refiner(field, tolerance);
-    std::vector<std::vector<LathePoint>> extra((n - 1) / points_per_block + 1);
+    std::vector<std::vector<LathePoint>> extra((n - 1) / line_points_per_block + 1);
     std::vector<std::uint32_t> extra_before(n, 0); // points to put in before each node
-    parallel_blocks(n, points_per_block, progress.part(0.7, 1), [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(n, line_points_per_block, progress.part(0.7, 1), [&](std::size_t begin, std::size_t end) {
         LatheField::Hint hint;
-        auto& more = extra[begin / points_per_block];
+        auto& more = extra[begin / line_points_per_block];
         for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) {
             if (!bends(i)) continue;
             const std::size_t had = more.size();
@@ -133,8 +133,8 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
     points.reserve(total);
     std::size_t at = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        if (i % points_per_block == 0) at = 0;
-        const auto& more = extra[i / points_per_block];
+        if (i % line_points_per_block == 0) at = 0;
+        const auto& more = extra[i / line_points_per_block];
         for (std::uint32_t k = 0; k < extra_before[i]; ++k)
             points.push_back(more[at++]);
         points.push_back(nodes[i]);

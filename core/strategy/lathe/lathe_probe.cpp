@@ -1,4 +1,5 @@
 #include "core/strategy/lathe/lathe_probe.h"
+#include "core/base/plane_geometry.h"
 
 #include "core/base/tolerances.h"
 
@@ -14,8 +15,6 @@ constexpr double touching = 0.02;
 /// is this share of the cutter's radius long.
 constexpr int directions = 8, max_moves = 40;
 constexpr double last_step_share = 1.0 / 64;
-/// Each round turns its directions by it, so that no two rounds look the same way.
-constexpr double golden_angle = 2.399963229728653;
 /// Steps to the angle at which the cutter that touches a plane stands.
 constexpr int angle_steps = 4;
 

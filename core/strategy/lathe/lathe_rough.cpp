@@ -12,8 +12,8 @@ namespace facetmill {
 
 namespace {
 
-const OperationRegistration registration("lathe_rough", "Rough, turning part",
-                                         [] { return std::make_unique<LatheRough>(); });
+const OperationRegistration rough_registration("lathe_rough", "Rough, turning part",
+                                               [] { return std::make_unique<LatheRough>(); });
 
 constexpr std::size_t points_per_block = 256;
 constexpr double max_passes = 10000;

@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t facets_per_block = 256, samples_per_check = 64;
+constexpr std::size_t sampled_facets_per_block = 256, samples_per_check = 64;
 /// Samples are as far apart as hollows of the allowed depth are wide, within these shares of the cutter's
 /// radius. A hollow narrower than they are is not missed by that: what keeps the cutter from it keeps it from
 /// the edges too, which are looked at one by one (lathe_creases.h).
@@ -21,7 +21,7 @@ constexpr double max_samples = 1e5;
 /// Facets smaller than this share of the samples' spacing squared share a sample.
 constexpr double min_piece = 0.25;
 
-ReachSampler::Found joined(ReachSampler::Found a, const ReachSampler::Found& b) {
+ReachSampler::Found joined_samples(ReachSampler::Found a, const ReachSampler::Found& b) {
     a.area += b.area;
     a.doubtful.insert(a.doubtful.end(), b.doubtful.begin(), b.doubtful.end());
     return a;
@@ -48,7 +48,7 @@ ReachSampler::ReachSampler(const LatheCommon& settings, const LatheProbe& probe,
 
 ReachSampler::Found ReachSampler::facets(const Progress& progress) const {
     return parallel_reduce(
-        mesh_.facet_count(), facets_per_block, Found(), progress,
+        mesh_.facet_count(), sampled_facets_per_block, Found(), progress,
         [&](std::size_t begin, std::size_t end) {
             Found found;
             LatheField::Hint hint;
@@ -75,7 +75,7 @@ ReachSampler::Found ReachSampler::facets(const Progress& progress) const {
             }
             return found;
         },
-        joined);
+        joined_samples);
 }
 
 void ReachSampler::sample(const Vec3& p, const Vec3& facet_normal, double area, bool alone,

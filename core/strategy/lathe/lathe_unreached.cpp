@@ -1,4 +1,5 @@
 #include "core/strategy/lathe/lathe_unreached.h"
+#include "core/base/plane_geometry.h"
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
@@ -14,13 +15,11 @@ namespace {
 /// radius.
 constexpr double lattice_share = 1.0 / 8;
 constexpr double max_places = 1e6; ///< over the whole part; else they are farther apart
-constexpr std::size_t doubtful_per_block = 64, stands_per_block = 64, samples_per_check = 64;
+constexpr std::size_t doubtful_per_block = 64, stands_per_block = 64, unreached_per_check = 64;
 /// A thorough search looks at so many places, within so many radii of the cutter, and goes downhill from so
 /// many of the best.
 constexpr int spread = 96, best_starts = 3;
 constexpr double spread_share = 1.25;
-/// Places at multiples of it, ever farther out, fill a disc evenly.
-constexpr double golden_angle = 2.399963229728653;
 /// Angles to either side at which the way out from a place is looked at.
 constexpr int sights = 4;
 
@@ -113,7 +112,7 @@ UnreachedSearch::Lattice UnreachedSearch::lattice_around(std::span<const ReachSa
     lattice.from = probe_.range().from;
     lattice.slot.assign(std::size_t(lattice.around * lattice.along), none);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (i % samples_per_check == 0) progress.check();
+        if (i % unreached_per_check == 0) progress.check();
         lattice.near(probe_.straight_over(samples[i].p), radius, probe_.away_of(samples[i].p),
                      [&](std::size_t k) { lattice.slot[k] = wanted; });
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr double max_places = 2e7;
 constexpr std::size_t line_block = 1;
 /// Halvings of a grid's edge: down to a thousandth of the margin on any edge that is allowed.
-constexpr int max_halvings = 40;
+constexpr int max_reach_halvings = 40;
 constexpr std::size_t longest_thinned = 256;
 /// Ends of what is free are known to this share of the margin.
 constexpr double border_share = 0.25;
@@ -99,7 +99,7 @@ double RoughReach::last_free(const Vec2& free, double lift_free, const Vec2& blo
     // As if the lift were straight between the two, now a little on one side of the root and now on the
     // other, so that both ends close in on it; by halves where that does not help, as at a jump.
     bool straight = std::isfinite(lift_free) && std::isfinite(lift_blocked), was_free = false;
-    for (int i = 0; i < max_halvings && high - low > enough; ++i) {
+    for (int i = 0; i < max_reach_halvings && high - low > enough; ++i) {
         double mid = 0.5 * (low + high);
         if (straight) {
             const double root = low + (high - low) * (z - lift_free) / (lift_blocked - lift_free);

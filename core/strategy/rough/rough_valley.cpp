@@ -18,7 +18,7 @@ constexpr double min_run = 0.1;
 /// The lift of a level floor bends from node to node by less than this share of the margin.
 constexpr double min_bend = 0.02;
 /// Halvings of a straight line along a floor that bends.
-constexpr int max_halvings = 6;
+constexpr int max_valley_halvings = 6;
 
 /// A place of a floor on a row or a column of the grid.
 struct RowPlace {
@@ -194,7 +194,7 @@ private:
         const double z = reach_.tip_z(middle.head<2>(), hints);
         const bool below = z - middle.z() > 0.25 * reach_.margin();
         if (!below && (b - a).norm() <= reach_.spacing()) return true;
-        if (depth >= max_halvings) return false;
+        if (depth >= max_valley_halvings) return false;
         if (below) middle.z() = z;
         if (!join(valley, next, a, middle, hints, depth + 1)) return false;
         if (below) {

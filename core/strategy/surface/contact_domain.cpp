@@ -6,7 +6,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 8192;
+constexpr std::size_t pairs_per_check = 8192;
 /// A fan with more facets than this is represented by its outermost moves in sixteen directions.
 constexpr std::size_t large_fan = 16;
 
@@ -34,7 +34,7 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
     fan_start_.assign(mesh.vertices.size() + 1, 0);
     const auto usable = [&](std::size_t f) { return offset_[f][0] == offset_[f][0]; };
     for (std::size_t f = 0; f < n; ++f) {
-        if (f % check_every == 0) progress.check();
+        if (f % pairs_per_check == 0) progress.check();
         Vec3 normal = mesh.facet_normal(f);
         if (normal.z() < 0) normal = -normal;
         if (!(normal.z() >= tolerance::vertical_normal_z)) {
@@ -50,13 +50,13 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
         ++usable_;
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        if (v % check_every == 0) progress.check();
+        if (v % pairs_per_check == 0) progress.check();
         fan_start_[v + 1] += fan_start_[v];
     }
     fan_.resize(fan_start_.back());
     std::vector<std::uint32_t> next(fan_start_.begin(), fan_start_.end() - 1);
     for (std::size_t f = 0; f < n; ++f) {
-        if (f % check_every == 0) progress.check();
+        if (f % pairs_per_check == 0) progress.check();
         if (!usable(f)) continue;
         for (const Index v : mesh.facets[f])
             fan_[next[v]++] = std::uint32_t(f);
@@ -64,7 +64,7 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
     // Only the outermost moves of a large fan count; they are put first and the rest is cut off by an end
     // marker, so that the facets of a fan do not each look at all the others.
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        if (v % check_every == 0) progress.check();
+        if (v % pairs_per_check == 0) progress.check();
         const std::uint32_t from = fan_start_[v], to = fan_start_[v + 1];
         if (to - from <= large_fan) continue;
         std::vector<std::uint32_t> outermost;

@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 8192;
+constexpr std::size_t facets_per_check = 8192;
 constexpr double max_cells = 4e6;
 /// Facets of usual size are in about this many cells along x and y.
 constexpr double cells_per_facet = 0.5;
@@ -24,7 +24,7 @@ FacetGrid::FacetGrid(const Mesh& mesh, const Progress& progress) : mesh_(mesh), 
         return std::array<Vec2, 2>{a.cwiseMin(b).cwiseMin(c).head<2>(), a.cwiseMax(b).cwiseMax(c).head<2>()};
     };
     double extent = parallel_reduce(
-        n, check_every, 0.0, progress.part(0, 0),
+        n, facets_per_check, 0.0, progress.part(0, 0),
         [&](std::size_t begin, std::size_t end) {
             double sum = 0;
             for (std::size_t f = begin; f < end; ++f) {
@@ -42,13 +42,13 @@ FacetGrid::FacetGrid(const Mesh& mesh, const Progress& progress) : mesh_(mesh), 
     rows_ = int(size.y() / cell_) + 1;
     start_.assign(std::size_t(columns_) * std::size_t(rows_) + 1, 0);
     std::vector<std::array<int, 4>> cells(n); // columns and rows of each
-    parallel_for(n, check_every, progress.part(0, 0), [&](std::size_t f) {
+    parallel_for(n, facets_per_check, progress.part(0, 0), [&](std::size_t f) {
         const auto [lo, hi] = spread(f);
         cells[f] = {column(lo.x()), column(hi.x()), row(lo.y()), row(hi.y())};
     });
     const auto each = [&](auto&& put) {
         for (std::size_t f = 0; f < n; ++f) {
-            if (f % check_every == 0) progress.check();
+            if (f % facets_per_check == 0) progress.check();
             const auto& [x0, x1, y0, y1] = cells[f];
             for (int y = y0; y <= y1; ++y)
                 for (int x = x0; x <= x1; ++x)

@@ -14,7 +14,7 @@ using namespace facetmill;
 
 namespace {
 
-ClSection program_of(bool multi_axis) {
+ClSection timed_section(bool multi_axis) {
     ClSection p;
     p.multi_axis = multi_axis;
     p.feed_mm_per_min = 600; // 10 mm/s
@@ -34,7 +34,7 @@ Vec3 leaning(double azimuth, double lean) {
 
 /// Round a cone, the tool leaning outward.
 ClSection round_and_round(double turns, double lean, int steps = 36) {
-    ClSection p = program_of(true);
+    ClSection p = timed_section(true);
     add(p, MotionKind::rapid, Vec3(10, 0, 5), leaning(0, lean));
     for (int i = 0; i <= int(turns * steps); ++i)
         add(p, MotionKind::cut, leaning(2 * pi * i / steps, pi / 2) * 10, leaning(2 * pi * i / steps, lean));
@@ -53,7 +53,7 @@ private slots:
 
     void the_slowest_joint_or_the_feed() {
         const Machine& tarus = find_machine("tarus-tpi-2000");
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         const Vec3 leant = leaning(-pi / 2, 0.1); // A 0.1: towards -Y
         add(p, MotionKind::rapid, Vec3::Zero());
         add(p, MotionKind::cut, Vec3::Zero(), leant);               // A alone: 0.1 at 0.5 rad/s
@@ -83,7 +83,7 @@ private slots:
     void three_axes_are_timed_as_ever() {
         std::mt19937_64 rng(3);
         std::uniform_real_distribution<double> xyz(-50, 50);
-        ClSection p = program_of(false);
+        ClSection p = timed_section(false);
         for (int i = 0; i < 500; ++i)
             add(p, i % 5 ? MotionKind::cut : MotionKind::rapid, Vec3(xyz(rng), xyz(rng), xyz(rng)));
         for (const Machine& m : machines()) {
@@ -152,7 +152,7 @@ private slots:
 
     void what_cannot_be_held_is_found() {
         using Kind = MotionFinding::Kind;
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         add(p, MotionKind::rapid, Vec3(0, 0, 5));
         add(p, MotionKind::cut, Vec3(0, 0, 0), leaning(pi / 2, radians(30)));
         add(p, MotionKind::cut, Vec3(0, 0, 0), -Vec3::UnitZ());
@@ -181,7 +181,7 @@ private slots:
 
     void the_beginning_is_chosen_for_the_whole() {
         // A +20 would end at +30: the program must begin with A -20.
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         for (int i = 0; i <= 60; ++i)
             add(p, i ? MotionKind::cut : MotionKind::rapid, Vec3(0, 0, 0), leaning(-pi / 2, radians(20 + i)));
         const MachineMotion m = machine_motion(p, find_machine("trunnion-ac"));
@@ -192,7 +192,7 @@ private slots:
 
     void a_turn_above_the_part_saves_one_in_it() {
         // Upright, then above the part to a lean that A +20 holds sooner; but it grows, and A ends at +30.
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         add(p, MotionKind::rapid, Vec3(0, 0, 9));
         for (int i = 0; i <= 60; ++i)
             add(p, i ? MotionKind::cut : MotionKind::rapid, Vec3(0, 0, 0), leaning(-pi / 2, radians(20 + i)));
@@ -213,7 +213,7 @@ private slots:
         for (const char* name : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"}) {
             const Machine& machine = find_machine(name);
             for (int trial = 0; trial < 12; ++trial) {
-                ClSection p = program_of(true);
+                ClSection p = timed_section(true);
                 for (int i = 0; i < 4; ++i)
                     add(p, i % 3 ? MotionKind::cut : MotionKind::rapid, 20 * Vec3(at(rng), at(rng), at(rng)),
                         leaning(pi * at(rng), radians(trial % 2 ? 4 : 50) * std::abs(at(rng))));
@@ -281,7 +281,7 @@ private slots:
     }
 
     void reversals_are_counted_per_run() {
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         const auto x = [&](MotionKind kind, double at) { add(p, kind, Vec3(at, 0, 0)); };
         x(MotionKind::rapid, 0);
         for (const double at : {1.0, 2.0, 1.0, 1.0, 0.5, 0.5 + 1e-9, 3.0})
@@ -296,7 +296,7 @@ private slots:
     void accelerations_cost_time_where_speeds_change() {
         Machine machine = find_machine("tarus-tpi-2000");
         machine.acceleration_mm_per_s2 = Vec3::Constant(20);
-        ClSection p = program_of(true);
+        ClSection p = timed_section(true);
         const MotionTimeOptions with{.accelerations = true};
         add(p, MotionKind::rapid, Vec3(0, 0, 0));
         add(p, MotionKind::cut, Vec3(20, 0, 0));
@@ -306,7 +306,7 @@ private slots:
         add(p, MotionKind::cut, Vec3(20, 0, 0)); // back again: two trapezoids
         QVERIFY(near(motion_totals(p, machine, with).time_seconds, 7));
         // Short motions to and fro never get faster than from rest to rest.
-        ClSection shaking = program_of(true);
+        ClSection shaking = timed_section(true);
         for (int i = 0; i < 100; ++i)
             add(shaking, i ? MotionKind::cut : MotionKind::rapid, Vec3(i % 2 ? 0.05 : 0, 0, 0));
         QVERIFY(near(motion_totals(shaking, machine, with).time_seconds, 99 * 2 * std::sqrt(0.05 / 20)));
@@ -317,8 +317,8 @@ private slots:
     }
 
     void empty_and_cancelled() {
-        QCOMPARE(motion_totals(program_of(true), find_machine("trunnion-ac")).time_seconds, 0.0);
-        QVERIFY(motion_seconds(program_of(true), find_machine("trunnion-ac")).empty());
+        QCOMPARE(motion_totals(timed_section(true), find_machine("trunnion-ac")).time_seconds, 0.0);
+        QVERIFY(motion_seconds(timed_section(true), find_machine("trunnion-ac")).empty());
         Job job;
         job.cancel();
         QVERIFY_THROWS_EXCEPTION(Cancelled, machine_motion(round_and_round(2, 0.3),

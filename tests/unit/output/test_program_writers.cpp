@@ -31,7 +31,7 @@ std::string apt_of(const ClProgram& program) {
     return bytes_of(program, apt_writer());
 }
 
-AptReadResult parsed(const std::string& text) {
+AptReadResult read_back(const std::string& text) {
     return parse_apt(text, "p", LengthUnit::mm, {});
 }
 
@@ -66,7 +66,7 @@ std::vector<ClSection> random_sections(std::mt19937_64& rng) {
     return sections;
 }
 
-ClProgram program_of(const std::vector<ClSection>& sections) {
+ClProgram program_with(const std::vector<ClSection>& sections) {
     ClProgram program;
     for (const ClSection& s : sections)
         program.sections.push_back(std::make_shared<const ClSection>(s));
@@ -97,8 +97,8 @@ private slots:
         std::size_t changes = 0, same = 0, feeds = 0;
         for (int round = 0; round < 300; ++round) {
             const std::vector<ClSection> sections = random_sections(rng);
-            const std::string text = apt_of(program_of(sections));
-            const AptReadResult back = parsed(text);
+            const std::string text = apt_of(program_with(sections));
+            const AptReadResult back = read_back(text);
             QVERIFY2(back.ignored.empty(), text.c_str());
             QCOMPARE(back.program.sections.size(), sections.size());
             QCOMPARE(back.tools.size(), sections.size());
@@ -132,11 +132,11 @@ private slots:
         std::mt19937_64 rng(3);
         ClSection s = random_sections(rng).front();
         s.motion_feeds.clear();
-        const std::string plain = apt_of(program_of({s}));
+        const std::string plain = apt_of(program_with({s}));
         s.motion_feeds.assign(s.motions.motions.size(), s.feed_mm_per_min);
-        QVERIFY(apt_of(program_of({s})) == plain);
+        QVERIFY(apt_of(program_with({s})) == plain);
         s.motion_feeds.back() *= 2;
-        const std::string changed = apt_of(program_of({s}));
+        const std::string changed = apt_of(program_with({s}));
         const auto records = [](const std::string& text) {
             std::size_t n = 0;
             for (std::size_t at = text.find("FEDRAT"); at != std::string::npos;
@@ -165,22 +165,22 @@ private slots:
         std::mt19937_64 rng(5);
         ClSection a = random_sections(rng).front(), b = a;
         QCOMPARE(code_of([] { check_writable({}); }), std::string("empty_result"));
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("none"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("none"));
         b.cutter = AptCutter::ball(9, 30);
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("out_of_range"));
         b.tool_number = a.tool_number + 1;
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("none"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("none"));
         b.motion_feeds.assign(b.motions.motions.size(), 0.0);
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("out_of_range"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("out_of_range"));
         b.motion_feeds = {100};
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("internal"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("internal"));
         b.motion_feeds.clear();
         b.motions.motions.resize(1);
-        QCOMPARE(code_of([&] { check_writable(program_of({a, b})); }), std::string("empty_result"));
+        QCOMPARE(code_of([&] { check_writable(program_with({a, b})); }), std::string("empty_result"));
     }
 
     void a_change_of_tool_is_read() {
-        const AptReadResult r = parsed(two_tools);
+        const AptReadResult r = read_back(two_tools);
         QCOMPARE(r.program.sections.size(), std::size_t(2));
         const ClSection &a = *r.program.sections[0], &b = *r.program.sections[1];
         QCOMPARE(a.cutter.d, 6.0);
@@ -194,28 +194,28 @@ private slots:
         // The other order, and a shape that two tools share.
         for (const char* change :
              {"LOADTL/2\nCUTTER/4,2\n", "CUTTER/6,3\nLOADTL/2\n", "TOOLNO/2\nCUTTER/6,3\n"}) {
-            const AptReadResult o = parsed("CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\n"
-                                           + std::string(change) + "GOTO/5,0,0\nGOTO/6,0,0\nFINI\n");
+            const AptReadResult o = read_back("CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\n"
+                                              + std::string(change) + "GOTO/5,0,0\nGOTO/6,0,0\nFINI\n");
             QCOMPARE(o.program.sections.size(), std::size_t(2));
             QVERIFY(o.tools[1].cutter && o.tools[1].number);
         }
         // The cutter of another tool is not known by that of the first, nor its number by its cutter.
-        const AptReadResult unknown =
-            parsed("CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\nLOADTL/2\nGOTO/5,0,0\nGOTO/6,0,0\nFINI\n");
+        const AptReadResult unknown = read_back(
+            "CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\nLOADTL/2\nGOTO/5,0,0\nGOTO/6,0,0\nFINI\n");
         QVERIFY(unknown.tools.at(1).number && !unknown.tools.at(1).cutter);
-        const AptReadResult nameless = parsed(
+        const AptReadResult nameless = read_back(
             "CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\nCUTTER/4,2\nGOTO/5,0,0\nGOTO/6,0,0\nFINI\n");
         QVERIFY(nameless.tools.at(1).cutter && !nameless.tools.at(1).number);
         // The same tool again changes nothing.
-        QCOMPARE(
-            parsed("CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\nCUTTER/6,3\nLOADTL/1\nGOTO/2,0,0\nFINI\n")
-                .program.sections.size(),
-            std::size_t(1));
+        QCOMPARE(read_back(
+                     "CUTTER/6,3\nLOADTL/1\nGOTO/0,0,0\nGOTO/1,0,0\nCUTTER/6,3\nLOADTL/1\nGOTO/2,0,0\nFINI\n")
+                     .program.sections.size(),
+                 std::size_t(1));
     }
 
     void operations_of_one_tool_go_on_where_the_tool_is() {
-        const AptReadResult r = parsed("$$ OPERATION NAME : a\nGOTO/0,0,0\nGOTO/1,0,0\n"
-                                       "$$ OPERATION NAME : b\nGOTO/2,0,0\nFINI\n");
+        const AptReadResult r = read_back("$$ OPERATION NAME : a\nGOTO/0,0,0\nGOTO/1,0,0\n"
+                                          "$$ OPERATION NAME : b\nGOTO/2,0,0\nFINI\n");
         QCOMPARE(r.program.sections.size(), std::size_t(2));
         const auto& m = r.program.sections[1]->motions.motions;
         QCOMPARE(r.program.sections[1]->operation_name, std::string("b"));
@@ -228,15 +228,15 @@ private slots:
     void changes_within_an_operation_are_listed() {
         const std::string head = "SPINDL/500,RPM\nCOOLNT/MIST\nGOTO/0,0,0\nGOTO/1,0,0\n";
         const AptReadResult r =
-            parsed(head + "SPINDL/600,RPM\nGOTO/2,0,0\nCOOLNT/OFF\nGOTO/3,0,0\nCOOLNT/AIR\nFINI\n");
+            read_back(head + "SPINDL/600,RPM\nGOTO/2,0,0\nCOOLNT/OFF\nGOTO/3,0,0\nCOOLNT/AIR\nFINI\n");
         QVERIFY(r.program.sections.at(0)->coolant == Coolant::mist);
         QCOMPARE(r.program.sections.at(0)->spindle_rpm, 500.0);
         QCOMPARE(r.ignored, (std::vector<std::string>{"change of SPINDL (line 5)",
                                                       "change of COOLNT (line 7)", "COOLNT/AIR (line 9)"}));
         // At the end of a program coolant and spindle stop: no change while it cuts.
-        QVERIFY(parsed(head + "COOLNT/OFF\nSPINDL/OFF\nFINI\n").ignored.empty());
-        QVERIFY(parsed("GOTO/0,0,0\nGOTO/1,0,0\nFINI\n").program.sections.at(0)->coolant == Coolant::off);
-        QCOMPARE(parsed("CUTTER/6,3\n" + head + "CUTTER/4,2\nFINI\n").ignored,
+        QVERIFY(read_back(head + "COOLNT/OFF\nSPINDL/OFF\nFINI\n").ignored.empty());
+        QVERIFY(read_back("GOTO/0,0,0\nGOTO/1,0,0\nFINI\n").program.sections.at(0)->coolant == Coolant::off);
+        QCOMPARE(read_back("CUTTER/6,3\n" + head + "CUTTER/4,2\nFINI\n").ignored,
                  std::vector<std::string>{"a tool that makes no motion (line 7)"});
     }
 
@@ -245,7 +245,7 @@ private slots:
             std::string text = two_tools;
             const std::size_t at = text.rfind(from);
             if (at == std::string::npos) qFatal("the text to replace is not there");
-            return code_of([&] { parsed(text.replace(at, from.size(), to)); });
+            return code_of([&] { read_back(text.replace(at, from.size(), to)); });
         };
         QCOMPARE(code("LOADTL/2", "LOADTL/2"), std::string("none"));
         QCOMPARE(code("LOADTL/2", "LOADTL"), std::string("syntax"));
@@ -265,13 +265,13 @@ private slots:
         std::vector<ClSection> sections = random_sections(rng);
         while (sections.size() < 4)
             sections = random_sections(rng);
-        const std::string text = apt_of(program_of(sections));
-        const AptReadResult whole = parsed(text);
+        const std::string text = apt_of(program_with(sections));
+        const AptReadResult whole = read_back(text);
         std::size_t read = 0, refused = 0;
         for (std::size_t n = 0; n < text.size(); ++n) {
             AptReadResult r;
             try {
-                r = parsed(text.substr(0, n));
+                r = read_back(text.substr(0, n));
             } catch (const Error&) {
                 ++refused;
                 continue;
@@ -314,24 +314,24 @@ private slots:
                                          .to = {Vec3(7, 0, 0) + 10 * out, out}});
         }
         s.multi_axis = true;
-        QVERIFY(writer.files(program_of({s})).empty());
+        QVERIFY(writer.files(program_with({s})).empty());
         s.motions.turning = TurningAxis{Vec3::Zero(), Vec3::UnitX()};
         s.turning = ClTurning{Vec3::UnitZ(), AngleWinding::unwound, {{0, 0, 3}, {11, 3, 5}}};
         const std::vector<std::string> files = {"-pass-01", "-pass-12"};
-        QCOMPARE(writer.files(program_of({s})), files);
-        QVERIFY(writer.files(program_of({s, s})).empty());
+        QCOMPARE(writer.files(program_with({s})), files);
+        QVERIFY(writer.files(program_with({s, s})).empty());
         const std::string head = "# PART, Rough, pass 1\n# turning angle (degrees), Y along the axis, X from "
                                  "the axis (mm), tool tip\n";
-        QCOMPARE(bytes_of(program_of({s}), writer),
+        QCOMPARE(bytes_of(program_with({s}), writer),
                  head
                      + "0.000000 7.000000 10.000000\n-90.000000 7.000000 10.000000\n"
                        "-180.000000 7.000000 10.000000\n");
         s.turning->winding = AngleWinding::modulo;
-        QVERIFY(bytes_of(program_of({s}), writer, 1).find("90.000000 7.000000") != std::string::npos);
+        QVERIFY(bytes_of(program_with({s}), writer, 1).find("90.000000 7.000000") != std::string::npos);
         s.turning->ranges = {{-1, 0, 5}};
-        QCOMPARE(writer.files(program_of({s})), std::vector<std::string>{""});
+        QCOMPARE(writer.files(program_with({s})), std::vector<std::string>{""});
         s.motions.motions[2].to.tip.x() = std::nan("");
-        QCOMPARE(code_of([&] { bytes_of(program_of({s}), writer); }), std::string("non_finite"));
+        QCOMPARE(code_of([&] { bytes_of(program_with({s}), writer); }), std::string("non_finite"));
     }
 };
 

@@ -29,7 +29,7 @@ PlanContext context(Tool tool) {
     return c;
 }
 
-Finish5Settings settings(Choice choice) {
+Finish5Settings settings_with(Choice choice) {
     Finish5Settings s;
     s.tolerance = 0.1;
     s.direction = {0, "x"};
@@ -96,7 +96,7 @@ private slots:
     void every_method_takes_it() {
         QFETCH(int, choice);
         const PlanContext c = context(ball_tool(5));
-        Finish5Settings s = settings(Choice(choice));
+        Finish5Settings s = settings_with(Choice(choice));
         // The limits are for what the program chooses.
         s.yaw_limits = {radians(-6), radians(6)};
         const StrategyResult without = Finish5(s).plan(c, Progress());
@@ -139,7 +139,7 @@ private slots:
 
     void neighbors_follow_when_all_is_chosen_together() {
         const PlanContext c = context(ball_tool(5));
-        Finish5Settings s = settings(Choice::global);
+        Finish5Settings s = settings_with(Choice::global);
         s.turn_limit = radians(4);
         const auto before = Finish5(s).plan(c, Progress()).five_axis();
         const std::size_t middle = nearest(*before, Vec3(0.4, 0.6, 0));
@@ -163,7 +163,7 @@ private slots:
     void one_that_is_not_free_is_told() {
         const PlanContext c = context(bull_tool(5, 1));
         for (const Choice choice : {Choice::cm2, Choice::local, Choice::global}) {
-            Finish5Settings s = settings(choice);
+            Finish5Settings s = settings_with(choice);
             const StrategyResult without = Finish5(s).plan(c, Progress());
             const auto& at = without.five_axis()->points[nearest(*without.five_axis(), Vec3(0.4, 0.6, 0))];
             s.manual_postures = {{numbers(at.place.surface), radians(88), 0}};
@@ -178,7 +178,7 @@ private slots:
 
     void it_goes_with_its_place() {
         const PlanContext c = context(bull_tool(5, 1));
-        Finish5Settings s = settings(Choice::cm2);
+        Finish5Settings s = settings_with(Choice::cm2);
         const StrategyResult without = Finish5(s).plan(c, Progress());
         const auto& at = without.five_axis()->points[nearest(*without.five_axis(), Vec3(0.4, 0.6, 0))];
         s.manual_postures = {{numbers(at.place.surface), radians(20), radians(10)}};

@@ -6,6 +6,7 @@
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/strategy/rough/polyline_distance.h"
 
 #include <QTest>
 
@@ -35,17 +36,6 @@ std::shared_ptr<Mesh> random_sheet(Random& rng, std::uint64_t seed) {
     const double a = uniform(rng, 1, 4), b = uniform(rng, 0.2, 0.6), c = uniform(rng, 0.2, 0.6);
     return field(
         10, 24, [=](double x, double y) { return a * std::sin(b * x) * std::cos(c * y); }, 0.3, seed);
-}
-
-double distance_to(const std::vector<Vec2>& points, const Vec2& p) {
-    double least = infinity;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const Vec2 d = points[i] - points[i - 1];
-        const double square = d.squaredNorm();
-        const double t = square > 0 ? std::clamp((p - points[i - 1]).dot(d) / square, 0.0, 1.0) : 0;
-        least = std::min(least, (p - points[i - 1] - t * d).norm());
-    }
-    return least;
 }
 
 } // namespace

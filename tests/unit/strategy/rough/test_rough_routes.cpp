@@ -5,6 +5,7 @@
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/strategy/rough/polyline_distance.h"
 
 #include <QTest>
 
@@ -62,17 +63,6 @@ double length_of(const std::vector<Vec2>& points) {
     for (std::size_t i = 1; i < points.size(); ++i)
         sum += (points[i] - points[i - 1]).norm();
     return sum;
-}
-
-double distance_to(const std::vector<Vec2>& points, const Vec2& p) {
-    double nearest = infinity;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const Vec2 d = points[i] - points[i - 1];
-        const double square = d.squaredNorm();
-        const double t = square > 0 ? std::clamp((p - points[i - 1]).dot(d) / square, 0.0, 1.0) : 0;
-        nearest = std::min(nearest, (p - points[i - 1] - t * d).norm());
-    }
-    return nearest;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/strategy/surface/travel_direction.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
+#include "tests/unit/strategy/surface/slice_length.h"
 
 #include <QTest>
 
@@ -26,21 +27,6 @@ double length_of(const std::vector<SliceChain>& chains) {
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
             sum += (c.points[i + 1].point - c.points[i].point).norm();
         if (c.closed) sum += (c.points.front().point - c.points.back().point).norm();
-    }
-    return sum;
-}
-
-/// Length of the cut of each facet by itself, summed.
-double length_by_facet(const Mesh& mesh, double offset, const DriveFrame& frame) {
-    double sum = 0;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        std::vector<Vec3> cut;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 p = mesh.corner(f, k), q = mesh.corner(f, (k + 1) % 3);
-            const double a = frame.v(p) - offset, b = frame.v(q) - offset;
-            if ((a >= 0) != (b >= 0)) cut.push_back(p + (q - p) * (a / (a - b)));
-        }
-        if (cut.size() == 2) sum += (cut[1] - cut[0]).norm();
     }
     return sum;
 }

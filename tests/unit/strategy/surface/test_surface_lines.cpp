@@ -5,6 +5,7 @@
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/strategy/surface/slice_length.h"
 
 #include <QTest>
 
@@ -26,21 +27,6 @@ struct Lines {
     const SurfaceLines* operator->() const { return lines.get(); }
     SurfaceLines* operator->() { return lines.get(); }
 };
-
-/// Length of the cut of each facet by itself, summed.
-double length_by_facet(const Mesh& mesh, double offset, const DriveFrame& frame) {
-    double sum = 0;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        std::vector<Vec3> cut;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 p = mesh.corner(f, k), q = mesh.corner(f, (k + 1) % 3);
-            const double a = frame.v(p) - offset, b = frame.v(q) - offset;
-            if ((a >= 0) != (b >= 0)) cut.push_back(p + (q - p) * (a / (a - b)));
-        }
-        if (cut.size() == 2) sum += (cut[1] - cut[0]).norm();
-    }
-    return sum;
-}
 
 std::shared_ptr<Mesh> random_sheet(Random& rng, std::uint64_t seed) {
     const double a = uniform(rng, 0.5, 3), b = uniform(rng, 0.2, 0.8), c = uniform(rng, 0.2, 0.8);
