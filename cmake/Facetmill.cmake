@@ -45,14 +45,20 @@ set(FACETMILL_ROOMS base mesh cutter setup gouge cspace
     link verify output job)
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
-# dropped from a static one.
+# dropped from a static one. With FACETMILL_SHARED_ROOMS each is a shared library, and a change in it links it alone again
+# instead of all programs.
 function(facetmill_room name)
     cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
     if(NOT ARG_SOURCES)
         return()
     endif()
     string(REPLACE "/" "_" target fm_${name})
-    add_library(${target} OBJECT ${ARG_SOURCES})
+    if(FACETMILL_SHARED_ROOMS)
+        add_library(${target} SHARED ${ARG_SOURCES})
+        set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "") # one more would part it from the precompiled header
+    else()
+        add_library(${target} OBJECT ${ARG_SOURCES})
+    endif()
     target_link_libraries(${target} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
     # All rooms are compiled alike: the first makes the header of them all.
@@ -89,7 +95,11 @@ endfunction()
 function(facetmill_link_rooms target)
     foreach(room IN LISTS ARGN)
         string(REPLACE "/" "_" library fm_${room})
-        if(TARGET ${library})
+        if(TARGET ${library} AND FACETMILL_SHARED_ROOMS)
+            # Needed even where nothing calls it: operations register themselves.
+            target_link_libraries(${target} PRIVATE "-Wl,--push-state,--no-as-needed" ${library} "-Wl,--pop-state")
+            set_target_properties(${target} PROPERTIES LINK_DEPENDS_NO_SHARED TRUE)
+        elseif(TARGET ${library})
             target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
         endif()
     endforeach()

@@ -17,10 +17,7 @@
 #include <sstream>
 
 using namespace facetmill;
-using test::CliRun;
-using test::run_cli;
-using test::run_cli_and_signal;
-using test::Sandbox;
+using namespace facetmill::test;
 
 namespace {
 
@@ -218,7 +215,7 @@ private slots:
     void info_tells_what_is_there() {
         Sandbox s;
         s.write("part.stl", small_part);
-        const QJsonObject o = json(run_cli({"info", "part.stl", "--units", "in"}, s.path()));
+        const QJsonObject o = json(run_cli({"info", "part.stl", "--units", "in"}, s.path()).out);
         QCOMPARE(o["facets"].toInt(), 3);
         QCOMPARE(o["welded_vertices"].toInt(), 5);
         QCOMPARE(o["vertices"].toInt(), 5);
@@ -236,15 +233,17 @@ private slots:
     void samples_are_in_their_units() {
         Sandbox s;
         const QJsonObject made = json(
-            run_cli({"sample", "cylinder", "--tolerance", "0.5", "--units", "mm", "-o", "c.stl"}, s.path()));
+            run_cli({"sample", "cylinder", "--tolerance", "0.5", "--units", "mm", "-o", "c.stl"}, s.path())
+                .out);
         QCOMPARE(made["units"].toString(), QString("mm"));
-        const QJsonObject read = json(run_cli({"info", "c.stl"}, s.path()));
+        const QJsonObject read = json(run_cli({"info", "c.stl"}, s.path()).out);
         QCOMPARE(read["facets"].toInt(), made["facets"].toInt());
         QCOMPARE(read["watertight"].toBool(), true);
         for (int k = 0; k < 6; ++k)
             QVERIFY(std::abs(read["bbox"][k].toDouble() - made["bbox"][k].toDouble()) < 1e-4);
         const QJsonObject inch = json(
-            run_cli({"sample", "cylinder", "--tolerance", "0.02", "--units", "in", "-o", "c.stl"}, s.path()));
+            run_cli({"sample", "cylinder", "--tolerance", "0.02", "--units", "in", "-o", "c.stl"}, s.path())
+                .out);
         QVERIFY(std::abs(inch["bbox"][3].toDouble() * 25.4 - made["bbox"][3].toDouble()) < 0.6);
         QCOMPARE(s.files(), QStringList{"c.stl"});
     }

@@ -11,9 +11,7 @@
 #include <cmath>
 
 using namespace facetmill;
-using test::CliRun;
-using test::run_cli;
-using test::Sandbox;
+using namespace facetmill::test;
 
 namespace {
 

@@ -16,9 +16,7 @@
 #include <sstream>
 
 using namespace facetmill;
-using test::CliRun;
-using test::run_cli;
-using test::Sandbox;
+using namespace facetmill::test;
 
 namespace {
 
