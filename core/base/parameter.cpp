@@ -31,7 +31,7 @@ void check_number(double v, const ParameterInfo& info, LengthUnit unit) {
                     "allowed: " + info.range_text(unit));
 }
 
-[[noreturn]] void wrong_type(const ParameterInfo& info) {
+[[noreturn]] void other_type(const ParameterInfo& info) {
     std::string expected;
     switch (info.kind) {
     case ParameterKind::number:
@@ -91,8 +91,8 @@ std::array<double, N> parse_numbers(std::string_view text, const ParameterInfo& 
     std::array<double, N> numbers{};
     for (std::size_t i = 0; i < N; ++i) {
         const std::size_t comma = text.find(',');
-        if ((comma == std::string_view::npos) != (i + 1 == N)) wrong_type(info);
-        if (!parse_number(trimmed(text.substr(0, comma)), numbers[i])) wrong_type(info);
+        if ((comma == std::string_view::npos) != (i + 1 == N)) other_type(info);
+        if (!parse_number(trimmed(text.substr(0, comma)), numbers[i])) other_type(info);
         numbers[i] *= factor;
         if (i + 1 < N) text.remove_prefix(comma + 1);
     }
@@ -126,7 +126,7 @@ bool ParameterRecords::operator==(const ParameterRecords& other) const {
 void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
     switch (kind) {
     case ParameterKind::number:
-        if (!std::holds_alternative<double>(value)) wrong_type(*this);
+        if (!std::holds_alternative<double>(value)) other_type(*this);
         check_number(std::get<double>(value), *this, unit);
         return;
     case ParameterKind::number_or_word:
@@ -135,26 +135,26 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
         else if (const auto* s = std::get_if<std::string>(&value))
             check_word(*s, *this);
         else
-            wrong_type(*this);
+            other_type(*this);
         return;
     case ParameterKind::integer:
-        if (!std::holds_alternative<long>(value)) wrong_type(*this);
+        if (!std::holds_alternative<long>(value)) other_type(*this);
         check_number(double(std::get<long>(value)), *this, unit);
         return;
     case ParameterKind::boolean:
-        if (!std::holds_alternative<bool>(value)) wrong_type(*this);
+        if (!std::holds_alternative<bool>(value)) other_type(*this);
         return;
     case ParameterKind::choice:
-        if (!std::holds_alternative<std::string>(value)) wrong_type(*this);
+        if (!std::holds_alternative<std::string>(value)) other_type(*this);
         check_word(std::get<std::string>(value), *this);
         return;
     case ParameterKind::text:
     case ParameterKind::names:
-        if (!std::holds_alternative<std::string>(value)) wrong_type(*this);
+        if (!std::holds_alternative<std::string>(value)) other_type(*this);
         return;
     case ParameterKind::pair: {
         const auto* p = std::get_if<std::array<double, 2>>(&value);
-        if (!p) wrong_type(*this);
+        if (!p) other_type(*this);
         for (double v : *p)
             check_number(v, *this, unit);
         if (ordered && !((*p)[0] < (*p)[1]))
@@ -165,13 +165,13 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
     }
     case ParameterKind::triple: {
         const auto* p = std::get_if<std::array<double, 3>>(&value);
-        if (!p) wrong_type(*this);
+        if (!p) other_type(*this);
         for (double v : *p)
             check_number(v, *this, unit);
         return;
     }
     case ParameterKind::records:
-        if (!std::holds_alternative<ParameterRecords>(value)) wrong_type(*this);
+        if (!std::holds_alternative<ParameterRecords>(value)) other_type(*this);
         check_records(std::get<ParameterRecords>(value), *this, unit);
         return;
     }
@@ -218,7 +218,7 @@ ParameterValue ParameterInfo::parse(std::string_view text, LengthUnit unit) cons
     double d = 0.0;
     switch (kind) {
     case ParameterKind::number:
-        if (!parse_number(t, d)) wrong_type(*this);
+        if (!parse_number(t, d)) other_type(*this);
         value = d * scale(unit);
         break;
     case ParameterKind::number_or_word:
@@ -228,11 +228,11 @@ ParameterValue ParameterInfo::parse(std::string_view text, LengthUnit unit) cons
             value = std::string(t);
         break;
     case ParameterKind::integer:
-        if (!parse_number(t, d) || d != std::floor(d) || std::abs(d) > 9e15) wrong_type(*this);
+        if (!parse_number(t, d) || d != std::floor(d) || std::abs(d) > 9e15) other_type(*this);
         value = long(d);
         break;
     case ParameterKind::boolean:
-        if (t != "true" && t != "false") wrong_type(*this);
+        if (t != "true" && t != "false") other_type(*this);
         value = t == "true";
         break;
     case ParameterKind::choice:
