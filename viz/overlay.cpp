@@ -1,19 +1,8 @@
 #include "viz/overlay.h"
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include "core/base/error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
@@ -23,24 +12,7 @@ namespace {
 constexpr double margin = 12, padding = 9, row = 18, sample_width = 26, gap = 8;
 constexpr double title_size = 15, text_size = 12;
 constexpr double min_bar = 56, largest_bar = 150;
-constexpr double scale_gap = 9;   // between two scales of the legend // of a scale of colours
-constexpr int dots_per_inch = 72; // a point is a pixel
-constexpr double cap_height = 0.72, descent = 0.21; // of VTK's own font, in font sizes
-
-void set_font(vtkTextProperty* property, double pixels, bool bold) {
-    property->SetFontFamilyToArial();
-    property->SetFontSize(std::max(1, int(std::lround(pixels))));
-    property->SetBold(bold ? 1 : 0);
-}
-
-/// Starts of UTF-8 characters, and the end.
-std::vector<std::size_t> character_starts(const std::string& text) {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) starts.push_back(i);
-    starts.push_back(text.size());
-    return starts;
-}
+constexpr double scale_gap = 9; // between two scales of the legend
 
 } // namespace
 
@@ -58,126 +30,18 @@ double round_length(double longest_mm, LengthUnit unit) {
     return best * mm_per(unit);
 }
 
-Overlay::Overlay(vtkRenderer* renderer) : renderer_(renderer) {
-    shapes_ = vtkSmartPointer<vtkPolyData>::New();
-    shape_points_ = vtkSmartPointer<vtkPoints>::New();
-    shape_colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    shape_colors_->SetNumberOfComponents(4);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(shapes_);
-    mapper->SetScalarModeToUseCellData();
-    mapper->ScalarVisibilityOn();
-    shapes_actor_ = vtkSmartPointer<vtkActor2D>::New();
-    shapes_actor_->SetMapper(mapper);
-    shapes_actor_->SetLayerNumber(0);
-    shapes_actor_->PickableOff();
-    renderer_->AddViewProp(shapes_actor_);
-}
-
-Overlay::~Overlay() = default;
-
-double Overlay::text_width(const std::string& text, double size, bool bold) {
-    vtkNew<vtkTextProperty> property;
-    set_font(property, size * ratio_, bold);
-    int box[4] = {0, 0, 0, 0};
-    if (text.empty() || !vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box, dots_per_inch))
-        return 0.0;
-    return (box[1] - box[0] + 1) / ratio_;
-}
-
-std::string Overlay::shortened(const std::string& text, double width, double size, bool bold) {
-    if (text_width(text, size, bold) <= width) return text;
-    // The two ends tell names apart: "long-fixture-n…e-2-rev-b.stl".
-    const auto starts = character_starts(text);
-    const std::size_t n = starts.size() - 1;
-    const auto cut_to = [&](std::size_t keep) {
-        const std::size_t front = (keep + 1) / 2, back = keep - front;
-        return text.substr(0, starts[front]) + "\u2026" + text.substr(starts[n - back]);
-    };
-    std::size_t low = 0, high = n; // cut_to(low) fits or nothing does
-    while (high - low > 1) {
-        const std::size_t middle = (low + high) / 2;
-        (text_width(cut_to(middle), size, bold) <= width ? low : high) = middle;
-    }
-    return low < 3 ? std::string() : cut_to(low);
-}
-
-void Overlay::polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha) {
-    std::vector<vtkIdType> ids;
-    for (const Vec2& c : corners)
-        ids.push_back(shape_points_->InsertNextPoint(c.x() * ratio_, height_ - c.y() * ratio_, 0.0));
-    shapes_->GetPolys()->InsertNextCell(vtkIdType(ids.size()), ids.data());
-    shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255 * alpha);
-}
-
-void Overlay::rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha) {
-    // Whole device pixels keep thin rectangles sharp.
-    const auto snap = [&](double v) { return std::round(v * ratio_) / ratio_; };
-    polygon({{snap(x0), snap(y0)}, {snap(x1), snap(y0)}, {snap(x1), snap(y1)}, {snap(x0), snap(y1)}}, color,
-            alpha);
-}
-
-void Overlay::disc(double x, double y, double radius, const Rgb& color) {
-    std::vector<Vec2> corners;
-    for (int k = 0; k < 32; ++k)
-        corners.emplace_back(x + radius * std::cos(pi * k / 16), y + radius * std::sin(pi * k / 16));
-    polygon(corners, color, 1.0);
-}
-
-void Overlay::stroke(const Vec2& from, const Vec2& to, double width, const Rgb& color) {
-    const Vec2 along = (to - from).normalized(), side = width / 2 * Vec2(-along.y(), along.x());
-    polygon({from + side, to + side, to - side, from - side}, color, 1.0);
-}
-
-void Overlay::place_text(Text text) {
-    if (text.text.empty()) return;
-    if (texts_used_ == text_actors_.size()) {
-        auto actor = vtkSmartPointer<vtkTextActor>::New();
-        actor->SetTextScaleModeToNone();
-        actor->SetLayerNumber(1);
-        actor->PickableOff();
-        actor->GetTextProperty()->SetVerticalJustificationToBottom();
-        renderer_->AddViewProp(actor);
-        text_actors_.push_back(actor);
-    }
-    vtkTextActor* actor = text_actors_[texts_used_++];
-    // Capitals and digits are centred on y, whatever letters the text has; whole pixels keep it sharp.
-    const double pixels = text.size * ratio_;
-    const double width = text_width(text.text, text.size, text.bold);
-    const double x = text.align == Text::Align::left    ? text.x
-                     : text.align == Text::Align::right ? text.x - width
-                                                        : text.x - width / 2;
-    vtkTextProperty* property = actor->GetTextProperty();
-    set_font(property, pixels, text.bold);
-    property->SetColor(text.color.r, text.color.g, text.color.b);
-    actor->SetInput(text.text.c_str());
-    actor->SetVisibility(1);
-    actor->SetPosition(std::round(x * ratio_),
-                       std::round(height_ - text.y * ratio_ - (0.5 * cap_height + descent) * pixels));
-}
-
 OverlayLayout Overlay::layout(const OverlayContent& content) {
     return lay_out(content, false);
 }
 
 void Overlay::update(const OverlayContent& content) {
-    shape_points_->Reset();
-    shape_colors_->Reset();
-    shapes_->SetPoints(shape_points_);
-    shapes_->SetPolys(vtkSmartPointer<vtkCellArray>::New());
-    shapes_->GetCellData()->SetScalars(shape_colors_);
-    texts_used_ = 0;
+    canvas_.begin();
     lay_out(content, true);
-    for (std::size_t i = texts_used_; i < text_actors_.size(); ++i)
-        text_actors_[i]->SetVisibility(0);
-    shape_points_->Modified();
-    shape_colors_->Modified();
-    shapes_->Modified();
+    canvas_.end();
 }
 
 OverlayLayout Overlay::lay_out(const OverlayContent& content, bool draw) {
-    ratio_ = content.ratio;
-    height_ = content.height;
+    canvas_.set_size(content.width, content.height, content.ratio);
     OverlayLayout layout;
     lay_out_legend(content, draw, layout);
     lay_out_title(content, draw, layout);
@@ -196,48 +60,48 @@ void Overlay::draw_marker(const OverlayContent& content) {
     const Colors& colors = colors_of(content.palette);
     const Vec2 at = *content.marker, end = at + 34 * content.marker_normal;
     if (content.marker_normal.norm() > 0.3) {
-        stroke(at, end, 4.5, colors.marker_ring);
-        stroke(at, end, 2.2, colors.marker);
+        canvas_.stroke(at, end, 4.5, colors.marker_ring);
+        canvas_.stroke(at, end, 2.2, colors.marker);
     }
-    disc(at.x(), at.y(), 6.5, colors.marker_ring);
-    disc(at.x(), at.y(), 4.8, colors.marker);
+    canvas_.disc(at.x(), at.y(), 6.5, colors.marker_ring);
+    canvas_.disc(at.x(), at.y(), 4.8, colors.marker);
 }
 
 void Overlay::draw_notes(const OverlayContent& content) {
     const Colors& colors = colors_of(content.palette);
     for (const OverlaySpot& s : content.spots) {
         if (!s.at.allFinite()) continue;
-        disc(s.at.x(), s.at.y(), 6.8, colors.text);
-        disc(s.at.x(), s.at.y(), 5.9, colors.marker_ring);
-        disc(s.at.x(), s.at.y(), 4.6, s.color);
+        canvas_.disc(s.at.x(), s.at.y(), 6.8, colors.text);
+        canvas_.disc(s.at.x(), s.at.y(), 5.9, colors.marker_ring);
+        canvas_.disc(s.at.x(), s.at.y(), 4.6, s.color);
     }
     for (const OverlayNote& n : content.notes) {
         if (!n.at.allFinite()) continue;
         if (n.framed) {
-            const double w = text_width(n.text, text_size, n.bold);
+            const double w = canvas_.text_width(n.text, text_size, n.bold);
             const double x = n.end < 0 ? n.at.x() : n.end > 0 ? n.at.x() - w : n.at.x() - w / 2;
-            rectangle(x - 3, n.at.y() - 8, x + w + 3, n.at.y() + 8, colors.panel, 0.85);
+            canvas_.rectangle(x - 3, n.at.y() - 8, x + w + 3, n.at.y() + 8, colors.panel, 0.85);
         }
-        place_text({n.at.x(), n.at.y(),
-                    n.end < 0   ? Text::Align::left
-                    : n.end > 0 ? Text::Align::right
-                                : Text::Align::center,
-                    n.text, text_size, n.bold, colors.text});
+        canvas_.write({n.at.x(), n.at.y(),
+                       n.end < 0   ? OverlayText::Align::left
+                       : n.end > 0 ? OverlayText::Align::right
+                                   : OverlayText::Align::center,
+                       n.text, text_size, n.bold, colors.text});
     }
 }
 
 double Overlay::note_width(const std::string& text, bool bold) {
-    return text_width(text, text_size, bold);
+    return canvas_.text_width(text, text_size, bold);
 }
 
 void Overlay::draw_empty_text(const OverlayContent& content) {
-    const double width = content.width / ratio_, height = content.height / ratio_, room = width - 2 * margin;
+    const double width = canvas_.width(), height = canvas_.height(), room = width - 2 * margin;
     std::vector<std::string> lines(1);
     for (std::size_t begin = 0; begin < content.empty_text.size();) {
         const std::size_t end = std::min(content.empty_text.find(' ', begin), content.empty_text.size());
         const std::string word = content.empty_text.substr(begin, end - begin);
         const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (lines.back().empty() || text_width(longer, title_size, false) <= room)
+        if (lines.back().empty() || canvas_.text_width(longer, title_size, false) <= room)
             lines.back() = longer;
         else
             lines.push_back(word);
@@ -247,24 +111,26 @@ void Overlay::draw_empty_text(const OverlayContent& content) {
     double y = height / 2 - line_height * double(lines.size() - 1) / 2;
     if (y < title_size) return;
     for (const std::string& line : lines) {
-        place_text({width / 2, y, Text::Align::center, shortened(line, room, title_size, false), title_size,
-                    false, colors_of(content.palette).faint_text});
+        canvas_.write({width / 2, y, OverlayText::Align::center,
+                       canvas_.shortened(line, room, title_size, false), title_size, false,
+                       colors_of(content.palette).faint_text});
         y += line_height;
     }
 }
 
 void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLayout& layout) {
-    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double width = canvas_.width(), height = canvas_.height();
     const double right = layout.legend.empty() ? width - margin : layout.legend.x0 - 2 * gap;
     const double room = right - margin;
     if (height < 150 || room < 100) return;
     const Colors& colors = colors_of(content.palette);
     double y = margin;
     const auto add = [&](const std::string& text, double size, bool bold, const Rgb& color) {
-        const std::string fitted = text.empty() ? text : shortened(text, room, size, bold);
+        const std::string fitted = text.empty() ? text : canvas_.shortened(text, room, size, bold);
         if (fitted.empty()) return;
-        if (draw) place_text({margin, y + 0.5 * size, Text::Align::left, fitted, size, bold, color});
-        const double w = text_width(fitted, size, bold);
+        if (draw)
+            canvas_.write({margin, y + 0.5 * size, OverlayText::Align::left, fitted, size, bold, color});
+        const double w = canvas_.text_width(fitted, size, bold);
         layout.title = {margin, margin, std::max(layout.title.x1, margin + w), y + size};
         y += size + 7;
     };
@@ -274,13 +140,13 @@ void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLay
 
 void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (content.legend.empty() && content.color_bars.empty()) return;
-    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double width = canvas_.width(), height = canvas_.height();
     // Below, the workbench has its cube.
     const double widest = 0.45 * width, highest = std::min(0.6 * height, height - 170);
     const auto entries_width = [&] {
         double label = 0;
         for (const LegendEntry& e : content.legend)
-            label = std::max(label, text_width(e.label, text_size, false));
+            label = std::max(label, canvas_.text_width(e.label, text_size, false));
         return std::ceil(2 * padding + sample_width + gap + label);
     };
     // As many scales as there is room for. The rest: all of their height that cannot shrink.
@@ -288,13 +154,13 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     double bar_width = 0, bar_rest = 0;
     const double frame = 2 * (padding - 3), entries_height = row * double(content.legend.size());
     for (const ColorBar& bar : content.color_bars) {
-        double label =
-            std::max(text_width(bar.low_text, text_size, false), text_width(bar.high_text, text_size, false));
+        double label = std::max(canvas_.text_width(bar.low_text, text_size, false),
+                                canvas_.text_width(bar.high_text, text_size, false));
         for (const auto& [at, text] : bar.marks)
-            label = std::max(label, text_width(text, text_size, false));
+            label = std::max(label, canvas_.text_width(text, text_size, false));
         const double flat = std::max(
-            {text_width(bar.title, text_size, true), text_width(bar.note, text_size, false),
-             bar.other ? sample_width + gap + text_width(bar.other->second, text_size, false) : 0.0});
+            {canvas_.text_width(bar.title, text_size, true), canvas_.text_width(bar.note, text_size, false),
+             bar.other ? sample_width + gap + canvas_.text_width(bar.other->second, text_size, false) : 0.0});
         const double wide =
             std::max(bar_width, std::ceil(2 * padding + std::max(sample_width + gap + label, flat)));
         const double rest = (bar_rests.empty() ? 0 : scale_gap)
@@ -335,8 +201,8 @@ void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLa
     layout.legend = r;
     if (!draw) return;
     const Colors& colors = colors_of(content.palette);
-    rectangle(r.x0, r.y0, r.x1, r.y1, colors.panel_border, 0.9);
-    rectangle(r.x0 + 1, r.y0 + 1, r.x1 - 1, r.y1 - 1, colors.panel);
+    canvas_.rectangle(r.x0, r.y0, r.x1, r.y1, colors.panel_border, 0.9);
+    canvas_.rectangle(r.x0 + 1, r.y0 + 1, r.x1 - 1, r.y1 - 1, colors.panel);
     double y = r.y0 + padding - 3;
     if (entries)
         for (std::size_t i = 0; i < shown; ++i) {
@@ -356,36 +222,36 @@ void Overlay::draw_legend_entry(const LegendEntry& e, double x0, double y, const
     const double half = std::max(1.0, 0.75 * e.width);
     switch (e.sample) {
     case LegendEntry::Sample::line:
-        rectangle(x0, y - half, x1, y + half, e.color);
+        canvas_.rectangle(x0, y - half, x1, y + half, e.color);
         break;
     case LegendEntry::Sample::dashes:
         for (int i = 0; i < 3; ++i) // as on the part: 3/5 drawn, 2/5 left out
-            rectangle(x0 + 10.0 * i, y - half, x0 + 10.0 * i + 6.0, y + half, e.color);
+            canvas_.rectangle(x0 + 10.0 * i, y - half, x0 + 10.0 * i + 6.0, y + half, e.color);
         break;
     case LegendEntry::Sample::dot:
         for (int i = 0; i < 3; ++i)
-            disc(x0 + sample_width * (0.5 + i) / 3.0, y, 2.0, e.color);
+            canvas_.disc(x0 + sample_width * (0.5 + i) / 3.0, y, 2.0, e.color);
         break;
     case LegendEntry::Sample::spot:
-        disc(x0 + sample_width / 2, y, 4.5, e.color);
+        canvas_.disc(x0 + sample_width / 2, y, 4.5, e.color);
         break;
     case LegendEntry::Sample::box:
-        rectangle(x0, y - 6, x1, y + 6, e.color);
-        rectangle(x0 + 1, y - 5, x1 - 1, y + 5, colors.panel);
-        rectangle(x0 + 1, y - 5, x1 - 1, y + 5, e.color, 0.2);
+        canvas_.rectangle(x0, y - 6, x1, y + 6, e.color);
+        canvas_.rectangle(x0 + 1, y - 5, x1 - 1, y + 5, colors.panel);
+        canvas_.rectangle(x0 + 1, y - 5, x1 - 1, y + 5, e.color, 0.2);
         break;
     case LegendEntry::Sample::surface:
-        rectangle(x0, y - 6, x1, y + 6, e.color);
+        canvas_.rectangle(x0, y - 6, x1, y + 6, e.color);
         break;
     }
-    place_text({x1 + gap, y, Text::Align::left, e.label, text_size, false, colors.text});
+    canvas_.write({x1 + gap, y, OverlayText::Align::left, e.label, text_size, false, colors.text});
 }
 
 void Overlay::draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Colors& colors) {
     const double x0 = in.x0, x1 = x0 + sample_width, text_x = x1 + gap;
     double y = in.y0;
     const auto line = [&](const std::string& text, bool bold, const Rgb& color) {
-        place_text({x0, y + row / 2, Text::Align::left, text, text_size, bold, color});
+        canvas_.write({x0, y + row / 2, OverlayText::Align::left, text, text_size, bold, color});
         y += row;
     };
     line(bar.title, true, colors.text);
@@ -393,9 +259,9 @@ void Overlay::draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Co
     // The ends' meanings stand beside the arrows, which say that there is more than the scale shows.
     double bottom = in.y1 - (bar.other ? row : 0);
     const auto end = [&](double tip, double base, bool arrow, const Rgb& color, const std::string& text) {
-        if (arrow) polygon({{x0, base}, {(x0 + x1) / 2, tip}, {x1, base}}, color, 1.0);
-        place_text(
-            {text_x, (2 * tip + base) / 3, Text::Align::left, text, text_size, false, colors.faint_text});
+        if (arrow) canvas_.polygon({{x0, base}, {(x0 + x1) / 2, tip}, {x1, base}}, color, 1.0);
+        canvas_.write({text_x, (2 * tip + base) / 3, OverlayText::Align::left, text, text_size, false,
+                       colors.faint_text});
     };
     const double top = y + row;
     bottom -= row;
@@ -403,27 +269,28 @@ void Overlay::draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Co
     end(bottom + row - 5, bottom + 1, bar.has_below, bar.below, bar.low_text);
     const double high = bottom - top, step = high / double(bar.colors.size());
     for (std::size_t i = 0; i < bar.colors.size(); ++i)
-        rectangle(x0, bottom - step * double(i + 1), x1, bottom - step * double(i), bar.colors[i]);
+        canvas_.rectangle(x0, bottom - step * double(i + 1), x1, bottom - step * double(i), bar.colors[i]);
     // Texts keep clear of each other and of those at the ends.
     double lowest = bottom + 1;
     for (const auto& [at, text] : bar.marks) {
         const double place = bottom - at * high;
-        rectangle(x1, place - 0.5, x1 + 4, place + 0.5, colors.text);
+        canvas_.rectangle(x1, place - 0.5, x1 + 4, place + 0.5, colors.text);
         const double text_y = std::clamp(place, top + text_size / 2 - 2, bottom - text_size / 2 + 2);
         if (text_y > lowest - text_size && lowest <= bottom) continue;
-        place_text({text_x, text_y, Text::Align::left, text, text_size, false, colors.text});
+        canvas_.write({text_x, text_y, OverlayText::Align::left, text, text_size, false, colors.text});
         lowest = text_y;
     }
     if (bar.other) {
         const double other_y = in.y1 - row / 2;
-        rectangle(x0, other_y - 6, x1, other_y + 6, bar.other->first);
-        place_text({text_x, other_y, Text::Align::left, bar.other->second, text_size, false, colors.text});
+        canvas_.rectangle(x0, other_y - 6, x1, other_y + 6, bar.other->first);
+        canvas_.write(
+            {text_x, other_y, OverlayText::Align::left, bar.other->second, text_size, false, colors.text});
     }
 }
 
 void Overlay::lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (!content.axes) return;
-    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double width = canvas_.width(), height = canvas_.height();
     const double side = axes_side(width, height);
     if (side <= 0) return;
     layout.axes = {margin / 2, height - margin / 2 - side, margin / 2 + side, height - margin / 2};
@@ -437,14 +304,14 @@ void Overlay::lay_out_axes(const OverlayContent& content, bool draw, OverlayLayo
         if (flat < 0.2) continue; // points at the eye or away: the name would cover the arrow
         // Beyond the arrow's tip, never so near the middle that names meet.
         const double reach = side * (0.33 * flat + 0.09);
-        place_text({x + d.x() / flat * reach, y - d.y() / flat * reach, Text::Align::center, names[k],
-                    std::max(10.0, 0.14 * side), true, colors.axes[k]});
+        canvas_.write({x + d.x() / flat * reach, y - d.y() / flat * reach, OverlayText::Align::center,
+                       names[k], std::max(10.0, 0.14 * side), true, colors.axes[k]});
     }
 }
 
 void Overlay::lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (!content.scale || !(content.mm_per_pixel > 0) || !std::isfinite(content.mm_per_pixel)) return;
-    const double width = content.width / ratio_, height = content.height / ratio_;
+    const double width = canvas_.width(), height = canvas_.height();
     const double left = layout.axes.empty() ? margin : layout.axes.x1 + gap;
     const double longest = std::min({150.0, 0.35 * width, width - margin - left});
     if (width < 200 || height < 56) return;
@@ -452,18 +319,18 @@ void Overlay::lay_out_scale(const OverlayContent& content, bool draw, OverlayLay
     const double length = length_mm / content.mm_per_pixel;
     const std::string label =
         format_number(length_mm / mm_per(content.unit)) + " " + std::string(unit_name(content.unit));
-    const double label_width = text_width(label, text_size, false);
+    const double label_width = canvas_.text_width(label, text_size, false);
     if (std::max(length, label_width) > width - margin - left) return;
     const double x1 = width - margin, y1 = height - margin, x0 = x1 - length;
     // Room for the longest bar there can be: what is fitted around it must not depend on the zoom before.
     layout.scale = {x1 - longest, y1 - 8 - text_size - 4, x1, y1};
     if (!draw) return;
     const Colors& colors = colors_of(content.palette);
-    rectangle(x0, y1 - 2, x1, y1, colors.text);
-    rectangle(x0, y1 - 8, x0 + 2, y1, colors.text);
-    rectangle(x1 - 2, y1 - 8, x1, y1, colors.text);
-    place_text({std::min((x0 + x1) / 2, x1 - label_width / 2), y1 - 8 - text_size / 2, Text::Align::center,
-                label, text_size, false, colors.text});
+    canvas_.rectangle(x0, y1 - 2, x1, y1, colors.text);
+    canvas_.rectangle(x0, y1 - 8, x0 + 2, y1, colors.text);
+    canvas_.rectangle(x1 - 2, y1 - 8, x1, y1, colors.text);
+    canvas_.write({std::min((x0 + x1) / 2, x1 - label_width / 2), y1 - 8 - text_size / 2,
+                   OverlayText::Align::center, label, text_size, false, colors.text});
 }
 
 } // namespace facetmill

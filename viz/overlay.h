@@ -5,21 +5,13 @@
 
 #include "core/base/units.h"
 #include "core/base/vec.h"
+#include "viz/overlay_canvas.h"
 #include "viz/palette.h"
-
-#include <vtkSmartPointer.h>
 
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
-
-class vtkActor2D;
-class vtkPoints;
-class vtkPolyData;
-class vtkRenderer;
-class vtkTextActor;
-class vtkUnsignedCharArray;
 
 namespace facetmill {
 
@@ -91,8 +83,7 @@ struct OverlayLayout {
 
 class Overlay {
 public:
-    explicit Overlay(vtkRenderer* renderer);
-    ~Overlay();
+    explicit Overlay(vtkRenderer* renderer) : canvas_(renderer) {}
 
     /// Places everything, without drawing.
     OverlayLayout layout(const OverlayContent& content);
@@ -102,22 +93,6 @@ public:
     double note_width(const std::string& text, bool bold);
 
 private:
-    struct Text {
-        double x = 0, y = 0; ///< the middle of the left end, the right end or the middle of the text
-        enum class Align { left, right, center } align = Align::left;
-        std::string text;
-        double size = 12;
-        bool bold = false;
-        Rgb color;
-    };
-
-    double text_width(const std::string& text, double size, bool bold);
-    std::string shortened(const std::string& text, double width, double size, bool bold);
-    void rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha = 1.0);
-    void disc(double x, double y, double radius, const Rgb& color);
-    void stroke(const Vec2& from, const Vec2& to, double width, const Rgb& color);
-    void polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha);
-    void place_text(Text text);
     void draw_marker(const OverlayContent& content);
     void draw_notes(const OverlayContent& content);
     void draw_empty_text(const OverlayContent& content);
@@ -129,15 +104,7 @@ private:
     void lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout);
     void lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout);
 
-    vtkRenderer* renderer_;
-    double ratio_ = 1;
-    int height_ = 0;
-    vtkSmartPointer<vtkPolyData> shapes_;
-    vtkSmartPointer<vtkActor2D> shapes_actor_;
-    vtkSmartPointer<vtkPoints> shape_points_;
-    vtkSmartPointer<vtkUnsignedCharArray> shape_colors_;
-    std::vector<vtkSmartPointer<vtkTextActor>> text_actors_;
-    std::size_t texts_used_ = 0;
+    OverlayCanvas canvas_;
 };
 
 /// Side of the square in the bottom left corner that the axes take, layout pixels; 0 where there is no room.
