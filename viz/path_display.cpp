@@ -80,6 +80,136 @@ Polylines thinned(const Polylines& lines) {
     return thin;
 }
 
+/// Fills a display from its sources.
+class Builder {
+public:
+    Builder(PathDisplay& display, const Progress& progress) : display_(display), progress_(progress) {}
+
+    /// The box of everything, and how long the rapids are.
+    void measure();
+    /// Dashes of a fixed length on the part, longer where there would be too many of them.
+    double dash() const { return std::max(display_.box.diagonal() / 60.0, rapid_length_ / 200'000.0); }
+    void add_contacts(const PathSource& source);
+    /// Contact points left to clean-up, and those of kept postures.
+    void add_marks(const PathSource& source);
+    void add_motions(const PathSource& source, double dash);
+    void set_spacing();
+
+private:
+    void tick() {
+        if (++points_ % check_every == 0) progress_.check();
+    }
+    void measure(const ToolMotions& motions);
+
+    PathDisplay& display_;
+    const Progress& progress_;
+    std::size_t points_ = 0, contact_steps_ = 0;
+    double rapid_length_ = 0, contact_length_ = 0;
+};
+
+void Builder::measure() {
+    for (const PathSource& s : display_.sources) {
+        if (s.contacts) {
+            for (const Pass& pass : s.contacts->passes)
+                for (const CutterContact& c : pass.cc) {
+                    tick();
+                    if (c.point.allFinite()) display_.box.add(c.point);
+                }
+            for (const CutterContact& c : s.contacts->cleanup)
+                if (c.point.allFinite()) display_.box.add(c.point);
+        }
+        if (s.motions) measure(*s.motions);
+    }
+    if (display_.box.empty()) return;
+    if (points_ > std::size_t(std::numeric_limits<std::int32_t>::max()) / 8)
+        throw Error(ErrorCode::too_large, "path", "has more points than can be drawn",
+                    "use a larger tolerance");
+    display_.center = display_.box.center();
+}
+
+void Builder::measure(const ToolMotions& path) {
+    const auto& motions = path.motions;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        tick();
+        if (!motions[i].to.tip.allFinite()) continue;
+        display_.box.add(motions[i].to.tip);
+        if (i > 0 && motions[i].kind == MotionKind::rapid && motions[i - 1].to.tip.allFinite())
+            rapid_length_ += (motions[i].to.tip - motions[i - 1].to.tip).norm();
+    }
+}
+
+void Builder::add_contacts(const PathSource& s) {
+    if (!s.contacts) return;
+    for (const Pass& pass : s.contacts->passes) {
+        if (!s.shows(pass)) continue;
+        const CutterContact* before = nullptr;
+        for (const CutterContact& c : pass.cc) {
+            tick();
+            if (!c.point.allFinite()) continue;
+            append(display_.contacts, c.point - display_.center);
+            if (before) {
+                contact_length_ += (c.point - before->point).norm();
+                ++contact_steps_;
+            }
+            before = &c;
+        }
+        finish(display_.contacts, true);
+    }
+}
+
+void Builder::add_marks(const PathSource& s) {
+    if (!s.contacts || s.hidden || s.layer >= 0) return;
+    for (const CutterContact& c : s.contacts->cleanup) {
+        tick();
+        if (c.point.allFinite()) append(display_.left_points, c.point - display_.center);
+    }
+    if (const auto record = s.contacts->five_axis())
+        for (const FiveAxisRecord::Point& p : record->points) {
+            tick();
+            if (p.place.kept) append(display_.kept_points, p.place.surface - display_.center);
+        }
+}
+
+void Builder::add_motions(const PathSource& s, double dash) {
+    if (!s.motions) return;
+    const Vec3& center = display_.center;
+    const auto& motions = s.motions->motions;
+    Dasher rapid(display_.motions[std::size_t(MotionKind::rapid)], center, dash);
+    bool open = false; // a polyline of the kind of motion i - 1 is being built
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        tick();
+        const Motion &from = motions[i - 1], &to = motions[i];
+        Polylines& line = display_.motions[std::size_t(to.kind)];
+        if (open && to.kind != from.kind) {
+            finish(display_.motions[std::size_t(from.kind)], false);
+            open = false;
+        }
+        if (!s.shows_motion(i) || !from.to.tip.allFinite() || !to.to.tip.allFinite()) {
+            if (open) finish(line, false);
+            open = false;
+            continue;
+        }
+        if (to.kind == MotionKind::rapid) {
+            if (from.kind != MotionKind::rapid) rapid.restart();
+            rapid.add(from.to.tip, to.to.tip);
+            continue;
+        }
+        if (!open) append(line, from.to.tip - center);
+        open = true;
+        append(line, to.to.tip - center);
+    }
+    if (open) finish(display_.motions[std::size_t(motions.back().kind)], false);
+}
+
+void Builder::set_spacing() {
+    if (contact_steps_ == 0) return;
+    const Vec3 size = display_.box.size();
+    const double area = std::max({size.x() * size.y(), size.y() * size.z(), size.z() * size.x()});
+    const double along = contact_length_ / double(contact_steps_),
+                 across = area / std::max(contact_length_, 1e-300);
+    display_.contact_spacing = std::min(along, across);
+}
+
 } // namespace
 
 PathSource path_source(const std::shared_ptr<const OperationResult>& operation, int layer) {
@@ -103,107 +233,16 @@ PathSource path_source(const std::shared_ptr<const OperationResult>& operation, 
 PathDisplayPtr prepare_path_display(std::vector<PathSource> sources, const Progress& progress) {
     auto display = std::make_shared<PathDisplay>();
     display->sources = std::move(sources);
-
-    std::size_t n = 0;
-    const auto tick = [&] {
-        if (++n % check_every == 0) progress.check();
-    };
-    double rapid_length = 0.0;
-    for (const PathSource& s : display->sources) {
-        if (s.contacts)
-            for (const Pass& pass : s.contacts->passes)
-                for (const CutterContact& c : pass.cc) {
-                    tick();
-                    if (c.point.allFinite()) display->box.add(c.point);
-                }
-        if (s.contacts)
-            for (const CutterContact& c : s.contacts->cleanup)
-                if (c.point.allFinite()) display->box.add(c.point);
-        if (s.motions) {
-            const auto& motions = s.motions->motions;
-            for (std::size_t i = 0; i < motions.size(); ++i) {
-                tick();
-                if (!motions[i].to.tip.allFinite()) continue;
-                display->box.add(motions[i].to.tip);
-                if (i > 0 && motions[i].kind == MotionKind::rapid && motions[i - 1].to.tip.allFinite())
-                    rapid_length += (motions[i].to.tip - motions[i - 1].to.tip).norm();
-            }
-        }
-    }
+    Builder builder(*display, progress);
+    builder.measure();
     if (display->box.empty()) return display;
-    if (n > std::size_t(std::numeric_limits<std::int32_t>::max()) / 8)
-        throw Error(ErrorCode::too_large, "path", "has more points than can be drawn",
-                    "use a larger tolerance");
-    display->center = display->box.center();
-    const Vec3& center = display->center;
-
-    // Dashes of a fixed length on the part, longer where there would be too many of them.
-    const double dash = std::max(display->box.diagonal() / 60.0, rapid_length / 200'000.0);
-    double contact_length = 0;
-    std::size_t contact_steps = 0;
+    const double dash = builder.dash();
     for (const PathSource& s : display->sources) {
-        if (s.contacts)
-            for (const Pass& pass : s.contacts->passes) {
-                if (!s.shows(pass)) continue;
-                const CutterContact* before = nullptr;
-                for (const CutterContact& c : pass.cc) {
-                    tick();
-                    if (!c.point.allFinite()) continue;
-                    append(display->contacts, c.point - center);
-                    if (before) {
-                        contact_length += (c.point - before->point).norm();
-                        ++contact_steps;
-                    }
-                    before = &c;
-                }
-                finish(display->contacts, true);
-            }
-        if (s.contacts && !s.hidden && s.layer < 0) {
-            for (const CutterContact& c : s.contacts->cleanup) {
-                tick();
-                if (c.point.allFinite()) append(display->left_points, c.point - center);
-            }
-            if (const auto record = s.contacts->five_axis())
-                for (const FiveAxisRecord::Point& p : record->points) {
-                    tick();
-                    if (p.place.kept) append(display->kept_points, p.place.surface - center);
-                }
-        }
-        if (!s.motions) continue;
-        const auto& motions = s.motions->motions;
-        Dasher rapid(display->motions[std::size_t(MotionKind::rapid)], center, dash);
-        bool open = false; // a polyline of the kind of motion i - 1 is being built
-        for (std::size_t i = 1; i < motions.size(); ++i) {
-            tick();
-            const Motion &from = motions[i - 1], &to = motions[i];
-            Polylines& line = display->motions[std::size_t(to.kind)];
-            if (open && to.kind != from.kind) {
-                finish(display->motions[std::size_t(from.kind)], false);
-                open = false;
-            }
-            if (!s.shows_motion(i) || !from.to.tip.allFinite() || !to.to.tip.allFinite()) {
-                if (open) finish(line, false);
-                open = false;
-                continue;
-            }
-            if (to.kind == MotionKind::rapid) {
-                if (from.kind != MotionKind::rapid) rapid.restart();
-                rapid.add(from.to.tip, to.to.tip);
-                continue;
-            }
-            if (!open) append(line, from.to.tip - center);
-            open = true;
-            append(line, to.to.tip - center);
-        }
-        if (open) finish(display->motions[std::size_t(motions.back().kind)], false);
+        builder.add_contacts(s);
+        builder.add_marks(s);
+        builder.add_motions(s, dash);
     }
-    if (contact_steps > 0) {
-        const Vec3 size = display->box.size();
-        const double area = std::max({size.x() * size.y(), size.y() * size.z(), size.z() * size.x()});
-        const double along = contact_length / double(contact_steps),
-                     across = area / std::max(contact_length, 1e-300);
-        display->contact_spacing = std::min(along, across);
-    }
+    builder.set_spacing();
     progress.check();
     display->contacts_preview = thinned(display->contacts);
     for (std::size_t k = 0; k < motion_kinds; ++k)

@@ -28,8 +28,6 @@ const std::vector<Exception> long_functions = {
      "Older than this rule: to be split where it is next changed"},
     {"ui/tool_dialog.cpp", "facetmill::ui::ToolDialog::ToolDialog", 108,
      "Older than this rule: to be split where it is next changed"},
-    {"viz/path_display.cpp", "facetmill::prepare_path_display", 110,
-     "Older than this rule: to be split where it is next changed"},
     {"viz/scene_look.cpp", "facetmill::Scene::Impl::Impl", 136,
      "Older than this rule: to be split where it is next changed"},
 };
