@@ -53,9 +53,9 @@ CSpaceController::CSpaceController(Document& document, QWidget* window)
         if (const auto point = at_ ? studies_->known(*at_) : nullptr) show_point(point);
     });
     connect(studies_, &CSpaceStudies::given_up, this, [this] {
-        if (at_ && !shown_) clear_room(tr("Not studied. Step on, or pick a point."));
+        if (at_ && !shown_) clear_view(tr("Not studied. Step on, or pick a point."));
     });
-    clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
+    clear_view(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
 CSpaceController::~CSpaceController() = default;
@@ -93,7 +93,7 @@ bool CSpaceController::take_key(const QKeyEvent& event) {
     }
 }
 
-void CSpaceController::clear_room(const QString& text) {
+void CSpaceController::clear_view(const QString& text) {
     shown_.reset();
     tried_.reset();
     CSpaceScene& scene = panel_->view()->scene();
@@ -147,7 +147,7 @@ void CSpaceController::leave() {
     result_.reset();
     at_.reset();
     operation_ = -1;
-    clear_room(tr("Pick a point on the path of a planned 5-axis operation"));
+    clear_view(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
 bool CSpaceController::active() const {
@@ -234,7 +234,7 @@ void CSpaceController::study() {
         show_point(point);
         return;
     }
-    clear_room(tr("Looking at the pass…"));
+    clear_view(tr("Looking at the pass…"));
     if (panel_->isVisible()) studies_->look_at(*at_); // else nobody sees it
 }
 
@@ -270,10 +270,10 @@ bool CSpaceController::can_be_kept(const PostureValue& posture) const {
     return studies_->study()->reason(*shown_, posture.lead, posture.yaw).block == PostureBlock::free;
 }
 
-void CSpaceController::show_hover(const std::optional<CSpaceRoom::Hit>& hit) {
+void CSpaceController::show_hover(const std::optional<CSpaceDisplay::Hit>& hit) {
     if (!shown_ || !studies_->study()) return;
     if (hit)
-        panel_->readout()->setText(reason_text(hit->posture, hit->on != CSpaceRoom::Hit::On::map));
+        panel_->readout()->setText(reason_text(hit->posture, hit->on != CSpaceDisplay::Hit::On::map));
     else if (tried_)
         panel_->readout()->setText(tr("Tried: ") + reason_text(*tried_, true));
 }
@@ -367,9 +367,10 @@ void CSpaceController::show_kept() {
     const bool tried = tried_ && shown_ && studies_->study();
     const bool free = tried && can_be_kept(*tried_);
     panel_->keep()->setEnabled(free);
-    panel_->keep()->setToolTip(!tried  ? tr("Try a posture first: click in the room, or drag a marker")
-                               : !free ? tr("The tried posture is not free: it would not be used")
-                                       : tr("Keep the tried posture for this point; planning again uses it"));
+    panel_->keep()->setToolTip(
+        !tried  ? tr("Try a posture first: click in the configuration space, or drag a marker")
+        : !free ? tr("The tried posture is not free: it would not be used")
+                : tr("Keep the tried posture for this point; planning again uses it"));
     panel_->remove()->setEnabled(kept_number().has_value());
     const std::vector<ManualPosture> all = all_kept();
     panel_->kept()->setText(tr("Kept: %1").arg(all.size()));

@@ -6,7 +6,7 @@
 #include "core/strategy/five_axis/manual_posture.h"
 #include "ui/controller.h"
 #include "ui/cspace_studies.h"
-#include "viz/cspace_room.h"
+#include "viz/cspace_display.h"
 
 #include <memory>
 #include <optional>
@@ -79,8 +79,8 @@ private:
     void show_kept();
     void study();
     void show_point(std::shared_ptr<const FiveAxisStudy::Point> point);
-    void clear_room(const QString& text);
-    void show_hover(const std::optional<CSpaceRoom::Hit>& hit);
+    void clear_view(const QString& text);
+    void show_hover(const std::optional<CSpaceDisplay::Hit>& hit);
     QString reason_text(const PostureValue& posture, bool with_lift = true) const;
     bool can_be_kept(const PostureValue& posture) const;
     void show_tool(const std::optional<PostureValue>& posture, const QString& what);

@@ -82,7 +82,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     connect(up, &QToolButton::clicked, this, [this] { emit stepped(0, -1); });
     connect(down, &QToolButton::clicked, this, [this] { emit stepped(0, 1); });
     back_ = add(Icon::reset, tr("Tool back to the planned posture"), "cspace_back");
-    picture_ = add(Icon::picture, tr("Export the room as a picture (PNG)"), "cspace_picture");
+    picture_ = add(Icon::picture, tr("Export the configuration space as a picture (PNG)"), "cspace_picture");
     table_ = add(Icon::export_program, tr("Export the postures as a table (CSV)"), "cspace_table");
     connect(back_, &QToolButton::clicked, this, &CSpacePanel::back_requested);
     connect(picture_, &QToolButton::clicked, this, &CSpacePanel::picture_requested);
@@ -118,7 +118,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     readout_->setWordWrap(true);
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    readout_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2); // the room does not jump
+    readout_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2); // the view does not jump
     readout_->setMinimumWidth(40);
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(readout_);
@@ -175,7 +175,7 @@ void CSpacePanel::set_ready(bool point, bool study) {
 void CSpacePanel::show_legend() {
     qDeleteAll(legend_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
     for (const LegendEntry& entry : view_->scene().legend()) {
-        if (entry.sample == LegendEntry::Sample::spot) continue; // they have their names in the room
+        if (entry.sample == LegendEntry::Sample::spot) continue; // they have their names in the view
         auto* item = new QWidget(legend_);
         auto* row = new QHBoxLayout(item);
         row->setContentsMargins(0, 0, 0, 0);

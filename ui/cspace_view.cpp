@@ -107,7 +107,7 @@ bool CSpaceView::finished() const {
     return !(dirty_ && shown && shown->isExposed() && !visibleRegion().isEmpty());
 }
 
-std::optional<CSpaceRoom::Hit> CSpaceView::hit(const QPointF& at) const {
+std::optional<CSpaceDisplay::Hit> CSpaceView::hit(const QPointF& at) const {
     const QPointF p = device(at);
     return scene_.hit(p.x(), p.y());
 }

@@ -29,7 +29,7 @@ public:
 
 signals:
     /// What is under the resting pointer.
-    void hovered(const std::optional<facetmill::CSpaceRoom::Hit>& hit);
+    void hovered(const std::optional<facetmill::CSpaceDisplay::Hit>& hit);
     /// A posture to be tried; of a dragged marker with its lift.
     void tried(const facetmill::PostureValue& posture);
     /// A click on a marker: a choice's number.
@@ -52,7 +52,7 @@ protected:
 private:
     enum class Drag { none, turn, zoom, marker };
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
-    std::optional<CSpaceRoom::Hit> hit(const QPointF& at) const;
+    std::optional<CSpaceDisplay::Hit> hit(const QPointF& at) const;
 
     CSpaceScene scene_;
     struct Window;

@@ -1,7 +1,7 @@
 #include "ui/cspace_words.h"
 
 #include "ui/text.h"
-#include "viz/cspace_room.h"
+#include "viz/cspace_display.h"
 
 #include <QObject>
 

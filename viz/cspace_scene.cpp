@@ -1,5 +1,7 @@
 #include "viz/cspace_scene.h"
 
+#include "viz/cspace_axes.h"
+#include "viz/cspace_labels.h"
 #include "viz/overlay.h"
 
 #include <vtkActor.h>
@@ -30,15 +32,14 @@ namespace facetmill {
 namespace {
 
 constexpr double margin = 10;
-constexpr double tick = 0.02;     ///< room lengths
-constexpr double axis_room = 46;  ///< layout pixels beside the box for numbers and names of the axes
-constexpr double title_room = 52; ///< above it
+constexpr double beside_axis = 46; ///< layout pixels beside the box for numbers and names of the axes
+constexpr double above_box = 52;   ///< above it
 
 Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
 }
 
-vtkSmartPointer<vtkPolyData> data_of(const RoomTriangles& triangles) {
+vtkSmartPointer<vtkPolyData> data_of(const CSpaceTriangles& triangles) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkPolyData> data_of(const RoomTriangles& triangles) {
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> data_of(const RoomSegments& segments) {
+vtkSmartPointer<vtkPolyData> data_of(const CSpaceSegments& segments) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
@@ -95,8 +96,22 @@ struct Drawn {
     void color(const Rgb& c) { actor->GetProperty()->SetColor(c.r, c.g, c.b); }
 };
 
-std::string number(double v) {
-    return format_number(std::abs(v) < 1e-9 ? 0.0 : v, 6);
+/// Translucent faces blend from the back to the front.
+CSpaceTriangles from_the_back(const CSpaceTriangles& all, const Vec3& toward) {
+    std::vector<std::pair<double, std::size_t>> order(all.size());
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        double depth = 0;
+        for (std::size_t k = 0; k < 9; ++k)
+            depth += toward[int(k % 3)] * double(all.points[9 * t + k]);
+        order[t] = {depth, t};
+    }
+    std::sort(order.begin(), order.end());
+    CSpaceTriangles sorted;
+    for (const auto& [depth, t] : order) {
+        sorted.points.insert(sorted.points.end(), &all.points[9 * t], &all.points[9 * t] + 9);
+        sorted.colors.insert(sorted.colors.end(), &all.colors[4 * t], &all.colors[4 * t] + 4);
+    }
+    return sorted;
 }
 
 } // namespace
@@ -112,7 +127,7 @@ struct CSpaceScene::Impl {
     bool antialiasing = true, legend_on = true, fitted = true;
     std::string title, subtitle, empty_text = "No point";
     std::shared_ptr<const CSpaceContent> content;
-    std::optional<CSpaceRoom> room;
+    std::optional<CSpaceDisplay> display;
     std::optional<PostureValue> probe;
     Drawn bottom, volume, map, bottom_lines, top_lines, frame, stems;
     Vec3 sorted_for = Vec3::Zero(); // the direction towards the eye
@@ -178,8 +193,8 @@ struct CSpaceScene::Impl {
         camera->SetParallelScale(0.9);
     }
     Vec3 middle() const {
-        const Vec3 size = room ? room->size : Vec3(1, 1, CSpaceRoom::height);
-        return {size.x() / 2, size.y() / 2, (CSpaceRoom::height + CSpaceRoom::floor) / 2};
+        const Vec3 size = display ? display->size : Vec3(1, 1, CSpaceDisplay::height);
+        return {size.x() / 2, size.y() / 2, (CSpaceDisplay::height + CSpaceDisplay::floor) / 2};
     }
 
     Eigen::Vector2i window_size() const {
@@ -198,7 +213,7 @@ struct CSpaceScene::Impl {
         m.row(2) = toward;
         return m;
     }
-    /// Room lengths per device pixel.
+    /// Box lengths per device pixel.
     double pixel_size() const {
         const int high = window_size().y();
         return high > 0 ? 2 * const_cast<Impl*>(this)->view->GetActiveCamera()->GetParallelScale() / high : 0;
@@ -210,107 +225,19 @@ struct CSpaceScene::Impl {
         return {size.x() / 2.0 + seen.x(), size.y() / 2.0 - seen.y()};
     }
 
-    /// Four corners of the floor, around.
-    std::array<Vec2, 4> floor_corners() const {
-        return {Vec2(0, 0), Vec2(room->size.x(), 0), Vec2(room->size.x(), room->size.y()),
-                Vec2(0, room->size.y())};
-    }
-
-    /// The box: its floor, the back edges and the level delta = 0, with ticks along the axes in front.
-    void build_frame() {
-        RoomSegments lines;
-        const auto line = [&](const Vec3& a, const Vec3& b) {
-            for (const Vec3* v : {&a, &b})
-                for (int k = 0; k < 3; ++k)
-                    lines.push_back(float((*v)[k]));
-        };
-        const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
-        const auto corners = floor_corners();
-        const Axes a = axes();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vec2 &p = corners[k], &q = corners[(k + 1) % 4];
-            line(at(p, CSpaceRoom::floor), at(q, CSpaceRoom::floor));
-            line(at(p, 0), at(q, 0));
-            const bool front = k == a.front;
-            if (!front) line(at(p, CSpaceRoom::floor), at(p, CSpaceRoom::height));
-            if (k != a.front && (k + 1) % 4 != a.front)
-                line(at(p, CSpaceRoom::height), at(q, CSpaceRoom::height));
-        }
-        for (const Axis* axis : {&a.lead, &a.yaw, &a.delta})
-            for (const Tick& t : axis->ticks)
-                line(t.at, t.at + tick * axis->outward);
-        frame.set(data_of(lines));
-    }
-
-    struct Tick {
-        Vec3 at;
-        std::string text;
-    };
-    struct Axis {
-        std::string name;
-        Vec3 outward = Vec3::Zero(); ///< across the axis, away from the box
-        Vec3 middle = Vec3::Zero();
-        std::vector<Tick> ticks;
-    };
-    struct Axes {
-        std::size_t front = 0; ///< number of the floor's corner nearest to the eye
-        Axis lead, yaw, delta;
-    };
-    /// Along the edges of the floor that are in front, and the upright edge that is farthest to the left.
-    Axes axes() const {
-        Axes a;
-        const Mat3 camera = camera_frame();
-        const auto corners = floor_corners();
-        const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
-        double nearest = -infinity, leftmost = infinity;
-        std::size_t left = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3 seen = camera * at(corners[k], 0);
-            if (seen.z() > nearest + 1e-9) {
-                nearest = seen.z();
-                a.front = k;
-            }
-            if (seen.x() < leftmost - 1e-9) {
-                leftmost = seen.x();
-                left = k;
-            }
-        }
-        const Vec2 front = corners[a.front];
-        const bool far_y = front.y() > 0, far_x = front.x() > 0;
-        a.lead.name = "Lead, deg";
-        a.lead.outward = Vec3(0, far_y ? 1 : -1, 0);
-        a.lead.middle = Vec3(room->size.x() / 2, front.y(), CSpaceRoom::floor);
-        for (const double v : room->lead_ticks) {
-            const Vec3 p = room->place({v, 0, 0});
-            a.lead.ticks.push_back({Vec3(p.x(), front.y(), CSpaceRoom::floor), number(degrees(v))});
-        }
-        a.yaw.name = "Yaw, deg";
-        a.yaw.outward = Vec3(far_x ? 1 : -1, 0, 0);
-        a.yaw.middle = Vec3(front.x(), room->size.y() / 2, CSpaceRoom::floor);
-        for (const double v : room->yaw_ticks) {
-            const Vec3 p = room->place({0, v, 0});
-            a.yaw.ticks.push_back({Vec3(front.x(), p.y(), CSpaceRoom::floor), number(degrees(v))});
-        }
-        a.delta.name = "Lift, " + std::string(unit_name(unit));
-        a.delta.outward = -Vec3(camera.row(0));
-        for (const double v : room->delta_ticks)
-            a.delta.ticks.push_back(
-                {at(corners[left], v / room->delta_max * CSpaceRoom::height), number(v / mm_per(unit))});
-        a.delta.middle = at(corners[left], CSpaceRoom::height);
-        return a;
-    }
+    CSpaceAxes axes() const { return cspace_axes(*display, camera_frame(), unit); }
 
     void add_axis_notes(OverlayContent& c) {
-        const Axes a = axes();
+        const CSpaceAxes a = axes();
         const auto shown = [&](const Vec3& p) { return Vec2(display_of(p) / ratio); };
-        for (const Axis* axis : {&a.lead, &a.yaw}) {
+        for (const CSpaceAxis* axis : {&a.lead, &a.yaw}) {
             if (axis->ticks.empty()) continue;
             // Numbers stand off the box in the direction of the ticks as it is seen.
             Vec2 route = shown(axis->middle + axis->outward) - shown(axis->middle);
             if (route.norm() < 1e-6) continue;
             route.normalize();
             Vec2 last(-1e9, -1e9);
-            for (const Tick& t : axis->ticks) {
+            for (const CSpaceTick& t : axis->ticks) {
                 const Vec2 p = shown(t.at) + 15 * route;
                 if ((p - last).norm() < 24) continue; // they would run into each other
                 c.notes.push_back({p, 0, t.text, false, false});
@@ -321,8 +248,8 @@ struct CSpaceScene::Impl {
             c.notes.push_back({shown(axis->middle) + aside * route, 0, axis->name, true, false});
         }
         Vec2 last(-1e9, -1e9);
-        for (const Tick& t : a.delta.ticks) {
-            const Vec2 p = shown(t.at + tick * a.delta.outward) + Vec2(-4, 0);
+        for (const CSpaceTick& t : a.delta.ticks) {
+            const Vec2 p = shown(t.at + CSpaceAxes::tick * a.delta.outward) + Vec2(-4, 0);
             if ((p - last).norm() < 14) continue;
             c.notes.push_back({p, 1, t.text, false, false});
             last = p;
@@ -332,102 +259,22 @@ struct CSpaceScene::Impl {
         c.notes.push_back({{std::max(margin + w / 2, end.x()), end.y()}, 0, a.delta.name, true, false});
     }
 
-    static bool same(const ChosenPosture& a, const ChosenPosture& b) {
-        return a.free && b.free && std::abs(a.posture.lead - b.posture.lead) < 1e-6
-               && std::abs(a.posture.yaw - b.posture.yaw) < 1e-6
-               && std::abs(a.posture.delta - b.posture.delta) < 1e-6;
-    }
-
-    /// Choices that are one posture have one marker with all their names.
-    void add_markers(OverlayContent& c) {
-        struct Label {
-            Vec2 at;
-            std::string text;
-        };
-        std::vector<Label> labels;
-        std::array<bool, cspace_choices> done{};
-        for (std::size_t k = 0; k < cspace_choices; ++k) {
-            const ChosenPosture& choice = content->choices[k];
-            if (!choice.free || done[k]) continue;
-            std::string text = cspace_choice_label(k);
-            for (std::size_t l = k + 1; l < cspace_choices; ++l)
-                if (same(choice, content->choices[l])) {
-                    done[l] = true;
-                    text += std::string(", ") + cspace_choice_label(l);
-                }
-            const Vec2 at = display_of(room->place(choice.posture)) / ratio;
-            c.spots.push_back({at, cspace_choice_color(k)});
-            labels.push_back({at, text});
-        }
-        if (probe) {
-            const Vec2 at = display_of(room->place(*probe)) / ratio;
-            c.spots.push_back({at, colors_of(palette).marker_ring});
-            labels.push_back({at, "tried"});
-        }
-        // A label stands beside its marker where it covers neither another marker nor another label; else on
-        // a line below or above. From the upper one on.
-        std::sort(labels.begin(), labels.end(),
-                  [](const Label& a, const Label& b) { return a.at.y() < b.at.y(); });
-        constexpr double half = 8, line = 2 * half + 1, beside = 13;
-        std::vector<LayoutRect> taken;
-        for (const auto& spot : c.spots)
-            taken.push_back({spot.at.x() - 7, spot.at.y() - 7, spot.at.x() + 7, spot.at.y() + 7});
-        const double width = c.width / ratio;
-        for (const Label& l : labels) {
-            const double w = overlay->note_width(l.text, true);
-            const double right = l.at.x() + beside, left = l.at.x() - beside - w;
-            Vec2 place(right + w > width - margin ? std::max(4.0, left) : right, l.at.y());
-            const auto free = [&](double x, double y) {
-                if (x < 4 || x + w > width - margin) return false;
-                return std::none_of(taken.begin(), taken.end(), [&](const LayoutRect& r) {
-                    return x < r.x1 && x + w > r.x0 && y - half < r.y1 && y + half > r.y0;
-                });
-            };
-            const auto find = [&] {
-                for (const double down : {0.0, line, -line, 2 * line, -2 * line, 3 * line})
-                    for (const double x : {right, left})
-                        if (free(x, l.at.y() + down)) {
-                            place = {x, l.at.y() + down};
-                            return;
-                        }
-            };
-            find();
-            taken.push_back({place.x() - 3, place.y() - half, place.x() + w + 3, place.y() + half});
-            c.notes.push_back({place, -1, l.text, true, true});
-        }
-    }
-
-    /// Translucent faces blend from the back to the front.
     void sort_volume() {
         const Vec3 toward = camera_frame().row(2);
         if ((toward - sorted_for).norm() < 1e-9) return;
         sorted_for = toward;
-        const RoomTriangles& all = room->volume;
-        std::vector<std::pair<double, std::size_t>> order(all.size());
-        for (std::size_t t = 0; t < all.size(); ++t) {
-            double depth = 0;
-            for (std::size_t k = 0; k < 9; ++k)
-                depth += toward[int(k % 3)] * double(all.points[9 * t + k]);
-            order[t] = {depth, t};
-        }
-        std::sort(order.begin(), order.end());
-        RoomTriangles sorted;
-        for (const auto& [depth, t] : order) {
-            sorted.points.insert(sorted.points.end(), &all.points[9 * t], &all.points[9 * t] + 9);
-            sorted.colors.insert(sorted.colors.end(), &all.colors[4 * t], &all.colors[4 * t] + 4);
-        }
-        volume.set(data_of(sorted));
+        volume.set(data_of(from_the_back(display->volume, toward)));
     }
 
     void build_stems() {
-        RoomSegments lines;
+        CSpaceSegments lines;
         const auto stem = [&](const PostureValue& p) {
-            const Vec3 up = room->place(p);
-            for (const Vec3& v : {up, Vec3(up.x(), up.y(), CSpaceRoom::floor)})
+            const Vec3 up = display->place(p);
+            for (const Vec3& v : {up, Vec3(up.x(), up.y(), CSpaceDisplay::floor)})
                 for (int k = 0; k < 3; ++k)
                     lines.push_back(float(v[k]));
         };
-        if (room) {
+        if (display) {
             for (const ChosenPosture& c : content->choices)
                 if (c.free) stem(c.posture);
             if (probe) stem(*probe);
@@ -443,15 +290,15 @@ struct CSpaceScene::Impl {
         }
         view->SetUseFXAA(antialiasing);
         if (fitted) fit();
-        if (room) {
-            build_frame();
+        if (display) {
+            frame.set(data_of(cspace_frame(*display, axes())));
             sort_volume();
         }
         view->ResetCameraClippingRange(-0.5, 1.5, -0.5, 1.5, -0.5, 1.2);
         overlay->update(overlay_content(true));
     }
 
-    /// No room for what is not the room itself.
+    /// Too small for more than the box itself.
     bool small() const { return window_size().y() / ratio < 240; }
 
     OverlayContent overlay_content(bool with_notes) {
@@ -466,57 +313,37 @@ struct CSpaceScene::Impl {
             c.subtitle = subtitle;
         }
         c.unit = unit;
-        if (!room) {
+        if (!display) {
             c.empty_text = empty_text;
             return c;
         }
-        if (legend_on) c.legend = legend();
+        if (legend_on) c.legend = cspace_legend(*content, palette);
         if (with_notes) {
             add_axis_notes(c);
-            add_markers(c);
+            std::vector<CSpaceMarker> markers = cspace_markers(
+                *content, [&](const PostureValue& p) { return Vec2(display_of(display->place(p)) / ratio); });
+            if (probe)
+                markers.push_back(
+                    {display_of(display->place(*probe)) / ratio, colors_of(palette).marker_ring, "tried"});
+            add_markers(c, std::move(markers),
+                        [&](const std::string& name) { return overlay->note_width(name, true); });
             if (content->free_nodes == 0)
                 c.notes.push_back(
-                    {{c.width / ratio / 2, title_room + 6}, 0, "No posture is free here", true, true});
+                    {{c.width / ratio / 2, above_box + 6}, 0, "No posture is free here", true, true});
         }
         return c;
     }
 
-    std::vector<LegendEntry> legend() const {
-        std::vector<LegendEntry> entries;
-        if (!content) return entries;
-        using Sample = LegendEntry::Sample;
-        const auto has = [&](PostureBlock b) {
-            return std::find(content->block.begin(), content->block.end(), b) != content->block.end();
-        };
-        entries.push_back({Sample::box, cspace_top_color(), 1, "Top S1: clears the strip"});
-        if (has(PostureBlock::free))
-            entries.push_back({Sample::box, posture_block_color(PostureBlock::free), 1, "Free volume"});
-        entries.push_back({Sample::line, colors_of(palette).feature_edges, 1, "Bottom S2, by cause:"});
-        for (std::size_t b = 0; b < posture_blocks; ++b)
-            if (has(PostureBlock(b)))
-                entries.push_back({Sample::surface, posture_block_color(PostureBlock(b)), 1,
-                                   posture_block_label(PostureBlock(b))});
-        for (std::size_t k = 0; k < cspace_choices; ++k) {
-            bool merged = false;
-            for (std::size_t l = 0; l < k; ++l)
-                merged = merged || same(content->choices[l], content->choices[k]);
-            if (content->choices[k].free && !merged)
-                entries.push_back({Sample::spot, cspace_choice_color(k), 1,
-                                   std::string("Chosen: ") + cspace_choice_label(k)});
-        }
-        return entries;
-    }
-
     void fit() {
         const Eigen::Vector2i size = window_size();
-        if (size.x() <= 0 || size.y() <= 0 || !room) return;
+        if (size.x() <= 0 || size.y() <= 0 || !display) return;
         const double w = size.x() / ratio, h = size.y() / ratio;
         const OverlayLayout layout = overlay->layout(overlay_content(false));
         // The box as the camera sees it.
         const Mat3 camera = camera_frame();
         Vec2 lo(infinity, infinity), hi(-infinity, -infinity);
-        for (const Vec2& p : floor_corners())
-            for (const double z : {CSpaceRoom::floor, CSpaceRoom::height}) {
+        for (const Vec2& p : floor_corners(*display))
+            for (const double z : {CSpaceDisplay::floor, CSpaceDisplay::height}) {
                 const Vec3 seen = camera * Vec3(p.x(), p.y(), z);
                 lo = lo.cwiseMin(Vec2(seen.head<2>()));
                 hi = hi.cwiseMax(Vec2(seen.head<2>()));
@@ -524,7 +351,7 @@ struct CSpaceScene::Impl {
         const Vec2 extent = (hi - lo).cwiseMax(Vec2(1e-6, 1e-6));
         const double above =
             std::max(layout.title.empty() ? 0.0 : layout.title.y1, 0.0) + (small() ? 22 : 34);
-        const double aside = small() ? 30 : axis_room;
+        const double aside = small() ? 30 : beside_axis;
         struct Area {
             double x0, y0, x1, y1;
         };
@@ -606,15 +433,15 @@ void CSpaceScene::set_content(std::shared_ptr<const CSpaceContent> content) {
     Impl& i = *impl_;
     i.content = std::move(content);
     i.probe.reset();
-    i.room.reset();
+    i.display.reset();
     for (Drawn* d : {&i.bottom, &i.volume, &i.map, &i.bottom_lines, &i.top_lines, &i.frame})
         d->actor->VisibilityOff();
     if (i.content && i.content->grid.size() > 0) {
-        i.room.emplace(*i.content, i.unit);
-        i.bottom.set(data_of(i.room->bottom));
-        i.map.set(data_of(i.room->map));
-        i.bottom_lines.set(data_of(i.room->bottom_lines));
-        i.top_lines.set(data_of(i.room->top_lines));
+        i.display.emplace(*i.content, i.unit);
+        i.bottom.set(data_of(i.display->bottom));
+        i.map.set(data_of(i.display->map));
+        i.bottom_lines.set(data_of(i.display->bottom_lines));
+        i.top_lines.set(data_of(i.display->top_lines));
         i.sorted_for = Vec3::Zero();
     }
     i.build_stems();
@@ -639,7 +466,8 @@ void CSpaceScene::set_probe(const std::optional<PostureValue>& posture) {
     impl_->build_stems();
 }
 std::vector<LegendEntry> CSpaceScene::legend() const {
-    return impl_->legend();
+    if (!impl_->content) return {};
+    return cspace_legend(*impl_->content, impl_->palette);
 }
 
 void CSpaceScene::reset_view() {
@@ -676,20 +504,20 @@ void CSpaceScene::zoom(double factor) {
     camera->SetParallelScale(std::clamp(camera->GetParallelScale() / factor, 0.02, 5.0));
 }
 
-std::optional<CSpaceRoom::Hit> CSpaceScene::hit(double x, double y) const {
+std::optional<CSpaceDisplay::Hit> CSpaceScene::hit(double x, double y) const {
     const Impl& i = *impl_;
     const Eigen::Vector2i size = i.window_size();
-    if (!i.room || size.x() <= 0) return std::nullopt;
+    if (!i.display || size.x() <= 0) return std::nullopt;
     const Mat3 frame = i.camera_frame();
     const Vec3 focus = vec(impl_->view->GetActiveCamera()->GetFocalPoint());
     const double pixel = i.pixel_size();
     const Vec3 from = focus + (x - size.x() / 2.0) * pixel * Vec3(frame.row(0))
                       - (y - size.y() / 2.0) * pixel * Vec3(frame.row(1)) + 8 * Vec3(frame.row(2));
-    return i.room->hit(from, -Vec3(frame.row(2)));
+    return i.display->hit(from, -Vec3(frame.row(2)));
 }
 
 std::optional<std::size_t> CSpaceScene::marker_at(double x, double y, double radius) const {
-    if (!impl_->room) return std::nullopt;
+    if (!impl_->display) return std::nullopt;
     double nearest = radius;
     std::optional<std::size_t> found;
     const auto look = [&](std::size_t number, const PostureValue& p) {
@@ -706,7 +534,7 @@ std::optional<std::size_t> CSpaceScene::marker_at(double x, double y, double rad
 }
 
 Vec2 CSpaceScene::display_of(const PostureValue& posture) const {
-    return impl_->display_of(impl_->room->place(posture));
+    return impl_->display_of(impl_->display->place(posture));
 }
 
 } // namespace facetmill

@@ -3,7 +3,7 @@
 // on the thread that renders, and counts device pixels from the top left.
 #pragma once
 
-#include "viz/cspace_room.h"
+#include "viz/cspace_display.h"
 #include "viz/scene.h"
 
 #include <memory>
@@ -49,7 +49,7 @@ public:
     void turn(double about_up, double about_right);
     void zoom(double factor);
 
-    std::optional<CSpaceRoom::Hit> hit(double x, double y) const;
+    std::optional<CSpaceDisplay::Hit> hit(double x, double y) const;
     /// The marker within `radius` pixels: a choice's number, cspace_choices for the probe.
     std::optional<std::size_t> marker_at(double x, double y, double radius) const;
     /// Needs content.

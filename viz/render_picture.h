@@ -3,7 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/job/planner.h"
-#include "viz/cspace_room.h"
+#include "viz/cspace_display.h"
 #include "viz/picture.h"
 #include "viz/scene.h"
 
@@ -42,7 +42,7 @@ void take_plan(RenderRequest& request, const Project& project, const PlanResult&
 /// 0.1 s.
 Picture render_picture(const RenderRequest& request, const Progress& progress);
 
-/// The room of one contact point's configuration space.
+/// One contact point's configuration space.
 struct CSpaceRequest {
     CSpaceContent content;
     Palette palette = Palette::light;

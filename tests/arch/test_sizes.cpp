@@ -41,8 +41,6 @@ const std::vector<Exception> large_classes = {
      "Older than this rule: to be split where it is next changed"},
     {"ui/viewport.h", "facetmill::ui::Viewport", 565,
      "Older than this rule: to be split where it is next changed"},
-    {"viz/cspace_scene.cpp", "facetmill::CSpaceScene::Impl", 459,
-     "Older than this rule: to be split where it is next changed"},
     {"viz/scene.h", "facetmill::Scene", 818, "Older than this rule: to be split where it is next changed"},
     {"viz/scene_impl.h", "facetmill::Scene::Impl", 872,
      "Older than this rule: to be split where it is next changed"},

@@ -1,4 +1,5 @@
-// The configuration-space room: a free point, a crowded one and an empty one, and what is under a pixel.
+// The configuration space as a scene: a free point, a crowded one and an empty one, and what is under a
+// pixel.
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
 #include "viz/offscreen.h"
@@ -123,26 +124,26 @@ private slots:
         check(render_cspace(request_of(empty_point(), "nothing free")), "cspace-empty");
     }
 
-    void the_room_is_as_high_as_what_is_free() {
+    void the_box_is_as_high_as_what_is_free() {
         for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
-            const CSpaceRoom room(free_point(), unit);
-            QVERIFY(room.delta_max > 0.5 && room.delta_max < 1.1);
-            QCOMPARE(room.delta_ticks.front(), 0.0);
-            QVERIFY(std::abs(room.delta_ticks.back() - room.delta_max) < 1e-9);
-            QVERIFY(room.delta_ticks.size() >= 3 && room.delta_ticks.size() <= 9);
-            QVERIFY(std::abs(room.size.x() - 0.5) < 1e-12 && std::abs(room.size.y() - 1) < 1e-12);
+            const CSpaceDisplay display(free_point(), unit);
+            QVERIFY(display.delta_max > 0.5 && display.delta_max < 1.1);
+            QCOMPARE(display.delta_ticks.front(), 0.0);
+            QVERIFY(std::abs(display.delta_ticks.back() - display.delta_max) < 1e-9);
+            QVERIFY(display.delta_ticks.size() >= 3 && display.delta_ticks.size() <= 9);
+            QVERIFY(std::abs(display.size.x() - 0.5) < 1e-12 && std::abs(display.size.y() - 1) < 1e-12);
         }
-        QVERIFY(CSpaceRoom(empty_point(), LengthUnit::mm).delta_max >= 0.4);
+        QVERIFY(CSpaceDisplay(empty_point(), LengthUnit::mm).delta_max >= 0.4);
     }
 
-    void surfaces_stay_in_the_room() {
+    void surfaces_stay_in_the_box() {
         for (const CSpaceContent& c : {free_point(), crowded_point(), empty_point()}) {
-            const CSpaceRoom room(c, LengthUnit::mm);
-            for (const RoomTriangles* t : {&room.bottom, &room.volume})
+            const CSpaceDisplay display(c, LengthUnit::mm);
+            for (const CSpaceTriangles* t : {&display.bottom, &display.volume})
                 for (std::size_t i = 0; i < t->points.size(); ++i) {
                     const double v = double(t->points[i]);
                     QVERIFY(std::isfinite(v));
-                    if (i % 3 == 2) QVERIFY(v >= -1e-6 && v <= CSpaceRoom::height + 1e-6);
+                    if (i % 3 == 2) QVERIFY(v >= -1e-6 && v <= CSpaceDisplay::height + 1e-6);
                 }
         }
     }
@@ -150,17 +151,17 @@ private slots:
     void the_free_volume_is_where_it_is_free() {
         // The sides and the lid of the volume, seen from above, cover what is free and nothing else.
         const CSpaceContent c = crowded_point();
-        const CSpaceRoom room(c, LengthUnit::mm);
+        const CSpaceDisplay display(c, LengthUnit::mm);
         double lid = 0;
-        for (std::size_t t = 0; t < room.volume.size(); ++t) {
-            if (room.volume.colors[4 * t + 3] < 60) continue; // the top where it is not free
-            const float* p = &room.volume.points[9 * t];
+        for (std::size_t t = 0; t < display.volume.size(); ++t) {
+            if (display.volume.colors[4 * t + 3] < 60) continue; // the top where it is not free
+            const float* p = &display.volume.points[9 * t];
             lid += std::abs(double((p[3] - p[0]) * (p[7] - p[1]) - (p[6] - p[0]) * (p[4] - p[1]))) / 2;
         }
         // Of cells: all four corners free at least, one of them at most.
         double least = 0, most = 0;
         const std::size_t nl = c.grid.lead.size(), no = c.grid.yaw.size();
-        const double cell = room.size.x() / double(nl - 1) * room.size.y() / double(no - 1);
+        const double cell = display.size.x() / double(nl - 1) * display.size.y() / double(no - 1);
         for (std::size_t i = 0; i + 1 < nl; ++i)
             for (std::size_t j = 0; j + 1 < no; ++j) {
                 int free = 0;
@@ -176,11 +177,11 @@ private slots:
     }
 
     void places_and_values_are_inverse() {
-        const CSpaceRoom room(crowded_point(), LengthUnit::mm);
+        const CSpaceDisplay display(crowded_point(), LengthUnit::mm);
         for (const double l : {0.0, 13.0, 45.0})
             for (const double o : {-45.0, 2.5, 45.0}) {
-                const PostureValue p{radians(l), radians(o), 0.3 * room.delta_max};
-                const PostureValue q = room.value(room.place(p));
+                const PostureValue p{radians(l), radians(o), 0.3 * display.delta_max};
+                const PostureValue q = display.value(display.place(p));
                 QVERIFY(std::abs(p.lead - q.lead) < 1e-12 && std::abs(p.yaw - q.yaw) < 1e-12
                         && std::abs(p.delta - q.delta) < 1e-12);
             }
@@ -205,7 +206,7 @@ private slots:
         int hits = 0;
         for (double y = 20; y < 2 * picture_size[1]; y += 97)
             for (double x = 20; x < 2 * picture_size[0]; x += 83)
-                if (const auto hit = scene.hit(x, y); hit && hit->on != CSpaceRoom::Hit::On::map) {
+                if (const auto hit = scene.hit(x, y); hit && hit->on != CSpaceDisplay::Hit::On::map) {
                     QVERIFY((scene.display_of(hit->posture) - Vec2(x, y)).norm() < 1e-3);
                     ++hits;
                 }
@@ -234,14 +235,14 @@ private slots:
         c.top = {infinity};
         c.block = {PostureBlock::free};
         c.free_nodes = 1;
-        const CSpaceRoom room(c, LengthUnit::mm);
-        QVERIFY(room.bottom.size() > 0 && room.volume.size() > 0);
-        QVERIFY(room.place({radians(10), 0, 0}).allFinite());
+        const CSpaceDisplay display(c, LengthUnit::mm);
+        QVERIFY(display.bottom.size() > 0 && display.volume.size() > 0);
+        QVERIFY(display.place({radians(10), 0, 0}).allFinite());
         c.top = {-infinity};
         c.bottom = {infinity};
         c.block = {PostureBlock::shank};
         c.free_nodes = 0;
-        const CSpaceRoom nothing(c, LengthUnit::inch);
+        const CSpaceDisplay nothing(c, LengthUnit::inch);
         QCOMPARE(nothing.bottom.size(), std::size_t(0));
         QVERIFY(nothing.map.size() > 0);
     }

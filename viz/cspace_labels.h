@@ -1,0 +1,31 @@
+// What is written into a configuration space: names beside the markers of postures, and the legend.
+#pragma once
+
+#include "viz/cspace_display.h"
+#include "viz/overlay.h"
+
+#include <functional>
+
+namespace facetmill {
+
+/// What the colours mean, of what there is to see.
+std::vector<LegendEntry> cspace_legend(const CSpaceContent& content, Palette palette);
+
+/// A posture's marker, layout pixels.
+struct CSpaceMarker {
+    Vec2 at;
+    Rgb color;
+    std::string name;
+};
+
+/// Choices that are one posture have one marker with all their names. `shown`: where a posture is in the
+/// picture.
+std::vector<CSpaceMarker> cspace_markers(const CSpaceContent& content,
+                                         const std::function<Vec2(const PostureValue&)>& shown);
+
+/// Spots and names. A name stands beside its marker where it covers neither another marker nor another name;
+/// else on a line below or above. `name_width`: of a text in layout pixels.
+void add_markers(OverlayContent& content, std::vector<CSpaceMarker> markers,
+                 const std::function<double(const std::string&)>& name_width);
+
+} // namespace facetmill
