@@ -25,14 +25,14 @@ CameraFlight::CameraFlight(Viewport& viewport) : QObject(&viewport), viewport_(v
         const Mat3 turned = frame(from_).slerp(t, frame(to_)).toRotationMatrix();
         at.up = turned.col(1);
         at.toward_eye = turned.col(2);
-        viewport_.scene().look_at(t >= 1 ? to_ : at);
+        viewport_.scene().camera().look_at(t >= 1 ? to_ : at);
         viewport_.camera_moved();
     });
 }
 
 void CameraFlight::fly_to(const CameraPlace& place) {
     animation_.stop();
-    from_ = viewport_.scene().camera_place();
+    from_ = viewport_.scene().camera().place();
     to_ = place;
     animation_.start();
 }

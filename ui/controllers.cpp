@@ -123,11 +123,11 @@ void Controllers::connect_view(Viewport& viewport) {
     connect(&viewport, &Viewport::part_picked, this, [this, &viewport](const PartPick& pick) {
         for (Controller* controller : all_)
             if (controller->take_part_pick(pick)) return;
-        viewport.scene().set_marker(Marker{pick.point, pick.normal});
+        viewport.scene().marks().set_marker(Marker{pick.point, pick.normal});
         viewport.refresh();
     });
     connect(&viewport, &Viewport::nothing_picked, this, [&viewport] {
-        viewport.scene().set_marker(std::nullopt);
+        viewport.scene().marks().set_marker(std::nullopt);
         viewport.refresh();
     });
 }

@@ -162,7 +162,7 @@ void InspectionController::update() {
 }
 
 void InspectionController::show_tint() {
-    viewport_.scene().set_path_tint(tint_);
+    viewport_.scene().paths().set_tint(tint_);
     layers_.show_scale(tint_);
     viewport_.content_changed();
     viewport_.refresh();

@@ -181,11 +181,11 @@ void LayerBar::apply(Scene& scene) const {
     scene.set_visible(Layer::cc, shown(ViewLayer::cc));
     scene.set_visible(Layer::tool, shown(ViewLayer::tool));
     const bool links = shown(ViewLayer::links);
-    scene.set_motion_visible(MotionKind::cut, shown(ViewLayer::cuts));
-    scene.set_motion_visible(MotionKind::link, links);
-    scene.set_motion_visible(MotionKind::approach, links);
-    scene.set_motion_visible(MotionKind::retract, links);
-    scene.set_motion_visible(MotionKind::rapid, shown(ViewLayer::rapids));
+    scene.paths().set_visible(MotionKind::cut, shown(ViewLayer::cuts));
+    scene.paths().set_visible(MotionKind::link, links);
+    scene.paths().set_visible(MotionKind::approach, links);
+    scene.paths().set_visible(MotionKind::retract, links);
+    scene.paths().set_visible(MotionKind::rapid, shown(ViewLayer::rapids));
     scene.set_visible(Layer::cl, shown(ViewLayer::cuts) || links || shown(ViewLayer::rapids));
 }
 

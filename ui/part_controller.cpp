@@ -47,7 +47,7 @@ void PartController::reload() {
 }
 
 void PartController::show(const LoadedPart& loaded, bool new_view) {
-    viewport_.scene().set_part(loaded.display);
+    viewport_.scene().part().set(loaded.display);
     viewport_.content_changed();
     stock_mesh_ = loaded.stock;
     document_.set_part(loaded.part, loaded.key);
@@ -67,12 +67,12 @@ void PartController::show_stock() {
         shape = stock_mesh_;
     else if (part)
         shape = make_stock_shape(stock_solid(stock, *part), {});
-    viewport_.scene().set_stock_shape(shape);
+    viewport_.scene().stock().set(shape);
 }
 
 void PartController::project_opened() {
-    viewport_.scene().set_part(PartDisplayPtr());
-    viewport_.scene().set_stock(Box3());
+    viewport_.scene().part().set(PartDisplayPtr());
+    viewport_.scene().stock().set_box(Box3());
     viewport_.scene().set_unit(document_.unit());
 }
 

@@ -29,7 +29,7 @@ void PathController::refresh() {
     if (!paths_.empty()) return draw(false);
     job_.cancel();
     drawn_.clear();
-    viewport_.scene().set_path(nullptr);
+    viewport_.scene().paths().set(nullptr);
     emit shown();
     viewport_.refresh();
 }
@@ -69,7 +69,7 @@ void PathController::draw(bool keep_tool) {
         [display, sources = sources()](const Progress& p) { *display = prepare_path_display(sources, p); },
         [this, display, keep_tool, programs = paths_.programs()](const JobEnd& end) {
             if (!end.done() || programs != paths_.programs()) return;
-            viewport_.scene().set_path(*display);
+            viewport_.scene().paths().set(*display);
             viewport_.content_changed();
             const bool same_paths = programs == drawn_;
             drawn_ = programs;

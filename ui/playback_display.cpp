@@ -14,13 +14,13 @@ void PlaybackDisplay::show_tool(bool turns, bool still) {
     if (shown_operation_ != program || !scene.has(Layer::tool)) {
         shown_operation_ = program;
         try {
-            scene.set_tool(track.operation(program).tool);
+            scene.tool().set(track.operation(program).tool);
         } catch (const Error&) {
-            scene.set_tool(std::nullopt);
+            scene.tool().set(std::nullopt);
         }
     }
     const CutterLocation tool = playback_.tool();
-    scene.set_tool_pose(tool);
+    scene.tool().set_pose(tool);
     turn_view(turns ? track.operation(program).turning : std::nullopt, tool, still);
 }
 
@@ -37,11 +37,11 @@ void PlaybackDisplay::turn_view(const std::optional<TurningAxis>& turning, const
     const double angle = std::atan2(d.dot(a.cross(b)), a.dot(b));
     if (angle == 0) return;
     const Eigen::AngleAxisd turn(angle, d);
-    CameraPlace place = viewport_.scene().camera_place();
+    CameraPlace place = viewport_.scene().camera().place();
     place.target = turning->point + turn * (place.target - turning->point);
     place.toward_eye = turn * place.toward_eye;
     place.up = turn * place.up;
-    viewport_.scene().look_at(place);
+    viewport_.scene().camera().look_at(place);
 }
 
 void PlaybackDisplay::show_stock() {
@@ -51,7 +51,7 @@ void PlaybackDisplay::show_stock() {
     const bool fresh = (!stock.empty() && !stock_shown_) || (!fine.empty() && !fine_shown_);
     stock_shown_ = !stock.empty();
     fine_shown_ = !fine.empty();
-    scene.set_cut_stock(stock, fine);
+    scene.stock().set_cut(stock, fine);
     if (fresh)
         viewport_.content_changed();
     else

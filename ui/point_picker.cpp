@@ -57,11 +57,11 @@ void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifier
         point = middle_of(mesh, flat_face(mesh, Index(pick->facet)));
     } else {
         const Scene& scene = viewport_.scene();
-        const Vec2 at = scene.display_of(pick->point);
+        const Vec2 at = scene.camera().display_of(pick->point);
         double nearest = corner_pixels * viewport_.devicePixelRatioF();
         for (int k = 0; k < 3; ++k) {
             const Vec3& corner = mesh.corner(pick->facet, k);
-            const double away = (scene.display_of(corner) - at).norm();
+            const double away = (scene.camera().display_of(corner) - at).norm();
             if (away > nearest) continue;
             nearest = away;
             point = corner;
@@ -69,7 +69,7 @@ void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifier
     }
     const std::string key = key_;
     end();
-    viewport_.scene().set_marker(Marker{point, pick->normal});
+    viewport_.scene().marks().set_marker(Marker{point, pick->normal});
     viewport_.refresh();
     properties_.take_point(key, point);
 }

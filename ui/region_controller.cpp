@@ -117,7 +117,7 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
         edit_region(tr("Grow region"), region, [grow](RegionEdit& e) { e.grow = grow; });
     });
     connect(dialog_, &RegionDialog::region_chosen, this, [this](std::optional<std::size_t> region) {
-        viewport_.scene().set_strip_chosen(region);
+        viewport_.scene().strips().choose(region);
         viewport_.refresh();
     });
     connect(dialog_, &RegionDialog::edits_dropped, this, [this] {
@@ -131,13 +131,13 @@ RegionController::RegionController(Document& document, Viewport& viewport, QWidg
     connect(&viewport_, &Viewport::handle_dragged, this, [this](const Vec3& from, const Vec3& to) {
         if (!operation()) return;
         drag_ = BoundaryDrag{triple(from), triple(to)};
-        viewport_.scene().set_marker(Marker{to, Vec3::Zero()});
+        viewport_.scene().marks().set_marker(Marker{to, Vec3::Zero()});
         viewport_.refresh();
         wait_timer_.start();
     });
     connect(&viewport_, &Viewport::handle_dropped, this, [this](const Vec3& from, const Vec3& to) {
         drag_.reset();
-        viewport_.scene().set_marker(std::nullopt);
+        viewport_.scene().marks().set_marker(std::nullopt);
         viewport_.refresh();
         if (from != to)
             change(tr("Drag boundary point"), [&](Operation& o) { add_drag(o, {triple(from), triple(to)}); });
@@ -213,8 +213,8 @@ void RegionController::close() {
     wait_timer_.stop();
     commit_timer_.stop();
     job_.cancel();
-    viewport_.scene().set_strip_handles(false);
-    viewport_.scene().set_strip_chosen(std::nullopt);
+    viewport_.scene().strips().set_handles(false);
+    viewport_.scene().strips().choose(std::nullopt);
     planned_.clear();
     show_display(nullptr);
     refresh();
@@ -352,7 +352,7 @@ void RegionController::take(const Found& found) {
     found_ = found.result;
     dialog_->show_problem(found.where, found.wrong);
     show_display(found.display);
-    viewport_.scene().set_strip_handles(true);
+    viewport_.scene().strips().set_handles(true);
     if (!found_) {
         dialog_->show_no_regions(tr("There are no regions while a value is not right."));
         dialog_->clear_advice(tr("Nothing can be compared while a value is not right."));
@@ -375,13 +375,13 @@ void RegionController::take(const Found& found) {
     } catch (const Error&) {
     }
     dialog_->show_advice(found_->advice, diameter, settings.lead_limit);
-    viewport_.scene().set_strip_chosen(dialog_->chosen());
+    viewport_.scene().strips().choose(dialog_->chosen());
     viewport_.refresh();
 }
 
 void RegionController::give_way(bool on) {
     if (std::exchange(gives_way_, on) == on || on) return;
-    viewport_.scene().set_strips(display_);
+    viewport_.scene().strips().set(display_);
     viewport_.refresh();
 }
 
@@ -390,7 +390,7 @@ void RegionController::show_display(StripDisplayPtr display) {
     const bool first = !display_ || display_->strips.empty();
     display_ = std::move(display);
     if (gives_way_ && id_ == 0) return;
-    viewport_.scene().set_strips(display_);
+    viewport_.scene().strips().set(display_);
     if (first && display_)
         viewport_.content_changed();
     else

@@ -72,7 +72,7 @@ void RoughController::clear() {
     heights_.clear();
     chosen_ = -1;
     bar_->hide();
-    viewport_.scene().set_levels(std::nullopt);
+    viewport_.scene().levels().set(std::nullopt);
     viewport_.refresh();
     if (alone) emit layer_changed();
 }
@@ -190,7 +190,7 @@ void RoughController::show_levels() {
         if (!planned_) line += tr(" (preview)");
     }
     bar_->readout()->set_text(line);
-    viewport_.scene().set_levels(marks.heights.empty() ? std::nullopt : std::optional(marks));
+    viewport_.scene().levels().set(marks.heights.empty() ? std::nullopt : std::optional(marks));
     viewport_.refresh();
 }
 

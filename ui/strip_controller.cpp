@@ -190,7 +190,7 @@ void StripController::show_strips() {
         wanted_.clear();
         if (shown_) {
             shown_ = nullptr;
-            viewport_.scene().set_strips(nullptr);
+            viewport_.scene().strips().set(nullptr);
             viewport_.refresh();
             emit strips_shown(false);
         }
@@ -220,8 +220,8 @@ void StripController::show_strips() {
 
 void StripController::show_again() {
     if (!shown_) return;
-    viewport_.scene().set_strips(shown_);
-    viewport_.scene().set_strip_chosen(chosen_);
+    viewport_.scene().strips().set(shown_);
+    viewport_.scene().strips().choose(chosen_);
     viewport_.refresh();
 }
 
@@ -235,7 +235,7 @@ void StripController::choose(std::optional<std::size_t> strip, bool fly) {
         list->setCurrentItem(item);
         if (item) list->scrollToItem(item);
     }
-    viewport_.scene().set_strip_chosen(strip);
+    viewport_.scene().strips().choose(strip);
     QSlider* place = panel_->place();
     {
         const QSignalBlocker quiet(place);
@@ -264,7 +264,7 @@ void StripController::show_place() {
     if (box.empty()) return;
     normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3::UnitZ();
     const double across = document_.part() ? document_.part()->box.diagonal() : box.diagonal();
-    flight_->fly_to(viewport_.scene().place_to_see(
+    flight_->fly_to(viewport_.scene().camera().place_to_see(
         box.center(), normal, std::max(strip_room * box.diagonal(), part_room * across)));
 }
 

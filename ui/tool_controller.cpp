@@ -46,15 +46,15 @@ void ToolController::show_at(const PathPick& pick) {
     Scene& scene = viewport_.scene();
     leave_touch();
     try {
-        scene.set_tool(shown().tool_of(pick.source));
-        scene.set_tool_pose(pick.location);
+        scene.tool().set(shown().tool_of(pick.source));
+        scene.tool().set_pose(pick.location);
     } catch (const Error&) {
         hide(); // the operation's tool was changed into none since it was planned
         return;
     }
     at_ = pick;
     const CutterContact* cc = shown().contact_of(pick);
-    scene.set_marker(cc ? std::optional(Marker{cc->point, cc->normal}) : std::nullopt);
+    scene.marks().set_marker(cc ? std::optional(Marker{cc->point, cc->normal}) : std::nullopt);
     status_.set_readout(readout_of(pick, *index));
     viewport_.refresh();
     emit placed(pick);
@@ -118,13 +118,13 @@ void ToolController::show_pose(const std::shared_ptr<const OperationResult>& pro
     Scene& scene = viewport_.scene();
     leave_touch();
     try {
-        scene.set_tool(shown().tool_of(*source));
+        scene.tool().set(shown().tool_of(*source));
     } catch (const Error&) {
         hide(); // the operation's tool was changed into none since it was planned
         return;
     }
-    scene.set_tool_pose(pose);
-    scene.set_marker(contact);
+    scene.tool().set_pose(pose);
+    scene.marks().set_marker(contact);
     status_.set_readout(readout);
     if (pose)
         if (auto pick = shown().nearest_cut(*source, pose->tip)) {
@@ -140,13 +140,13 @@ void ToolController::show_pose(const std::shared_ptr<const OperationResult>& pro
 void ToolController::show_touch(const Tool& tool, const CleanupRecord::Touch& touch) {
     Scene& scene = viewport_.scene();
     try {
-        scene.set_tool(tool);
+        scene.tool().set(tool);
     } catch (const Error&) {
         return; // it was planned with: it makes a cutter
     }
-    scene.set_tool_pose(CutterLocation{touch.tip, Vec3::UnitZ()});
-    scene.set_marker(Marker{touch.center, Vec3::Zero()});
-    scene.set_touches({touch.touch[0], touch.touch[1]});
+    scene.tool().set_pose(CutterLocation{touch.tip, Vec3::UnitZ()});
+    scene.marks().set_marker(Marker{touch.center, Vec3::Zero()});
+    scene.marks().set_touches({touch.touch[0], touch.touch[1]});
     verification_.tool_taken();
     status_.set_readout({});
     viewport_.refresh();
@@ -164,7 +164,7 @@ void ToolController::end_touch() {
 
 void ToolController::leave_touch() {
     emit touch_left();
-    viewport_.scene().set_touches({});
+    viewport_.scene().marks().set_touches({});
 }
 
 void ToolController::hide() {
@@ -172,9 +172,9 @@ void ToolController::hide() {
     leave_touch();
     emit removed();
     status_.set_readout({});
-    viewport_.scene().set_tool(std::nullopt);
-    viewport_.scene().set_tool_pose(std::nullopt);
-    viewport_.scene().set_marker(std::nullopt);
+    viewport_.scene().tool().set(std::nullopt);
+    viewport_.scene().tool().set_pose(std::nullopt);
+    viewport_.scene().marks().set_marker(std::nullopt);
 }
 
 bool ToolController::take_key(const QKeyEvent& event) {

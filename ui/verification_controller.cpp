@@ -63,7 +63,7 @@ VerificationController::VerificationController(Document& document, Viewport& vie
     connect(panel_, &VerificationPanel::finding_chosen, this, &VerificationController::go_to_finding);
     connect(panel_, &VerificationPanel::range_edited, this, [this](double low, double high) {
         own_range_ = {low, high};
-        DeviationScale scale = viewport_.scene().deviation_scale();
+        DeviationScale scale = viewport_.scene().deviation().scale();
         scale.low = low;
         scale.high = high;
         use_scale(scale);
@@ -214,8 +214,8 @@ void VerificationController::show_results() {
     const DeviationDisplayPtr display = shown ? model_.outcome().display : nullptr;
     if (display.get() != shown_deviation_) {
         shown_deviation_ = display.get();
-        scene.set_deviation(display);
-        scene.set_findings(shown ? finding_marks(model_.verification()) : std::vector<FindingMark>());
+        scene.deviation().set(display);
+        scene.findings().set(shown ? finding_marks(model_.verification()) : std::vector<FindingMark>());
         viewport_.content_changed();
         if (display) {
             DeviationScale scale = display->scale;
@@ -223,12 +223,12 @@ void VerificationController::show_results() {
             use_scale(scale);
         }
     }
-    scene.set_deviation_note(shown && !model_.current() ? utf8(tr("out of date")) : std::string());
+    scene.deviation().set_note(shown && !model_.current() ? utf8(tr("out of date")) : std::string());
     viewport_.refresh();
 }
 
 void VerificationController::use_scale(const DeviationScale& scale) {
-    viewport_.scene().set_deviation_scale(scale);
+    viewport_.scene().deviation().set_scale(scale);
     panel_->set_scale(scale);
     viewport_.refresh();
 }
@@ -261,7 +261,7 @@ void VerificationController::show_playback() {
     display_.show_tool(bar_->turns_part(), flight_->flying());
     if (!from_finding_ && marked_at_ != playback_.target()) {
         marked_at_.reset();
-        scene.set_marker(std::nullopt);
+        scene.marks().set_marker(std::nullopt);
     }
     viewport_.refresh();
     const CutterLocation tool = playback_.tool();
@@ -318,8 +318,8 @@ void VerificationController::go_to_finding(const Finding& finding) {
         marked_at_ = playback_.target();
     }
     const double across = model_.any() ? model_.outcome().plan->part->box.diagonal() : 100.0;
-    scene.set_marker(Marker{finding.place, finding.normal});
-    flight_->fly_to(scene.place_to_see(finding.place, finding.normal, 0.15 * across));
+    scene.marks().set_marker(Marker{finding.place, finding.normal});
+    flight_->fly_to(scene.camera().place_to_see(finding.place, finding.normal, 0.15 * across));
     viewport_.refresh();
     if (!finding.by.known() || !model_.any()) return;
     const VerificationOutcome& judged = model_.outcome();

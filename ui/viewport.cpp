@@ -332,11 +332,11 @@ void Viewport::fit() {
 }
 
 Vec3 Viewport::sight() const {
-    return vec(const_cast<Scene&>(scene_).camera()->GetDirectionOfProjection());
+    return vec(scene_.camera().vtk()->GetDirectionOfProjection());
 }
 
 Vec3 Viewport::up() const {
-    return vec(const_cast<Scene&>(scene_).camera()->GetViewUp());
+    return vec(scene_.camera().vtk()->GetViewUp());
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
@@ -355,12 +355,12 @@ void Viewport::place_overlays() {
             free = false;
     cube_->setVisible(free);
     const QRectF covered = free ? QRectF(cube_->geometry()) : QRectF();
-    scene_.set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
+    scene_.strips().set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
 }
 
 void Viewport::turn(const QPointF& by) {
     fitted_ = false;
-    vtkCamera* camera = scene_.camera();
+    vtkCamera* camera = scene_.camera().vtk();
     const double side = std::max(1, std::min(width(), height()));
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
     Vec3 upward = vec(camera->GetViewUp());
@@ -381,7 +381,7 @@ void Viewport::turn(const QPointF& by) {
 
 void Viewport::move(const QPointF& by) {
     fitted_ = false;
-    vtkCamera* camera = scene_.camera();
+    vtkCamera* camera = scene_.camera().vtk();
     const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
     const Vec3 right = forward.cross(vec(camera->GetViewUp())).normalized();
@@ -421,7 +421,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         const Box3 bounds = scene_.bounds();
         pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
         const QPointF at = device(press_);
-        if (const auto pick = scene_.pick_part(at.x(), at.y())) pivot_ = pick->point;
+        if (const auto pick = scene_.part().pick(at.x(), at.y())) pivot_ = pick->point;
     }
 }
 
@@ -446,7 +446,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         break;
     case Drag::zoom: {
         const QPointF center = device(press_);
-        scene_.zoom_at(center.x(), center.y(), std::exp(-by.y() * 0.01));
+        scene_.camera().zoom_at(center.x(), center.y(), std::exp(-by.y() * 0.01));
         fitted_ = false;
         emit camera_changed();
         refresh();
@@ -454,7 +454,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     }
     case Drag::handle: {
         const QPointF over = device(at);
-        if (const auto pick = scene_.pick_part(over.x(), over.y())) {
+        if (const auto pick = scene_.part().pick(over.x(), over.y())) {
             handle_to_ = pick->point;
             emit handle_dragged(handle_from_, handle_to_);
         }
@@ -467,7 +467,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
     const QPointF p = device(at);
-    return scene_.pick_strip_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
+    return scene_.strips().pick_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
@@ -488,7 +488,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
     const QPointF at = device(event->position());
-    scene_.zoom_at(at.x(), at.y(), std::pow(1.2, steps));
+    scene_.camera().zoom_at(at.x(), at.y(), std::pow(1.2, steps));
     fitted_ = false;
     emit camera_changed();
     refresh();
@@ -512,10 +512,10 @@ void Viewport::set_picking(bool on) {
 void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
     if (!window_->vtk->GetReadyForRendering()) return;
     const QPointF p = device(at);
-    if (picking_) return emit point_picked(scene_.pick_part(p.x(), p.y()), modifiers);
-    if (const auto pick = scene_.pick_path(p.x(), p.y(), pick_radius * devicePixelRatioF()))
+    if (picking_) return emit point_picked(scene_.part().pick(p.x(), p.y()), modifiers);
+    if (const auto pick = scene_.paths().pick(p.x(), p.y(), pick_radius * devicePixelRatioF()))
         emit path_picked(*pick);
-    else if (const auto part = scene_.pick_part(p.x(), p.y()))
+    else if (const auto part = scene_.part().pick(p.x(), p.y()))
         emit part_picked(*part);
     else
         emit nothing_picked();
@@ -530,7 +530,7 @@ void Viewport::hover() {
         setCursor(Qt::SizeAllCursor);
     else
         unsetCursor();
-    emit hovered(scene_.pick_part(p.x(), p.y()));
+    emit hovered(scene_.part().pick(p.x(), p.y()));
 }
 
 } // namespace facetmill::ui

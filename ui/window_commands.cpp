@@ -116,11 +116,11 @@ void add_view_commands(Commands& commands, MainWindow& w) {
                       {},
                       {},
                       [&, s = style] {
-                          viewport.scene().set_part_style(s);
+                          viewport.scene().part().set_style(s);
                           viewport.refresh();
                       },
                       {},
-                      [&, s = style] { return viewport.scene().part_style() == s; }});
+                      [&, s = style] { return viewport.scene().part().style() == s; }});
 }
 
 void add_setting_commands(Commands& commands, MainWindow& w) {

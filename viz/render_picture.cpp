@@ -68,32 +68,32 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     Scene scene;
     scene.set_palette(request.palette);
     scene.set_unit(request.unit);
-    scene.set_part_style(request.part_style);
-    if (request.part) scene.set_part(prepare_part_display(request.part, progress.part(0.0, 0.4)));
-    scene.set_stock_shape(make_stock_shape(request.stock, progress));
-    scene.set_cut_stock(request.cut_stock);
+    scene.part().set_style(request.part_style);
+    if (request.part) scene.part().set(prepare_part_display(request.part, progress.part(0.0, 0.4)));
+    scene.stock().set(make_stock_shape(request.stock, progress));
+    scene.stock().set_cut(request.cut_stock);
     if (wanted(Layer::deviation) && request.verification && request.verification->surface)
-        scene.set_deviation(prepare_deviation_display(
+        scene.deviation().set(prepare_deviation_display(
             request.verification->surface,
             request.deviation_scale.value_or(default_scale(*request.verification, request.unit)),
             progress.part(0.4, 0.4)));
     if (wanted(Layer::findings) && request.verification)
-        scene.set_findings(finding_marks(*request.verification));
+        scene.findings().set(finding_marks(*request.verification));
     if (wanted(Layer::strips)) {
         std::vector<Strip> strips;
         for (const auto& operation : request.operations)
             strips.insert(strips.end(), operation->path.strips.begin(), operation->path.strips.end());
-        scene.set_strips(prepare_strip_display(strips, request.unit, progress));
+        scene.strips().set(prepare_strip_display(strips, request.unit, progress));
     }
     if (wanted(Layer::cc) || wanted(Layer::cl)) {
         std::vector<PathSource> sources;
         for (const auto& operation : request.operations)
             sources.push_back(path_source(operation));
-        scene.set_path(prepare_path_display(std::move(sources), progress.part(0.4, 0.6)));
+        scene.paths().set(prepare_path_display(std::move(sources), progress.part(0.4, 0.6)));
     }
     if (wanted(Layer::tool)) {
-        scene.set_tool(request.tool);
-        scene.set_tool_pose(request.pose ? request.pose : middle_cut(request));
+        scene.tool().set(request.tool);
+        scene.tool().set_pose(request.pose ? request.pose : middle_cut(request));
     }
     for (const Layer layer : {Layer::part, Layer::edges, Layer::stock, Layer::deviation, Layer::findings,
                               Layer::strips, Layer::cc, Layer::cl, Layer::tool}) {

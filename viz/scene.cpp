@@ -1,17 +1,214 @@
 #include "viz/scene.h"
 
-#include "core/base/turn.h"
-#include "viz/poly_data.h"
-#include "viz/scene_impl.h"
+#include "viz/overlay.h"
+#include "viz/scene_axes.h"
 
-#include <vtkMatrix4x4.h>
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+
+#include <vtk_glew.h>
 
 namespace facetmill {
 
+struct Scene::Impl {
+    Impl();
+    ~Impl();
+
+    void apply_palette();
+    void apply_line_widths();
+    void apply_visibility();
+    void update_frame();       ///< before every frame
+    void set_clipping_range(); ///< from what is visible
+    ShownSurface surface() const;
+    bool shows_content() const;
+    std::vector<LegendEntry> legend() const;
+    std::vector<ColorBar> color_bars() const; ///< for what is shown, the one to be kept first
+    OverlayContent overlay_content();
+
+    SceneStage stage;
+    SceneAxes axes{stage};
+    SceneRehearsal rehearsal{stage.renderer};
+    SceneFindings findings{stage};
+    ScenePart part{stage};
+    SceneDeviation deviation{stage};
+    SceneStock stock{stage};
+    ScenePaths paths{stage, part};
+    SceneLevels levels{stage};
+    SceneTool tool{stage};
+    SceneStrips strips{stage, part};
+    SceneMarks marks{stage};
+    /// In the order of the legend.
+    const std::array<SceneLayer*, 9> layers{&part,  &stock, &levels,    &findings, &strips,
+                                            &marks, &paths, &deviation, &tool};
+    Overlay overlay{stage.renderer};
+    vtkNew<vtkCallbackCommand> frame_callback;
+
+    bool antialiasing = true;
+    bool all_overlay = false; ///< for the shaders, not to be shown
+    std::string title, subtitle, empty_text = "Nothing to show";
+};
+
+Scene::Impl::Impl() {
+    // Lines on a surface are drawn in front of it. VTK keeps this setting for the whole process.
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    vtkRenderer* renderer = stage.renderer;
+    renderer->SetBackgroundAlpha(1.0); // a widget that is composed with others must not be seen through
+    renderer->GradientBackgroundOn();
+    renderer->TwoSidedLightingOn();
+    renderer->UseFXAAOn();
+    add_lights(renderer);
+    frame_callback->SetClientData(this);
+    frame_callback->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+        static_cast<Scene::Impl*>(self)->update_frame();
+    });
+    renderer->AddObserver(vtkCommand::StartEvent, frame_callback);
+    apply_palette();
+    apply_line_widths();
+}
+
+Scene::Impl::~Impl() {
+    stage.renderer->RemoveObserver(frame_callback);
+}
+
+void Scene::Impl::apply_palette() {
+    const Colors& c = colors_of(stage.palette);
+    stage.renderer->SetBackground(c.background_bottom.r, c.background_bottom.g, c.background_bottom.b);
+    stage.renderer->SetBackground2(c.background_top.r, c.background_top.g, c.background_top.b);
+    axes.apply_palette(c);
+    for (SceneLayer* layer : layers)
+        layer->apply_palette(c);
+}
+
+void Scene::Impl::apply_line_widths() {
+    for (SceneLayer* layer : layers)
+        layer->apply_line_widths();
+}
+
+ShownSurface Scene::Impl::surface() const {
+    if (stock.shows_cut()) return ShownSurface::cut_stock;
+    return deviation.wanted() ? ShownSurface::deviation : ShownSurface::part;
+}
+
+void Scene::Impl::apply_visibility() {
+    const ShownSurface shown = surface();
+    for (SceneLayer* layer : layers)
+        layer->apply_visibility(shown);
+    stage.steps.hide_others(stage.renderer);
+    if (rehearsal.running()) rehearsal.show();
+}
+
+void Scene::Impl::update_frame() {
+    const SceneSteps& steps = stage.steps;
+    // A context that others draw in too may come with GL_LESS; then nothing flat shows on top of something
+    // flat.
+    if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(stage.camera.window())) {
+        gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
+        if (steps.running()) {
+            // What VTK does when it clears the depth, which the steps after the first leave alone.
+            gl->GetState()->vtkglDepthMask(GL_TRUE);
+            gl->GetState()->vtkglEnable(GL_DEPTH_TEST);
+        }
+    }
+    apply_visibility();
+    for (SceneLayer* layer : layers)
+        layer->prepare_frame();
+    stage.renderer->SetUseFXAA(antialiasing && steps.smooths());
+    stage.renderer->SetErase(steps.erases());
+    if (!steps.running()) set_clipping_range(); // the steps of one picture have one range
+    overlay.update(steps.last() ? overlay_content() : OverlayContent());
+    axes.prepare_frame(steps.last());
+}
+
+void Scene::Impl::set_clipping_range() {
+    KnownBoxes known;
+    for (const SceneLayer* layer : layers)
+        layer->add_known(known);
+    std::sort(known.actors.begin(), known.actors.end());
+    Box3& box = known.box;
+    vtkActorCollection* actors = stage.renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it)) {
+        if (!actor->GetVisibility() || std::binary_search(known.actors.begin(), known.actors.end(), actor))
+            continue;
+        const double* b = actor->GetBounds();
+        if (!b || b[0] > b[1]) continue;
+        box.add(Vec3(b[0], b[2], b[4]));
+        box.add(Vec3(b[1], b[3], b[5]));
+    }
+    if (box.empty()) {
+        stage.renderer->ResetCameraClippingRange();
+        return;
+    }
+    const double ends[6] = {box.lo.x(), box.hi.x(), box.lo.y(), box.hi.y(), box.lo.z(), box.hi.z()};
+    stage.renderer->ResetCameraClippingRange(ends);
+}
+
 bool Scene::Impl::shows_content() const {
-    return part || deviation || !stock.empty() || (path && !path->box.empty());
+    const SceneLayer &of_part = part, &of_deviation = deviation;
+    return of_part.has(Layer::part) || of_deviation.has(Layer::deviation) || stock.has_uncut()
+           || !paths.empty();
+}
+
+std::vector<LegendEntry> Scene::Impl::legend() const {
+    std::vector<LegendEntry> all;
+    for (const SceneLayer* layer : layers)
+        layer->add_legend(all, surface());
+    return all;
+}
+
+std::vector<ColorBar> Scene::Impl::color_bars() const {
+    std::vector<ColorBar> bars;
+    for (const SceneLayer* layer : layers)
+        layer->add_color_bars(bars, surface());
+    return bars;
+}
+
+OverlayContent Scene::Impl::overlay_content() {
+    const SceneCamera& camera = stage.camera;
+    const Eigen::Vector2i size = camera.window_size();
+    OverlayContent content;
+    content.width = size.x();
+    content.height = size.y();
+    content.ratio = stage.ratio;
+    content.palette = stage.palette;
+    if (stage.on(Layer::title)) {
+        content.title = title;
+        content.subtitle = subtitle;
+    }
+    if (!shows_content()) content.empty_text = empty_text;
+    if (stage.on(Layer::legend)) {
+        content.legend = legend();
+        content.color_bars = color_bars();
+    }
+    content.scale = stage.on(Layer::scale) && shows_content();
+    content.unit = stage.unit;
+    content.mm_per_pixel = camera.pixel_size() * stage.ratio;
+    content.axes = stage.on(Layer::axes);
+    if (all_overlay) {
+        using Sample = LegendEntry::Sample;
+        content.title = content.subtitle = "-";
+        content.scale = true;
+        for (const Sample sample : {Sample::surface, Sample::box, Sample::dot, Sample::line, Sample::dashes})
+            content.legend.push_back({sample, colors_of(stage.palette).stock, 1, "-"});
+    }
+    marks.add_to(content);
+    const Mat3 frame = camera.frame();
+    for (int k = 0; k < 3; ++k)
+        content.axis_directions[std::size_t(k)] = frame.col(k);
+    if (strips.shown()) content.notes = strips.notes(overlay, overlay.layout(content));
+    return content;
 }
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
@@ -24,261 +221,144 @@ Scene::~Scene() {
 void Scene::attach(vtkRenderWindow* window) {
     detach();
     window->SetNumberOfLayers(2);
-    window->AddRenderer(impl_->renderer);
-    window->AddRenderer(impl_->axes_renderer);
-    impl_->window = window;
+    window->AddRenderer(impl_->stage.renderer);
+    window->AddRenderer(impl_->axes.renderer());
+    impl_->stage.camera.set_window(window);
 }
 
 void Scene::detach() {
-    if (!impl_->window) return;
-    impl_->window->MakeCurrent(); // what lies on the graphics card is freed in its own context
-    impl_->window->RemoveRenderer(impl_->renderer);
-    impl_->window->RemoveRenderer(impl_->axes_renderer);
-    impl_->window = nullptr;
+    vtkRenderWindow* window = impl_->stage.camera.window();
+    if (!window) return;
+    window->MakeCurrent(); // what lies on the graphics card is freed in its own context
+    window->RemoveRenderer(impl_->stage.renderer);
+    window->RemoveRenderer(impl_->axes.renderer());
+    impl_->stage.camera.set_window(nullptr);
 }
 
 vtkRenderer* Scene::renderer() {
-    return impl_->renderer;
+    return impl_->stage.renderer;
 }
-vtkCamera* Scene::camera() {
-    return impl_->renderer->GetActiveCamera();
+
+ScenePart& Scene::part() {
+    return impl_->part;
+}
+const ScenePart& Scene::part() const {
+    return impl_->part;
+}
+SceneStock& Scene::stock() {
+    return impl_->stock;
+}
+SceneDeviation& Scene::deviation() {
+    return impl_->deviation;
+}
+const SceneDeviation& Scene::deviation() const {
+    return impl_->deviation;
+}
+SceneFindings& Scene::findings() {
+    return impl_->findings;
+}
+SceneLevels& Scene::levels() {
+    return impl_->levels;
+}
+SceneStrips& Scene::strips() {
+    return impl_->strips;
+}
+const SceneStrips& Scene::strips() const {
+    return impl_->strips;
+}
+ScenePaths& Scene::paths() {
+    return impl_->paths;
+}
+const ScenePaths& Scene::paths() const {
+    return impl_->paths;
+}
+SceneTool& Scene::tool() {
+    return impl_->tool;
+}
+const SceneTool& Scene::tool() const {
+    return impl_->tool;
+}
+SceneMarks& Scene::marks() {
+    return impl_->marks;
+}
+const SceneMarks& Scene::marks() const {
+    return impl_->marks;
+}
+SceneCamera& Scene::camera() {
+    return impl_->stage.camera;
+}
+const SceneCamera& Scene::camera() const {
+    return impl_->stage.camera;
 }
 
 void Scene::set_pixel_ratio(double ratio) {
-    impl_->ratio = ratio > 0 ? ratio : 1.0;
+    impl_->stage.ratio = ratio > 0 ? ratio : 1.0;
     impl_->apply_line_widths();
 }
 
 void Scene::set_palette(Palette palette) {
-    impl_->palette = palette;
+    impl_->stage.palette = palette;
     impl_->apply_palette();
 }
 Palette Scene::palette() const {
-    return impl_->palette;
+    return impl_->stage.palette;
 }
 
 void Scene::set_unit(LengthUnit unit) {
-    impl_->unit = unit;
-}
-
-void Scene::set_moving(bool moving) {
-    impl_->moving = moving;
-    impl_->apply_visibility();
-}
-
-// Each takes some 0.3 ms to get to the graphics card for the first time.
-constexpr std::size_t few_patches = 30;
-
-bool Scene::has_preview() const {
-    bool any = impl_->part_preview.filled || impl_->contact_preview.filled || impl_->deviation_preview.filled
-               || impl_->has_detail || impl_->cut_patches.size() > few_patches;
-    for (const auto* previews : {&impl_->motion_preview, &impl_->tint_preview})
-        for (const SceneActor& a : *previews)
-            any = any || a.filled;
-    return any;
+    impl_->stage.unit = unit;
 }
 
 void Scene::set_antialiasing(bool on) {
     impl_->antialiasing = on;
 }
 
-void Scene::set_part(PartDisplayPtr part) {
-    // The old arrays stay until the actors have the new ones.
-    const PartDisplayPtr old = std::move(impl_->part);
-    impl_->part = std::move(part);
-    impl_->part_is_new = true;
-    const PartDisplayPtr& p = impl_->part;
-    if (!p || p->triangles.empty()) {
-        impl_->part = nullptr;
-        impl_->set_pieces(impl_->part_surface, impl_->more_surface, {}, Vec3::Zero());
-        impl_->set_pieces(impl_->part_edges, impl_->more_edges, {}, Vec3::Zero());
-        impl_->part_lines.clear();
-        impl_->part_preview.clear();
-    } else {
-        const auto surface = triangle_pieces(p->points, p->normals, p->triangles, elements_in_piece);
-        vtkPolyData* like = surface.front();
-        impl_->set_pieces(impl_->part_surface, impl_->more_surface, surface, p->center);
-        impl_->set_pieces(impl_->part_edges, impl_->more_edges,
-                          segment_pieces(like, p->edges, elements_in_piece), p->center);
-        impl_->part_lines.set_data(segment_pieces(like, p->lines, p->lines.size()).front(), p->center);
-        const PartPreview& preview = p->preview;
-        impl_->part_preview.set_data(triangle_data(preview.points, preview.normals, preview.triangles),
-                                     p->center);
-    }
+void Scene::set_moving(bool moving) {
+    impl_->stage.moving = moving;
+}
+
+bool Scene::has_preview() const {
+    return std::any_of(impl_->layers.begin(), impl_->layers.end(),
+                       [](const SceneLayer* layer) { return layer->has_preview(); });
+}
+
+std::size_t Scene::begin_steps() {
+    Impl& s = *impl_;
+    s.stage.steps.forget();
+    s.apply_visibility();
+    s.set_clipping_range();
+    HeavyActors heavy;
+    for (SceneLayer* layer :
+         std::array<SceneLayer*, 4>{&s.part, &s.deviation, &s.stock, &s.paths}) // what covers most first
+        layer->add_heavy(heavy);
+    return s.stage.steps.begin(heavy, s.part.lines_of_new());
+}
+
+void Scene::set_step(std::size_t step) {
+    impl_->stage.steps.set(step);
     impl_->apply_visibility();
 }
 
-void Scene::set_part(MeshPtr mesh) {
-    set_part(mesh ? prepare_part_display(std::move(mesh), {}) : PartDisplayPtr());
-}
-
-void Scene::set_part_style(PartStyle style) {
-    impl_->part_style = style;
-    impl_->apply_part_style();
-    impl_->apply_visibility();
-}
-PartStyle Scene::part_style() const {
-    return impl_->part_style;
-}
-
-void Scene::set_stock_shape(StockShapePtr shape) {
-    if (shape == impl_->stock_shape) return;
-    // The arrays stay until the actors have others.
-    const StockShapePtr old = std::exchange(impl_->stock_shape, std::move(shape));
-    impl_->stock_faces.clear();
-    impl_->stock_lines.clear();
-    impl_->stock = Box3();
-    if (const StockShapePtr& s = impl_->stock_shape) {
-        impl_->stock = s->box;
-        impl_->stock_faces.set_data(triangle_data(s->points, {}, s->triangles), s->center);
-        impl_->stock_lines.set_data(segment_data(s->points, s->segments), s->center);
-    }
+void Scene::end_steps() {
+    impl_->stage.steps.forget();
     impl_->apply_visibility();
 }
 
-void Scene::set_stock(const Box3& box) {
-    StockSolid solid;
-    solid.box = box;
-    set_stock_shape(make_stock_shape(solid, {}));
+void Scene::rehearse(std::size_t k) {
+    Impl& s = *impl_;
+    // In the middle of the view, wherever that is: what is out of sight VTK does not draw.
+    const CameraPlace place = s.stage.camera.place();
+    s.rehearsal.begin(place.target, 0.2 * place.height * place.up.cross(place.toward_eye),
+                      0.2 * place.height * place.up);
+    s.all_overlay = k == 3;
+    for (SceneLayer* layer : s.layers)
+        layer->rehearse(k, s.rehearsal);
+    s.apply_visibility();
 }
 
-void Scene::set_levels(const std::optional<LevelMarks>& levels) {
-    if (levels == impl_->levels) return;
-    impl_->levels = levels;
-    for (std::size_t k = 0; k < 2; ++k) {
-        impl_->level_lines[k].clear();
-        auto& points = impl_->level_points[k];
-        auto& segments = impl_->level_segments[k];
-        points.clear();
-        segments.clear();
-        if (!levels) continue;
-        const Box3& box = levels->box;
-        const Vec3 center = box.center();
-        for (std::size_t i = 0; i < levels->heights.size(); ++i) {
-            if ((levels->chosen == i) != (k == 1)) continue;
-            const auto first = std::int32_t(points.size() / 3);
-            for (const auto& [x, y] : {std::pair(box.lo.x(), box.lo.y()),
-                                       {box.hi.x(), box.lo.y()},
-                                       {box.hi.x(), box.hi.y()},
-                                       {box.lo.x(), box.hi.y()}})
-                for (const double v : {x - center.x(), y - center.y(), levels->heights[i] - center.z()})
-                    points.push_back(float(v));
-            for (std::int32_t c = 0; c < 4; ++c)
-                segments.insert(segments.end(), {first + c, first + (c + 1) % 4});
-        }
-        if (!segments.empty()) impl_->level_lines[k].set_data(segment_data(points, segments), center);
-    }
+void Scene::end_rehearsal() {
+    impl_->rehearsal.end();
+    impl_->all_overlay = false;
     impl_->apply_visibility();
-}
-
-void Scene::set_path_tint(TintedPathPtr tint) {
-    // The old arrays stay until the actors have the new ones.
-    const TintedPathPtr old = std::move(impl_->tint);
-    impl_->tint = std::move(tint);
-    static const TintedPath none;
-    const TintedPath& t = impl_->tint ? *impl_->tint : none;
-    const auto set = [&](SceneActor& a, const TintedPath::Lines& lines) {
-        if (lines.empty()) {
-            a.clear();
-            return;
-        }
-        const auto data = segment_data(lines.points, lines.segments);
-        set_point_colors({data}, lines.rgba);
-        a.set_data(data, t.center);
-    };
-    for (std::size_t k = 0; k < motion_kinds; ++k) {
-        set(impl_->tint_lines[k], t.lines[k]);
-        set(impl_->tint_preview[k], t.preview[k]);
-    }
-    impl_->apply_visibility();
-}
-
-void Scene::set_path(PathDisplayPtr path) {
-    set_path_tint(nullptr);
-    const PathDisplayPtr old = std::move(impl_->path);
-    impl_->path = std::move(path);
-    const auto set = [](SceneActor& a, vtkPolyData* data, const Vec3& center) { a.set_data(data, center); };
-    static const PathDisplay none;
-    const PathDisplay& p = impl_->path ? *impl_->path : none;
-    set(impl_->contact_lines, polyline_data(p.contacts), p.center);
-    set(impl_->contact_dots, dot_data(p.contacts), p.center);
-    set(impl_->contact_preview, polyline_data(p.contacts_preview), p.center);
-    set(impl_->left_dots, dot_data(p.left_points), p.center);
-    set(impl_->kept_dots, dot_data(p.kept_points), p.center);
-    for (std::size_t k = 0; k < motion_kinds; ++k) {
-        set(impl_->motion_lines[k], polyline_data(p.motions[k]), p.center);
-        set(impl_->motion_preview[k], polyline_data(p.motions_preview[k]), p.center);
-    }
-    impl_->apply_visibility();
-}
-
-void Scene::set_tool(const std::optional<Tool>& tool) {
-    std::optional<ToolShape> shape;
-    if (tool) shape = make_tool_shape(*tool);
-    const auto old = std::move(impl_->tool);
-    impl_->tool = std::move(shape);
-    for (std::size_t k = 0; k < 3; ++k) {
-        impl_->tool_bodies[k].clear();
-        impl_->tool_rings[k].clear();
-        if (!impl_->tool) continue;
-        const RevolvedShape& s = k == 0   ? impl_->tool->cutter
-                                 : k == 1 ? impl_->tool->shank
-                                          : impl_->tool->holder;
-        impl_->tool_bodies[k].set_data(triangle_data(s.points, s.normals, s.triangles), Vec3::Zero());
-        impl_->tool_rings[k].set_data(segment_data(s.points, s.rings), Vec3::Zero());
-    }
-    impl_->place_tool();
-}
-
-const std::optional<CutterLocation>& Scene::tool_pose() const {
-    return impl_->pose;
-}
-
-void Scene::set_tool_pose(const std::optional<CutterLocation>& pose) {
-    impl_->pose = pose;
-    impl_->place_tool();
-}
-
-void Scene::Impl::place_tool() {
-    if (pose) {
-        const Eigen::Quaterniond turn = turn_between(Vec3(0, 0, 1), pose->axis);
-        const Mat3 r = turn.toRotationMatrix();
-        vtkNew<vtkMatrix4x4> m;
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j)
-                m->SetElement(i, j, r(i, j));
-            m->SetElement(i, 3, pose->tip[i]);
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            tool_bodies[k].actor->SetUserMatrix(m);
-            tool_rings[k].actor->SetUserMatrix(m);
-        }
-    }
-    apply_visibility();
-}
-
-Box3 Scene::Impl::tool_bounds() const {
-    Box3 b;
-    if (!tool || !pose) return b;
-    // A cylinder around the axis from tip to top.
-    const Vec3 top = pose->tip + tool->length * pose->axis;
-    for (int k = 0; k < 3; ++k) {
-        const double side = tool->radius * std::sqrt(std::max(0.0, 1.0 - pose->axis[k] * pose->axis[k]));
-        b.lo[k] = std::min(pose->tip[k], top[k]) - side;
-        b.hi[k] = std::max(pose->tip[k], top[k]) + side;
-    }
-    return b;
-}
-
-void Scene::set_marker(const std::optional<Marker>& marker) {
-    impl_->marker = marker;
-}
-
-void Scene::set_touches(const std::vector<Vec3>& points) {
-    impl_->touches = points;
-}
-const std::vector<Vec3>& Scene::touches() const {
-    return impl_->touches;
 }
 
 void Scene::set_title(const std::string& title, const std::string& subtitle) {
@@ -291,36 +371,14 @@ void Scene::set_empty_text(const std::string& text) {
 }
 
 void Scene::set_visible(Layer layer, bool on) {
-    impl_->layer_on[std::size_t(layer)] = on;
-    impl_->apply_visibility();
+    impl_->stage.layers_on[std::size_t(layer)] = on;
 }
 bool Scene::visible(Layer layer) const {
-    return impl_->layer_on[std::size_t(layer)];
+    return impl_->stage.on(layer);
 }
 
 bool Scene::has(Layer layer) const {
     switch (layer) {
-    case Layer::part:
-    case Layer::edges:
-        return impl_->part != nullptr;
-    case Layer::stock:
-        return !impl_->stock.empty() || impl_->has_cut;
-    case Layer::deviation:
-        return impl_->deviation != nullptr;
-    case Layer::findings:
-        return !impl_->findings.empty();
-    case Layer::strips:
-        return impl_->strips && !impl_->strips->strips.empty();
-    case Layer::cc:
-        return impl_->path && !impl_->path->contacts.empty();
-    case Layer::cl:
-        for (std::size_t k = 0; impl_->path && k < motion_kinds; ++k)
-            if (!impl_->path->motions[k].empty()) return true;
-        return false;
-    case Layer::tool:
-        return impl_->tool && impl_->pose;
-    case Layer::marker:
-        return impl_->marker.has_value() || !impl_->touches.empty();
     case Layer::axes:
         return true;
     case Layer::scale:
@@ -329,16 +387,32 @@ bool Scene::has(Layer layer) const {
         return !impl_->legend().empty() || !impl_->color_bars().empty();
     case Layer::title:
         return !impl_->title.empty() || !impl_->subtitle.empty();
+    default:
+        return std::any_of(impl_->layers.begin(), impl_->layers.end(),
+                           [&](const SceneLayer* l) { return l->has(layer); });
     }
-    return false;
 }
 
-void Scene::set_motion_visible(MotionKind kind, bool on) {
-    impl_->motion_on[std::size_t(kind)] = on;
-    impl_->apply_visibility();
+Box3 Scene::bounds(bool with_tool) const {
+    Box3 box;
+    for (const SceneLayer* layer : impl_->layers)
+        layer->add_bounds(box);
+    if (with_tool) box.add(impl_->tool.bounds());
+    return box;
 }
-bool Scene::motion_visible(MotionKind kind) const {
-    return impl_->motion_on[std::size_t(kind)];
+
+void Scene::set_view(StandardView view) {
+    impl_->stage.camera.turn_to(view);
+    fit();
+}
+
+void Scene::fit(bool with_tool) {
+    Impl& s = *impl_;
+    const Box3 box = bounds(with_tool);
+    if (box.empty())
+        s.stage.camera.fit_empty();
+    else
+        s.stage.camera.fit(box, s.overlay.layout(s.overlay_content()), s.stage.ratio);
 }
 
 } // namespace facetmill

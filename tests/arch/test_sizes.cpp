@@ -28,8 +28,6 @@ const std::vector<Exception> long_functions = {
      "Older than this rule: to be split where it is next changed"},
     {"ui/tool_dialog.cpp", "facetmill::ui::ToolDialog::ToolDialog", 108,
      "Older than this rule: to be split where it is next changed"},
-    {"viz/scene_look.cpp", "facetmill::Scene::Impl::Impl", 136,
-     "Older than this rule: to be split where it is next changed"},
 };
 
 const std::vector<Exception> large_classes = {
@@ -40,9 +38,6 @@ const std::vector<Exception> large_classes = {
     {"ui/region_dialog.h", "facetmill::ui::RegionDialog", 584,
      "Older than this rule: to be split where it is next changed"},
     {"ui/viewport.h", "facetmill::ui::Viewport", 565,
-     "Older than this rule: to be split where it is next changed"},
-    {"viz/scene.h", "facetmill::Scene", 818, "Older than this rule: to be split where it is next changed"},
-    {"viz/scene_impl.h", "facetmill::Scene::Impl", 872,
      "Older than this rule: to be split where it is next changed"},
 };
 

@@ -218,14 +218,14 @@ private slots:
         const auto result = hill_operation(15, 60, true);
         const auto figures = figures_of(result, "tarus-tpi-2000");
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
-        scene.set_path(prepare_path_display({path_source(result)}, {}));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
+        scene.paths().set(prepare_path_display({path_source(result)}, {}));
         scene.set_visible(Layer::cc, false);
         window_.show(scene, 720, 540);
         scene.set_view(StandardView::iso);
         const Picture plain = window_.render();
         const Rgb blue = colors_of(Palette::light).motions[std::size_t(MotionKind::cut)];
-        scene.set_path_tint(prepare_tinted_path(figures, PathQuantity::tilt, LengthUnit::mm, {}));
+        scene.paths().set_tint(prepare_tinted_path(figures, PathQuantity::tilt, LengthUnit::mm, {}));
         const Picture tinted = window_.render();
         QVERIFY(count_tinted(plain, blue, 30) > 300);
         QVERIFY(count_tinted(tinted, blue, 12) < 60);
@@ -236,23 +236,23 @@ private slots:
         // Hidden with the cuts, legend and all; gone with the next path.
         for (const MotionKind kind :
              {MotionKind::cut, MotionKind::link, MotionKind::approach, MotionKind::retract})
-            scene.set_motion_visible(kind, false);
+            scene.paths().set_visible(kind, false);
         QVERIFY(count_tinted(window_.render(), path_tint_color(0.95), 20) < 30);
         for (const MotionKind kind :
              {MotionKind::cut, MotionKind::link, MotionKind::approach, MotionKind::retract})
-            scene.set_motion_visible(kind, true);
-        scene.set_path_tint(nullptr);
+            scene.paths().set_visible(kind, true);
+        scene.paths().set_tint(nullptr);
         QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
-        scene.set_path_tint(prepare_tinted_path(figures, PathQuantity::feed, LengthUnit::mm, {}));
-        scene.set_path(prepare_path_display({path_source(result)}, {}));
+        scene.paths().set_tint(prepare_tinted_path(figures, PathQuantity::feed, LengthUnit::mm, {}));
+        scene.paths().set(prepare_path_display({path_source(result)}, {}));
         QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
     }
 
     void what_is_left_and_what_is_kept_is_marked() {
         const auto result = std::make_shared<OperationResult>(*hill_operation(15, 60, true));
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
-        scene.set_path(prepare_path_display({path_source(result)}, {}));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
+        scene.paths().set(prepare_path_display({path_source(result)}, {}));
         window_.show(scene, 720, 540);
         scene.set_view(StandardView::iso);
         const Colors& colors = colors_of(Palette::light);
@@ -279,7 +279,7 @@ private slots:
                  - at(70, 50))
                     .norm()
                 < 1e-4);
-        scene.set_path(path);
+        scene.paths().set(path);
         QVERIFY(shows(colors.left) > left_before + 100);
         QVERIFY(shows(colors.kept) > kept_before + 20);
         const std::string wrong =
@@ -291,7 +291,7 @@ private slots:
         QVERIFY(shows(colors.left) <= left_before);
         scene.set_visible(Layer::cc, true);
         scene.set_visible(Layer::cl, true);
-        scene.set_path(prepare_path_display({path_source(hill_operation(15, 60, true))}, {}));
+        scene.paths().set(prepare_path_display({path_source(hill_operation(15, 60, true))}, {}));
         QCOMPARE(different_pixels(plain, window_.render()), std::size_t(0));
     }
 
@@ -306,10 +306,10 @@ private slots:
         }
         surface->triangles = {{0, 1, 2}};
         Scene scene;
-        scene.set_path(prepare_path_display({path_source(result)}, {}));
-        scene.set_deviation(prepare_deviation_display(surface, DeviationScale{}, {}));
-        scene.set_path_tint(prepare_tinted_path(figures_of(result, "generic-3-axis"), PathQuantity::lead,
-                                                LengthUnit::mm, {}));
+        scene.paths().set(prepare_path_display({path_source(result)}, {}));
+        scene.deviation().set(prepare_deviation_display(surface, DeviationScale{}, {}));
+        scene.paths().set_tint(prepare_tinted_path(figures_of(result, "generic-3-axis"), PathQuantity::lead,
+                                                   LengthUnit::mm, {}));
         window_.show(scene, 720, 720);
         scene.set_view(StandardView::top);
         const Picture both = window_.render();
@@ -326,8 +326,8 @@ private slots:
         QVERIFY(path->preview[cut].values.size() <= path->lines[cut].values.size() / 2 + 200);
         QCOMPARE(path->preview[cut].values.back(), path->lines[cut].values.back());
         Scene scene;
-        scene.set_path(prepare_path_display({path_source(result)}, {}));
-        scene.set_path_tint(path);
+        scene.paths().set(prepare_path_display({path_source(result)}, {}));
+        scene.paths().set_tint(path);
         scene.set_visible(Layer::cc, false);
         QVERIFY(scene.has_preview());
         window_.show(scene, 480, 360);

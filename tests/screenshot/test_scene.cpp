@@ -28,13 +28,13 @@ Tool ball_tool() {
 /// Part, stock, path, tool and marker.
 void fill(Scene& scene) {
     const PathSource path = hill_path(17, 60, 6);
-    scene.set_part(hill_part());
-    scene.set_stock({{-5, -5, 0}, {105, 85, 22}});
-    scene.set_path(prepare_path_display({path}, {}));
+    scene.part().set(hill_part());
+    scene.stock().set_box({{-5, -5, 0}, {105, 85, 22}});
+    scene.paths().set(prepare_path_display({path}, {}));
     const Pass& pass = path.contacts->passes[12];
-    scene.set_tool(ball_tool());
-    scene.set_tool_pose(pass.cl[20]);
-    scene.set_marker(Marker{pass.cc[20].point, pass.cc[20].normal});
+    scene.tool().set(ball_tool());
+    scene.tool().set_pose(pass.cl[20]);
+    scene.marks().set_marker(Marker{pass.cc[20].point, pass.cc[20].normal});
     scene.set_title("Hill", "100 \u00d7 80 \u00d7 18 mm");
 }
 
@@ -69,49 +69,49 @@ private slots:
     void sample_part() {
         Scene scene;
         scene.set_unit(LengthUnit::inch);
-        scene.set_part(make_sample("concave", default_sample_tolerance, {}));
+        scene.part().set(make_sample("concave", default_sample_tolerance, {}));
         scene.set_title("concave.stl", "10 \u00d7 10 in");
         check(scene, "part-smooth");
     }
     void flat_with_edges() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
-        scene.set_part_style(PartStyle::flat);
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
+        scene.part().set_style(PartStyle::flat);
         scene.set_visible(Layer::edges, true);
         check(scene, "part-flat-edges");
     }
     void wire() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
-        scene.set_part_style(PartStyle::wire);
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 16, hill));
+        scene.part().set_style(PartStyle::wire);
         check(scene, "part-wire");
     }
     void back_side_has_its_own_color() {
         Scene scene;
-        scene.set_part(hill_part());
+        scene.part().set(hill_part());
         check(scene, "part-back", 480, 360, StandardView::bottom);
     }
     void stock_around_a_block() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {60, 40, 25}));
-        scene.set_stock({{-8, -8, 0}, {68, 48, 30}}); // shares the part's bottom plane
+        scene.part().set(box_part({0, 0, 0}, {60, 40, 25}));
+        scene.stock().set_box({{-8, -8, 0}, {68, 48, 30}}); // shares the part's bottom plane
         check(scene, "stock");
         check(scene, "stock-front", 480, 360, StandardView::front);
         check(scene, "stock-bottom", 480, 360, StandardView::bottom);
     }
     void round_and_cast_stock() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {60, 40, 25}));
+        scene.part().set(box_part({0, 0, 0}, {60, 40, 25}));
         StockSolid solid;
         solid.kind = StockSolid::Kind::cylinder;
         solid.box = {{-10, -20, 0}, {70, 60, 30}};
         solid.radius = 40;
-        scene.set_stock_shape(make_stock_shape(solid, {}));
+        scene.stock().set(make_stock_shape(solid, {}));
         check(scene, "stock-round");
         solid.axis = 0;
         solid.box = {{-5, -10, -17.5}, {65, 50, 42.5}};
         solid.radius = 30;
-        scene.set_stock_shape(make_stock_shape(solid, {}));
+        scene.stock().set(make_stock_shape(solid, {}));
         check(scene, "stock-lying");
         solid.kind = StockSolid::Kind::mesh;
         auto raw = std::make_shared<Mesh>(*box_part({-15, -15, 0}, {75, 55, 32}));
@@ -119,10 +119,10 @@ private slots:
             if (p.z() > 1) p = Vec3(30 + 0.8 * (p.x() - 30), 20 + 0.8 * (p.y() - 20), p.z());
         solid.mesh = raw;
         solid.box = raw->box();
-        scene.set_stock_shape(make_stock_shape(solid, {}));
+        scene.stock().set(make_stock_shape(solid, {}));
         check(scene, "stock-cast");
         QVERIFY(scene.has(Layer::stock));
-        scene.set_stock_shape(make_stock_shape(StockSolid(), {}));
+        scene.stock().set(make_stock_shape(StockSolid(), {}));
         QVERIFY(!scene.has(Layer::stock));
     }
     void path_layers() {
@@ -133,7 +133,7 @@ private slots:
         show_only(scene, {Layer::part, Layer::cc});
         check(scene, "path-cc", 480, 360, StandardView::top);
         show_only(scene, {Layer::cl});
-        scene.set_motion_visible(MotionKind::cut, false);
+        scene.paths().set_visible(MotionKind::cut, false);
         check(scene, "path-without-cuts");
     }
     void tool_at_a_point() {
@@ -148,11 +148,11 @@ private slots:
     }
     void tilted_bull_nose() {
         Scene scene;
-        scene.set_part(box_part({-30, -30, -10}, {30, 30, 0}));
+        scene.part().set(box_part({-30, -30, -10}, {30, 30, 0}));
         Tool tool = ball_tool();
         tool.corner_radius = 2;
-        scene.set_tool(tool);
-        scene.set_tool_pose(CutterLocation{Vec3(0, 0, 0), Vec3(0.5, -0.2, 1).normalized()});
+        scene.tool().set(tool);
+        scene.tool().set_pose(CutterLocation{Vec3(0, 0, 0), Vec3(0.5, -0.2, 1).normalized()});
         window_.show(scene, 360, 360);
         scene.set_view(StandardView::front);
         scene.fit(true);
@@ -209,8 +209,8 @@ private slots:
     // A float far from the origin is coarse; the scene draws relative to the part's middle.
     void a_part_far_from_the_origin_looks_the_same() {
         Scene near, far;
-        near.set_part(hill_part());
-        far.set_part(moved(hill_part(), {2e6, -3e6, 1e6}));
+        near.part().set(hill_part());
+        far.part().set(moved(hill_part(), {2e6, -3e6, 1e6}));
         const PictureDifference d = compare_pictures(drawn(near), drawn(far));
         QVERIFY2(d.worst > min_similarity, qPrintable(QString::number(d.worst)));
     }
@@ -232,11 +232,11 @@ private slots:
         QVERIFY(different_pixels(all, window_.render()) > 500);
         scene.set_visible(Layer::edges, false);
         // Removed for good: an empty scene again.
-        scene.set_part(PartDisplayPtr());
-        scene.set_stock({});
-        scene.set_path(nullptr);
-        scene.set_tool(std::nullopt);
-        scene.set_marker(std::nullopt);
+        scene.part().set(PartDisplayPtr());
+        scene.stock().set_box({});
+        scene.paths().set(nullptr);
+        scene.tool().set(std::nullopt);
+        scene.marks().set_marker(std::nullopt);
         scene.set_title("");
         Scene empty;
         QCOMPARE(different_pixels(drawn(scene), drawn(empty)), std::size_t(0));
@@ -244,8 +244,8 @@ private slots:
 
     void a_moving_view_shows_nearly_the_same() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
-        scene.set_path(prepare_path_display({hill_path(60, 3000, 6)}, {}));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        scene.paths().set(prepare_path_display({hill_path(60, 3000, 6)}, {}));
         scene.set_visible(Layer::cc, false);
         const Picture still = drawn(scene);
         scene.set_moving(true);
@@ -263,12 +263,12 @@ private slots:
 
     void a_picture_in_steps_is_the_whole_picture() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
-        scene.set_path(prepare_path_display({hill_path(60, 3000, 6)}, {}));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        scene.paths().set(prepare_path_display({hill_path(60, 3000, 6)}, {}));
         Box3 stock;
         stock.add(Vec3(-5, -5, -12));
         stock.add(Vec3(hill_length + 5, hill_width + 5, 14));
-        scene.set_stock(stock);
+        scene.stock().set_box(stock);
         scene.set_visible(Layer::edges, true);
         scene.set_title("In steps");
         const Picture whole = drawn(scene);
@@ -295,34 +295,34 @@ private slots:
 
     void labels_keep_off_what_is_covered() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
         const auto display = std::make_shared<StripDisplay>();
         StripDisplay::One& strip = display->strips.emplace_back();
         strip.name = "Valley 1";
         strip.detail = "120 mm2, for tool 3";
         strip.label_at = Vec3(hill_length / 2, hill_width / 2, 0);
         strip.area = 120;
-        scene.set_strips(display);
+        scene.strips().set(display);
         scene.set_antialiasing(false);
         const Picture with = drawn(scene);
-        scene.set_covered({0, 0}, {double(with.width), double(with.height)});
+        scene.strips().set_covered({0, 0}, {double(with.width), double(with.height)});
         const Picture without = window_.render();
         QVERIFY(different_pixels(with, without) > 200);
         // Covered on its right end, it moves to the left; nothing of it is left under the cover.
-        const Vec2 at = scene.display_of(strip.label_at);
-        scene.set_covered(at + Vec2(20, -40), at + Vec2(200, 40));
+        const Vec2 at = scene.camera().display_of(strip.label_at);
+        scene.strips().set_covered(at + Vec2(20, -40), at + Vec2(200, 40));
         const Picture beside = window_.render();
         QVERIFY(different_pixels(beside, without) > 200);
         for (int y = int(at.y()) - 39; y < int(at.y()) + 39; ++y)
             for (int x = int(at.x()) + 21; x < std::min(beside.width, int(at.x()) + 199); ++x)
                 QCOMPARE(beside.pixel(x, y), without.pixel(x, y));
-        scene.set_covered(Vec2::Zero(), Vec2::Zero());
+        scene.strips().set_covered(Vec2::Zero(), Vec2::Zero());
         QCOMPARE(different_pixels(with, window_.render()), std::size_t(0));
     }
 
     void shaders_are_rehearsed_whatever_is_shown() {
         Scene scene;
-        scene.set_part(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
         for (const Layer layer : all_layers())
             scene.set_visible(layer, false);
         scene.set_antialiasing(false);

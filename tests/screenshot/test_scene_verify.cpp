@@ -97,7 +97,7 @@ class TestSceneVerify : public QObject {
         return window_.render();
     }
     /// Picture pixels; the off-screen window has two device pixels for one.
-    static Vec2 place(const Scene& scene, const Vec3& p) { return scene.display_of(p) / 2; }
+    static Vec2 place(const Scene& scene, const Vec3& p) { return scene.camera().display_of(p) / 2; }
     void check(const Picture& picture, const char* name) {
         const std::string wrong = check_picture(picture, name, FACETMILL_PICTURE_OUT);
         QVERIFY2(wrong.empty(), wrong.c_str());
@@ -177,8 +177,8 @@ private slots:
         const auto surface = level_surface(
             100, [](double x, double) { return scale.low + (scale.high - scale.low) * x / 100; });
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 80, 10}));
-        scene.set_deviation(prepare_deviation_display(surface, scale, {}));
+        scene.part().set(box_part({0, 0, 0}, {100, 80, 10}));
+        scene.deviation().set(prepare_deviation_display(surface, scale, {}));
         scene.set_visible(Layer::axes, false);
         QVERIFY(scene.has(Layer::deviation) && scene.has(Layer::legend));
         const Picture picture = top_view(scene);
@@ -195,7 +195,7 @@ private slots:
         auto wrong = std::make_shared<DeviationSurface>(*surface);
         for (float& d : wrong->deviation)
             d += 0.1f;
-        scene.set_deviation(prepare_deviation_display(wrong, scale, {}));
+        scene.deviation().set(prepare_deviation_display(wrong, scale, {}));
         const Picture other = top_view(scene);
         QVERIFY(off_by(pixel(other, place(scene, {60, 30, 10})), deviation_color(scale, 0.16)) > 12);
         QVERIFY(compare_pictures(other, picture).worst < min_similarity);
@@ -204,12 +204,12 @@ private slots:
     void the_range_can_be_changed() {
         const auto surface = level_surface(20, [](double, double) { return 0.3; });
         Scene scene;
-        scene.set_deviation(prepare_deviation_display(surface, scale, {}));
+        scene.deviation().set(prepare_deviation_display(surface, scale, {}));
         const Picture first = top_view(scene);
         QVERIFY(off_by(pixel(first, place(scene, {50, 30, 10})), deviation_color(scale, 0.3)) <= 12);
         DeviationScale wide = scale;
         wide.high = 4;
-        scene.set_deviation_scale(wide);
+        scene.deviation().set_scale(wide);
         const Picture picture = top_view(scene);
         const auto seen = pixel(picture, place(scene, {50, 30, 10}));
         QVERIFY(off_by(seen, deviation_color(wide, 0.3)) <= 12);
@@ -222,7 +222,7 @@ private slots:
             surface->flags[i] =
                 surface->points[i][1] < 40 ? DeviationSurface::border : DeviationSurface::counted;
         Scene scene;
-        scene.set_deviation(prepare_deviation_display(surface, scale, {}));
+        scene.deviation().set(prepare_deviation_display(surface, scale, {}));
         const Picture picture = top_view(scene);
         QVERIFY(off_by(pixel(picture, place(scene, {25, 60, 10})), deviation_color(scale, 0.3)) <= 12);
         QVERIFY(off_by(pixel(picture, place(scene, {25, 20, 10})), unjudged_color()) <= 12);
@@ -230,7 +230,7 @@ private slots:
         QVERIFY(off_by(pixel(picture, place(scene, {75, 20, 10})), deviation_color(scale, -0.15)) <= 12);
         for (auto& f : surface->flags)
             f = DeviationSurface::bare;
-        scene.set_deviation(prepare_deviation_display(surface, scale, {}));
+        scene.deviation().set(prepare_deviation_display(surface, scale, {}));
         const Picture bare = top_view(scene);
         QVERIFY(off_by(pixel(bare, place(scene, {75, 20, 10})), unjudged_color()) <= 12);
     }
@@ -238,7 +238,7 @@ private slots:
     void a_large_surface_moves_as_a_coarse_one() {
         const auto surface = level_surface(170, [](double x, double) { return x / 200; });
         Scene scene;
-        scene.set_deviation(prepare_deviation_display(surface, scale, {}));
+        scene.deviation().set(prepare_deviation_display(surface, scale, {}));
         QVERIFY(scene.has_preview());
         scene.set_moving(true);
         const Picture moving = top_view(scene);
@@ -267,26 +267,26 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(prepare_deviation_display(surface, scale, {}), Error);
         surface = std::make_shared<DeviationSurface>();
         Scene scene;
-        scene.set_deviation(prepare_deviation_display(surface, scale, {})); // empty: nothing to show
+        scene.deviation().set(prepare_deviation_display(surface, scale, {})); // empty: nothing to show
         QVERIFY(!scene.has(Layer::deviation));
     }
 
     void cut_stock_stands_for_box_and_part() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 80, 10}));
-        scene.set_stock({{0, 0, 0}, {100, 80, 20}});
+        scene.part().set(box_part({0, 0, 0}, {100, 80, 10}));
+        scene.stock().set_box({{0, 0, 0}, {100, 80, 20}});
         const Rgb stock = colors_of(facetmill::Palette::light).cut_stock,
                   part = colors_of(facetmill::Palette::light).part;
         const Picture before = top_view(scene);
         const StockPatches patches{top_patch(0, 50, 12), nullptr, top_patch(50, 100, 10)};
-        scene.set_cut_stock(patches);
+        scene.stock().set_cut(patches);
         const Picture cut = top_view(scene);
         for (const double x : {20.0, 80.0})
             QVERIFY(off_by(pixel(cut, place(scene, {x, 30, 10})), stock) <= 14);
         QVERIFY(off_by(pixel(before, place(scene, {20, 30, 10})), stock) > 14);
         check(cut, "cut-stock");
         // One patch is another: the rest stays. A missing one leaves a hole, and never the part in it.
-        scene.set_cut_stock({top_patch(0, 20, 12), nullptr, patches[2]});
+        scene.stock().set_cut({top_patch(0, 20, 12), nullptr, patches[2]});
         const Picture less = top_view(scene);
         QVERIFY(off_by(pixel(less, place(scene, {80, 30, 10})), stock) <= 14);
         QVERIFY(off_by(pixel(less, place(scene, {40, 30, 10})), stock) > 14);
@@ -296,15 +296,15 @@ private slots:
         const Picture uncovered = top_view(scene);
         QVERIFY(off_by(pixel(uncovered, place(scene, {40, 30, 10})), part) <= 14);
         scene.set_visible(Layer::stock, true);
-        scene.set_cut_stock({});
+        scene.stock().set_cut({});
         QVERIFY(compare_pictures(top_view(scene), before).worst >= min_similarity);
     }
 
     void a_finer_stock_gives_way_while_the_view_moves() {
         Scene scene;
-        scene.set_stock({{0, 0, 0}, {100, 80, 20}});
+        scene.stock().set_box({{0, 0, 0}, {100, 80, 20}});
         const StockPatches coarse{top_patch(0, 50, 12)}, fine{top_patch(0, 50, 12), top_patch(50, 100, 12)};
-        scene.set_cut_stock(coarse, fine);
+        scene.stock().set_cut(coarse, fine);
         QVERIFY(scene.has_preview());
         const Rgb stock = colors_of(facetmill::Palette::light).cut_stock;
         const Picture full = top_view(scene);
@@ -317,8 +317,8 @@ private slots:
 
     void cut_stock_in_steps_is_the_same_picture() {
         Scene scene;
-        scene.set_stock({{0, 0, 0}, {100, 80, 20}});
-        scene.set_cut_stock({top_patch(0, 50, 12), top_patch(50, 100, 10)});
+        scene.stock().set_box({{0, 0, 0}, {100, 80, 20}});
+        scene.stock().set_cut({top_patch(0, 50, 12), top_patch(50, 100, 10)});
         const Picture whole = top_view(scene);
         const std::size_t steps = scene.begin_steps();
         QVERIFY(steps >= 3);
@@ -359,10 +359,10 @@ private slots:
 
     void layers_show_and_hide() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 80, 10}));
-        scene.set_deviation(
+        scene.part().set(box_part({0, 0, 0}, {100, 80, 10}));
+        scene.deviation().set(
             prepare_deviation_display(level_surface(20, [](double, double) { return 0.3; }), scale, {}));
-        scene.set_findings({{FindingMark::Kind::gouge, {20, 20, 10}}});
+        scene.findings().set({{FindingMark::Kind::gouge, {20, 20, 10}}});
         const Picture all = top_view(scene);
         const Colors& light = colors_of(facetmill::Palette::light);
         QVERIFY(count_near(all, light.gouge, 20) > 30);
@@ -382,11 +382,11 @@ private slots:
         const auto surface = level_surface(10, [](double x, double) { return x / 100; });
         for (const auto& [w, h] : {std::pair(260, 180), {160, 120}, {700, 160}, {200, 600}}) {
             Scene scene;
-            scene.set_stock({{0, 0, 0}, {100, 80, 20}});
-            scene.set_deviation(prepare_deviation_display(surface, scale, {}));
-            scene.set_findings(
+            scene.stock().set_box({{0, 0, 0}, {100, 80, 20}});
+            scene.deviation().set(prepare_deviation_display(surface, scale, {}));
+            scene.findings().set(
                 {{FindingMark::Kind::gouge, {1, 1, 10}}, {FindingMark::Kind::excess, {9, 9, 10}}});
-            scene.set_deviation_note("out of date");
+            scene.deviation().set_note("out of date");
             const Picture p = top_view(scene, w, h);
             QCOMPARE(p.width, w);
         }
@@ -394,28 +394,31 @@ private slots:
 
     void a_camera_flies_to_what_is_found() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 80, 40}));
+        scene.part().set(box_part({0, 0, 0}, {100, 80, 40}));
         window_.show(scene, 480, 360);
         scene.set_view(StandardView::iso);
-        const CameraPlace before = scene.camera_place();
+        const CameraPlace before = scene.camera().place();
         // Seen already: only nearer. On the far side: from there. From below: from below.
-        const CameraPlace top = scene.place_to_see({70, 60, 40}, {0, 0, 1}, 20);
+        const CameraPlace top = scene.camera().place_to_see({70, 60, 40}, {0, 0, 1}, 20);
         QVERIFY((top.toward_eye - before.toward_eye).norm() < 1e-9);
         QCOMPARE(top.height, 20.0);
         for (const Vec3& n : {Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, -1)}) {
-            const CameraPlace p = scene.place_to_see({50, 40, 20}, n, 20);
+            const CameraPlace p = scene.camera().place_to_see({50, 40, 20}, n, 20);
             QVERIFY(p.toward_eye.dot(n) >= 0.35);
             QVERIFY(std::abs(p.up.dot(p.toward_eye)) < 1e-9);
             QVERIFY(p.up.z() > 0);
         }
-        QCOMPARE(scene.place_to_see({0, 0, 0}, {0, 0, 0}, 1e6).height, before.height); // never farther
-        scene.look_at(top);
+        QCOMPARE(scene.camera().place_to_see({0, 0, 0}, {0, 0, 0}, 1e6).height,
+                 before.height); // never farther
+        scene.camera().look_at(top);
         QVERIFY((place(scene, {70, 60, 40}) - Vec2(240, 180)).norm() < 0.6);
         const double pixels_per_mm =
-            (scene.display_of(Vec3(70, 60, 40) + top.up) - scene.display_of({70, 60, 40})).norm() / 2;
+            (scene.camera().display_of(Vec3(70, 60, 40) + top.up) - scene.camera().display_of({70, 60, 40}))
+                .norm()
+            / 2;
         QVERIFY(std::abs(pixels_per_mm - 360 / 20.0) < 0.1);
-        scene.look_at(before);
-        QVERIFY((scene.camera_place().target - before.target).norm() < 1e-9);
+        scene.camera().look_at(before);
+        QVERIFY((scene.camera().place().target - before.target).norm() < 1e-9);
     }
 };
 

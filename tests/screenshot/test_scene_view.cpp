@@ -52,7 +52,7 @@ class TestSceneView : public QObject {
 private slots:
     void standard_views_look_where_they_say() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 60, 30}));
+        scene.part().set(box_part({0, 0, 0}, {100, 60, 30}));
         window_.show(scene, 400, 300);
         struct Expected {
             StandardView view;
@@ -64,16 +64,17 @@ private slots:
                                   Expected{StandardView::top, x, y}, Expected{StandardView::bottom, -x, y}}) {
             scene.set_view(e.view);
             const Vec3 c(50, 30, 15);
-            const Vec2 at = scene.display_of(c), r = scene.display_of(c + e.right) - at,
-                       u = scene.display_of(c + e.up) - at;
+            const Vec2 at = scene.camera().display_of(c), r = scene.camera().display_of(c + e.right) - at,
+                       u = scene.camera().display_of(c + e.up) - at;
             QVERIFY2(r.x() > 0.5 && std::abs(r.y()) < 1e-9, view_name(e.view).data());
             QVERIFY2(u.y() < -0.5 && std::abs(u.x()) < 1e-9, view_name(e.view).data()); // y runs down
             QVERIFY(std::abs(r.norm() - u.norm()) < 1e-9); // the same scale both ways
         }
         scene.set_view(StandardView::iso);
-        const Vec2 o = scene.display_of({0, 0, 0});
-        QVERIFY((scene.display_of(z) - o).y() < 0 && std::abs((scene.display_of(z) - o).x()) < 1e-9);
-        QVERIFY((scene.display_of(x) - o).x() > 0 && (scene.display_of(y) - o).x() > 0);
+        const Vec2 o = scene.camera().display_of({0, 0, 0});
+        QVERIFY((scene.camera().display_of(z) - o).y() < 0
+                && std::abs((scene.camera().display_of(z) - o).x()) < 1e-9);
+        QVERIFY((scene.camera().display_of(x) - o).x() > 0 && (scene.camera().display_of(y) - o).x() > 0);
     }
 
     void fitting_shows_everything_and_is_tight() {
@@ -82,7 +83,7 @@ private slots:
                  {Vec3(100, 60, 30), Vec3(500, 1, 1), Vec3(1, 1, 400), Vec3(0.001, 0.002, 0.001)})
                 for (const StandardView view : standard_views()) {
                     Scene scene;
-                    scene.set_part(box_part({7, 8, 9}, Vec3(7, 8, 9) + size));
+                    scene.part().set(box_part({7, 8, 9}, Vec3(7, 8, 9) + size));
                     scene.set_title("Box");
                     window_.show(scene, w, h);
                     scene.set_view(view);
@@ -91,10 +92,10 @@ private slots:
                     const int s =
                         w * 2 > 16384 ? 1 : 2; // device pixels of the off-screen window per picture pixel
                     for (int c = 0; c < 8; ++c) {
-                        const Vec2 p =
-                            scene.display_of({c & 1 ? b.hi.x() : b.lo.x(), c & 2 ? b.hi.y() : b.lo.y(),
-                                              c & 4 ? b.hi.z() : b.lo.z()})
-                            / s;
+                        const Vec2 p = scene.camera().display_of({c & 1 ? b.hi.x() : b.lo.x(),
+                                                                  c & 2 ? b.hi.y() : b.lo.y(),
+                                                                  c & 4 ? b.hi.z() : b.lo.z()})
+                                       / s;
                         lo = lo.cwiseMin(p);
                         hi = hi.cwiseMax(p);
                     }
@@ -107,22 +108,22 @@ private slots:
         Scene scene;
         window_.show(scene, 300, 200);
         scene.fit();
-        QVERIFY(scene.camera()->GetParallelScale() > 0);
+        QVERIFY(scene.camera().vtk()->GetParallelScale() > 0);
         QVERIFY(scene.bounds().empty());
-        QVERIFY(!scene.pick_part(150, 100));
-        QVERIFY(!scene.pick_path(150, 100, 1000));
+        QVERIFY(!scene.part().pick(150, 100));
+        QVERIFY(!scene.paths().pick(150, 100, 1000));
         Scene never_shown;
-        never_shown.set_part(hill_part());
+        never_shown.part().set(hill_part());
         never_shown.fit();
-        QVERIFY(!never_shown.pick_part(10, 10));
-        QCOMPARE(never_shown.display_of({1, 2, 3}), Vec2(0, 0));
+        QVERIFY(!never_shown.part().pick(10, 10));
+        QCOMPARE(never_shown.camera().display_of({1, 2, 3}), Vec2(0, 0));
     }
 
     void bounds_follow_the_layers() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {10, 10, 10}));
-        scene.set_stock({{-1, -1, 0}, {11, 11, 12}});
-        scene.set_path(prepare_path_display({hill_path(5, 9, 2)}, {}));
+        scene.part().set(box_part({0, 0, 0}, {10, 10, 10}));
+        scene.stock().set_box({{-1, -1, 0}, {11, 11, 12}});
+        scene.paths().set(prepare_path_display({hill_path(5, 9, 2)}, {}));
         QVERIFY(scene.bounds().hi.x() > 90);
         scene.set_visible(Layer::cc, false);
         scene.set_visible(Layer::cl, false);
@@ -134,64 +135,64 @@ private slots:
         tool.flute_length = 20;
         tool.shank_diameter = 4;
         tool.shank_length = 10;
-        scene.set_tool(tool);
+        scene.tool().set(tool);
         QVERIFY(!scene.has(Layer::tool)); // no pose yet
-        scene.set_tool_pose(CutterLocation{Vec3(5, 5, 10), Vec3(0, 0, 1)});
+        scene.tool().set_pose(CutterLocation{Vec3(5, 5, 10), Vec3(0, 0, 1)});
         QVERIFY(scene.has(Layer::tool));
         QCOMPARE(scene.bounds().hi, Vec3(10, 10, 10));
         QCOMPARE(scene.bounds(true).hi, Vec3(10, 10, 40));
-        scene.set_tool_pose(CutterLocation{Vec3(5, 5, 10), Vec3(1, 0, 0)});
+        scene.tool().set_pose(CutterLocation{Vec3(5, 5, 10), Vec3(1, 0, 0)});
         QCOMPARE(scene.bounds(true).hi, Vec3(35, 10, 12));
-        scene.set_tool(std::nullopt);
+        scene.tool().set(std::nullopt);
         QVERIFY(!scene.has(Layer::tool));
     }
 
     void zooming_keeps_the_point_under_the_cursor() {
         Scene scene;
-        scene.set_part(hill_part());
+        scene.part().set(hill_part());
         window_.show(scene, 400, 300);
         scene.set_view(StandardView::iso);
         const Vec3 p(20, 70, 3);
-        const Vec2 before = scene.display_of(p);
-        const double scale = scene.camera()->GetParallelScale();
-        scene.zoom_at(before.x(), before.y(), 2.5);
-        QVERIFY((scene.display_of(p) - before).norm() < 1e-6);
-        QVERIFY(std::abs(scene.camera()->GetParallelScale() * 2.5 - scale) < 1e-9 * scale);
-        scene.zoom_at(1, 1, 0);
-        scene.zoom_at(1, 1, -2);
-        scene.zoom_at(1, 1, infinity);
-        QVERIFY((scene.display_of(p) - before).norm() < 1e-6);
-        scene.center_on(p);
-        const Vec2 middle = scene.display_of(p);
+        const Vec2 before = scene.camera().display_of(p);
+        const double scale = scene.camera().vtk()->GetParallelScale();
+        scene.camera().zoom_at(before.x(), before.y(), 2.5);
+        QVERIFY((scene.camera().display_of(p) - before).norm() < 1e-6);
+        QVERIFY(std::abs(scene.camera().vtk()->GetParallelScale() * 2.5 - scale) < 1e-9 * scale);
+        scene.camera().zoom_at(1, 1, 0);
+        scene.camera().zoom_at(1, 1, -2);
+        scene.camera().zoom_at(1, 1, infinity);
+        QVERIFY((scene.camera().display_of(p) - before).norm() < 1e-6);
+        scene.camera().center_on(p);
+        const Vec2 middle = scene.camera().display_of(p);
         QVERIFY((middle - Vec2(400, 300)).norm() < 1e-6); // half of 2 x 400 by 2 x 300 device pixels
     }
 
     void picks_the_first_facet_under_a_pixel() {
         Scene scene;
-        scene.set_part(box_part({0, 0, 0}, {100, 60, 30}));
+        scene.part().set(box_part({0, 0, 0}, {100, 60, 30}));
         window_.show(scene, 400, 300);
         for (const StandardView view : standard_views()) {
             scene.set_view(view);
             for (const Vec3& p : {Vec3(99, 20, 11), Vec3(33, 59, 7), Vec3(1, 41, 22), Vec3(71, 1, 5),
                                   Vec3(40, 22, 29), Vec3(61, 17, 1)}) {
-                const Vec2 at = scene.display_of(p);
-                const auto pick = scene.pick_part(at.x(), at.y());
+                const Vec2 at = scene.camera().display_of(p);
+                const auto pick = scene.part().pick(at.x(), at.y());
                 QVERIFY(pick);
-                const Vec2 back = scene.display_of(pick->point);
+                const Vec2 back = scene.camera().display_of(pick->point);
                 QVERIFY((back - at).norm() < 1e-6);
                 QVERIFY(!pick->back_side);
                 // On the box, and no point of it lies nearer to the eye.
                 const Vec3 toward =
-                    Vec3(scene.camera()->GetPosition()) - Vec3(scene.camera()->GetFocalPoint());
+                    Vec3(scene.camera().vtk()->GetPosition()) - Vec3(scene.camera().vtk()->GetFocalPoint());
                 QVERIFY(pick->normal.dot(toward) > 0);
                 QVERIFY((pick->point - p).dot(toward.normalized()) > 0);
             }
-            QVERIFY(!scene.pick_part(1, 1));
+            QVERIFY(!scene.part().pick(1, 1));
         }
-        scene.set_part(hill_part());
+        scene.part().set(hill_part());
         scene.set_view(StandardView::bottom);
-        const Vec2 at = scene.display_of({30, 30, hill(30, 30)});
-        const auto pick = scene.pick_part(at.x(), at.y());
+        const Vec2 at = scene.camera().display_of({30, 30, hill(30, 30)});
+        const auto pick = scene.part().pick(at.x(), at.y());
         QVERIFY(pick && pick->back_side);
         const Mesh& mesh = *hill_part();
         QVERIFY((pick->normal - mesh.facet_normal(pick->facet)).norm() < 1e-12);
@@ -200,48 +201,48 @@ private slots:
     void picks_on_a_part_far_from_the_origin() {
         const Vec3 far(3e6, -2e6, 1e6);
         Scene scene;
-        scene.set_part(moved(hill_part(), far));
+        scene.part().set(moved(hill_part(), far));
         window_.show(scene, 400, 300);
         scene.set_view(StandardView::top);
-        const Vec2 at = scene.display_of(far + Vec3(55, 38, 18));
-        const auto pick = scene.pick_part(at.x(), at.y());
+        const Vec2 at = scene.camera().display_of(far + Vec3(55, 38, 18));
+        const auto pick = scene.part().pick(at.x(), at.y());
         QVERIFY(pick && (pick->point - far - Vec3(55, 38, 18)).norm() < 0.05);
     }
 
     void picks_the_nearest_visible_path_point() {
         const PathSource path = hill_path(17, 60, 6);
         Scene scene;
-        scene.set_part(hill_part());
-        scene.set_path(prepare_path_display({path}, {}));
+        scene.part().set(hill_part());
+        scene.paths().set(prepare_path_display({path}, {}));
         window_.show(scene, 800, 600);
         scene.set_view(StandardView::top);
         scene.set_visible(Layer::cl, false);
         const Pass& pass = path.contacts->passes[8];
-        const Vec2 at = scene.display_of(pass.cc[12].point);
-        auto pick = scene.pick_path(at.x() + 2, at.y() - 1, 8);
+        const Vec2 at = scene.camera().display_of(pass.cc[12].point);
+        auto pick = scene.paths().pick(at.x() + 2, at.y() - 1, 8);
         QVERIFY(pick && pick->is_contact && pick->pass == 8 && pick->point == 12);
         QCOMPARE(pick->position, pass.cc[12].point);
         QCOMPARE(pick->location.tip, pass.cl[12].tip);
-        QVERIFY(!scene.pick_path(3, 3, 8));
+        QVERIFY(!scene.paths().pick(3, 3, 8));
 
         scene.set_visible(Layer::cl, true);
         scene.set_visible(Layer::cc, false);
-        const Vec2 tip = scene.display_of(pass.cl[30].tip);
-        pick = scene.pick_path(tip.x(), tip.y(), 8);
+        const Vec2 tip = scene.camera().display_of(pass.cl[30].tip);
+        pick = scene.paths().pick(tip.x(), tip.y(), 8);
         QVERIFY(pick && !pick->is_contact && pick->pass == 8 && pick->point == 30);
         QCOMPARE(path.motions->motions[pick->motion].to.tip, pass.cl[30].tip);
-        scene.set_motion_visible(MotionKind::cut, false);
-        pick = scene.pick_path(tip.x(), tip.y(), 8);
+        scene.paths().set_visible(MotionKind::cut, false);
+        pick = scene.paths().pick(tip.x(), tip.y(), 8);
         QVERIFY(!pick);
 
         // From below, the path lies behind the part; without the part it can be picked.
         scene.set_visible(Layer::cc, true);
-        scene.set_part(moved(hill_part(), {0, 0, -3}));
+        scene.part().set(moved(hill_part(), {0, 0, -3}));
         scene.set_view(StandardView::bottom);
-        const Vec2 below = scene.display_of(pass.cc[12].point);
-        QVERIFY(!scene.pick_path(below.x(), below.y(), 2));
+        const Vec2 below = scene.camera().display_of(pass.cc[12].point);
+        QVERIFY(!scene.paths().pick(below.x(), below.y(), 2));
         scene.set_visible(Layer::part, false);
-        QVERIFY(scene.pick_path(below.x(), below.y(), 2));
+        QVERIFY(scene.paths().pick(below.x(), below.y(), 2));
     }
 
     void words_of_views_layers_and_sizes() {

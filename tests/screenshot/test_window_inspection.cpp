@@ -46,7 +46,7 @@ class TestWindowInspection : public QObject, public WindowFixture {
         return qobject_cast<QStandardItemModel*>(colors()->model())->item(int(q))->toolTip();
     }
     const std::vector<Motion>& motions() { return w().document().result(0)->program.motions.motions; }
-    Vec3 tip() { return w().viewport().scene().tool_pose()->tip; }
+    Vec3 tip() { return w().viewport().scene().tool().pose()->tip; }
     void click(double x) {
         QTest::mouseClick(plot(), Qt::LeftButton, {},
                           plot()->place_of(x, plot()->view().center().y()).toPoint());
@@ -173,7 +173,7 @@ private slots:
         // A pick of a path in the view.
         Scene& scene = w().viewport().scene();
         const Motion& picked = motions()[motions().size() / 4];
-        const Vec2 pixel = scene.display_of(picked.to.tip) / w().viewport().devicePixelRatioF();
+        const Vec2 pixel = scene.camera().display_of(picked.to.tip) / w().viewport().devicePixelRatioF();
         const double was = *plot()->cursor();
         QTest::mouseClick(&w().viewport(), Qt::LeftButton, {}, QPoint(int(pixel.x()), int(pixel.y())));
         QVERIFY(wait_until_settled(w()));

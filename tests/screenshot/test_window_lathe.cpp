@@ -68,7 +68,7 @@ class TestWindowLathe : public QObject, public WindowFixture {
             degrees(std::atan2(at.axis.dot(t.axis.direction.cross(t.zero)), at.axis.dot(t.zero)));
         return angle < 0 ? angle + 360 : angle;
     }
-    CutterLocation tool() { return *w().viewport().scene().tool_pose(); }
+    CutterLocation tool() { return *w().viewport().scene().tool().pose(); }
 
     void wheel(QPointF at, int steps) {
         QWheelEvent event(at, view()->mapToGlobal(at), {}, QPoint(0, 120 * steps), Qt::NoButton,
@@ -253,8 +253,8 @@ private slots:
                 }
         QVERIFY(nearest < 4);
         const QImage before = view()->grab().toImage();
-        const Vec2 pixel =
-            w().viewport().scene().display_of(motions()[wanted].to.tip) / w().viewport().devicePixelRatioF();
+        const Vec2 pixel = w().viewport().scene().camera().display_of(motions()[wanted].to.tip)
+                           / w().viewport().devicePixelRatioF();
         QTest::mouseClick(&w().viewport(), Qt::LeftButton, {},
                           QPoint(int(std::lround(pixel.x())), int(std::lround(pixel.y()))));
         QVERIFY(wait_until_settled(w()));
@@ -336,12 +336,12 @@ private slots:
         playback.go_to(double(cuts[cuts.size() / 2]) + 1);
         QVERIFY(wait_until_settled(w()));
         const auto on_screen = [&] { // the tool's axis in the camera's frame
-            const CameraPlace place = w().viewport().scene().camera_place();
+            const CameraPlace place = w().viewport().scene().camera().place();
             const Vec3 right = place.up.cross(place.toward_eye);
             const Vec3 axis = tool().axis;
             return Vec3(axis.dot(right), axis.dot(place.up), axis.dot(place.toward_eye));
         };
-        const Vec3 before = on_screen(), eye = w().viewport().scene().camera_place().toward_eye;
+        const Vec3 before = on_screen(), eye = w().viewport().scene().camera().place().toward_eye;
         const QImage picture = view_picture(w());
         const double angle = angle_of(tool());
         const auto turned =
@@ -354,7 +354,7 @@ private slots:
         QVERIFY(std::abs(std::remainder(angle_of(tool()) - angle, 360.0)) > 20);
         QVERIFY2((on_screen() - before).norm() < 1e-6,
                  qPrintable(QString::number((on_screen() - before).norm())));
-        QVERIFY((w().viewport().scene().camera_place().toward_eye - eye).norm() > 0.3);
+        QVERIFY((w().viewport().scene().camera().place().toward_eye - eye).norm() > 0.3);
         QVERIFY(changed_pixels(picture, view_picture(w())) > 500);
         // The mark goes along.
         QCOMPARE(*view()->motion(), *turned);
@@ -452,7 +452,7 @@ private slots:
 
         Viewport& viewport = w().viewport();
         const auto click_at = [&](const Vec3& p, Qt::KeyboardModifiers modifiers) {
-            const Vec2 pixel = viewport.scene().display_of(p) / viewport.devicePixelRatioF();
+            const Vec2 pixel = viewport.scene().camera().display_of(p) / viewport.devicePixelRatioF();
             QTest::mouseClick(&viewport, Qt::LeftButton, modifiers,
                               QPoint(int(std::lround(pixel.x())), int(std::lround(pixel.y()))));
         };

@@ -151,8 +151,8 @@ class TestWindowRegions : public QObject, public WindowFixture {
         for (std::size_t i = 0; i + 2 < handles.size(); i += 3) {
             const Vec3 p =
                 display.center + Vec3(double(handles[i]), double(handles[i + 1]), double(handles[i + 2]));
-            const Vec2 at = w().viewport().scene().display_of(p);
-            const auto taken = w().viewport().scene().pick_strip_handle(at.x(), at.y(), 2);
+            const Vec2 at = w().viewport().scene().camera().display_of(p);
+            const auto taken = w().viewport().scene().strips().pick_handle(at.x(), at.y(), 2);
             if (!taken || (*taken - p).norm() > 1e-3) continue;
             if (best && side.dot(p) <= side.dot(best->first)) continue;
             best = {p, QPoint(int(std::lround(at.x() / ratio)), int(std::lround(at.y() / ratio)))};

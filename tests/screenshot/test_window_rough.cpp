@@ -100,7 +100,7 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(first, view_picture(w())) > 500);
         shot(w(), QStringLiteral("rough-layer"));
-        QVERIFY(std::abs(w().viewport().scene().tool_pose()->tip.z() - path.as<RoughPath>()->layers.back())
+        QVERIFY(std::abs(w().viewport().scene().tool().pose()->tip.z() - path.as<RoughPath>()->layers.back())
                 < 1e-9);
         slider()->setValue(0);
         QVERIFY(wait_until_settled(w()));
@@ -113,8 +113,8 @@ private slots:
             int sources = 0;
             Scene& scene = w().viewport().scene();
             for (const Motion& m : w().document().result(1)->program.motions.motions) {
-                const Vec2 at = scene.display_of(m.to.tip);
-                if (const auto pick = scene.pick_path(at.x(), at.y(), 1)) sources |= 1 << pick->source;
+                const Vec2 at = scene.camera().display_of(m.to.tip);
+                if (const auto pick = scene.paths().pick(at.x(), at.y(), 1)) sources |= 1 << pick->source;
             }
             return sources;
         };
@@ -132,7 +132,7 @@ private slots:
         const auto& motions = w().document().result(1)->program.motions.motions;
         const auto cut = std::find_if(motions.begin(), motions.end(),
                                       [](const Motion& m) { return m.kind == MotionKind::cut; });
-        QCOMPARE(w().viewport().scene().tool_pose()->tip, cut->to.tip);
+        QCOMPARE(w().viewport().scene().tool().pose()->tip, cut->to.tip);
         w().tree().select({TreeNode::Kind::part, 0});
         QVERIFY(wait_until_settled(w()));
         QVERIFY(picked() & 2);

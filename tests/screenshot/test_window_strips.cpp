@@ -98,7 +98,7 @@ class TestWindowStrips : public QObject, public WindowFixture {
     /// In the middle of the groove at y.
     bool click_groove(double y) {
         Viewport& view = w().viewport();
-        const Vec2 at = view.scene().display_of(Vec3(3, y, 0)) / view.devicePixelRatioF();
+        const Vec2 at = view.scene().camera().display_of(Vec3(3, y, 0)) / view.devicePixelRatioF();
         QTest::mouseClick(&view, Qt::LeftButton, {},
                           QPoint(int(std::lround(at.x())), int(std::lround(at.y()))));
         return wait_until_settled(w());
@@ -106,15 +106,15 @@ class TestWindowStrips : public QObject, public WindowFixture {
     /// The ball that is drawn stands on both flanks of the groove at y.
     bool stands_over(double y) {
         const Scene& scene = w().viewport().scene();
-        const auto& pose = scene.tool_pose();
-        if (!pose || scene.touches().size() != 2) return false;
+        const auto& pose = scene.tool().pose();
+        if (!pose || scene.marks().touches().size() != 2) return false;
         const Vec3 center = pose->tip + Vec3(0, 0, previous_radius);
         if (std::abs(center.y() - y) > 1e-3) return false;
-        for (const Vec3& p : scene.touches())
+        for (const Vec3& p : scene.marks().touches())
             if (std::abs((p - center).norm() - previous_radius) > 1e-3
                 || std::abs(p.z() - std::abs(std::abs(p.y()) - groove_y)) > 1e-3)
                 return false;
-        return (scene.touches()[0].y() - y) * (scene.touches()[1].y() - y) < 0;
+        return (scene.marks().touches()[0].y() - y) * (scene.marks().touches()[1].y() - y) < 0;
     }
 
 private slots:
@@ -234,36 +234,36 @@ private slots:
     void a_strip_chosen_in_the_list_is_flown_to_and_shows_the_previous_tool() {
         QVERIFY2(open_and_plan(), qPrintable(w().last_failure()));
         const Scene& scene = w().viewport().scene();
-        const CameraPlace before = scene.camera_place();
-        QVERIFY(scene.touches().empty());
+        const CameraPlace before = scene.camera().place();
+        QVERIFY(scene.marks().touches().empty());
         const double y = path().strips[1].centers[0][0].y();
         const QRect cell = list()->visualItemRect(row("Valley 2"));
         QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, cell.center() + QPoint(20, 0));
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(controller().chosen(), std::optional<std::size_t>(1));
-        const CameraPlace after = scene.camera_place();
+        const CameraPlace after = scene.camera().place();
         QVERIFY(std::abs(after.target.y() - y) < 1 && std::abs(before.target.y() - y) > 5);
         QVERIFY(stands_over(y));
         QVERIFY2(readout().startsWith(QStringLiteral("Tool 1 touches")), qPrintable(readout()));
         shot(w(), QStringLiteral("strips-touch"));
         // Along the strip.
-        const double x = scene.tool_pose()->tip.x();
+        const double x = scene.tool().pose()->tip.x();
         QSlider* place = controller().panel()->place();
         place->setValue(place->maximum() / 8);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(stands_over(y) && std::abs(scene.tool_pose()->tip.x() - x) > 5);
+        QVERIFY(stands_over(y) && std::abs(scene.tool().pose()->tip.x() - x) > 5);
         // Without it the operation's own tool is back, at its path.
         controller().panel()->touch_box()->setChecked(false);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(scene.touches().empty());
-        QVERIFY(scene.tool_pose() && !stands_over(y));
+        QVERIFY(scene.marks().touches().empty());
+        QVERIFY(scene.tool().pose() && !stands_over(y));
         controller().panel()->touch_box()->setChecked(true);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(stands_over(y));
         // Stepping along the path takes the tool.
         QTest::keyClick(&w(), Qt::Key_Right);
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(scene.touches().empty());
+        QVERIFY(scene.marks().touches().empty());
     }
 
     void a_click_in_the_view_chooses_the_strip() {
@@ -271,15 +271,15 @@ private slots:
         w().viewport().set_view(StandardView::top);
         QVERIFY(wait_until_settled(w()));
         for (const double y : {groove_y, -groove_y, groove_y}) {
-            const CameraPlace before = w().viewport().scene().camera_place();
+            const CameraPlace before = w().viewport().scene().camera().place();
             QVERIFY(click_groove(y));
             QVERIFY(controller().chosen());
             const Strip& strip = path().strips[*controller().chosen()];
             QVERIFY(std::abs(strip.centers[0][0].y() - y) < 0.1);
             QCOMPARE(list()->currentItem()->text(0), text(strip.name));
             QVERIFY(stands_over(y));
-            QVERIFY(std::abs(w().viewport().scene().tool_pose()->tip.x() - 3) < 1.2);
-            QVERIFY((w().viewport().scene().camera_place().target - before.target).norm() < 1e-9);
+            QVERIFY(std::abs(w().viewport().scene().tool().pose()->tip.x() - 3) < 1.2);
+            QVERIFY((w().viewport().scene().camera().place().target - before.target).norm() < 1e-9);
         }
         // Between the grooves there is no strip: what was chosen stays, and the place is marked.
         const auto chosen = controller().chosen();
@@ -290,7 +290,7 @@ private slots:
         dock()->close();
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().viewport().scene().has(Layer::strips));
-        QVERIFY(w().viewport().scene().touches().empty());
+        QVERIFY(w().viewport().scene().marks().touches().empty());
     }
 
     void a_small_dark_window() {
@@ -321,7 +321,8 @@ private slots:
         Viewport& view = w().viewport();
         Scene& scene = view.scene();
         const Vec3 anchor(0, groove_y, 0);
-        const double per_mm = (scene.display_of(Vec3(1, 0, 0)) - scene.display_of(Vec3(0, 0, 0))).norm();
+        const double per_mm =
+            (scene.camera().display_of(Vec3(1, 0, 0)) - scene.camera().display_of(Vec3(0, 0, 0))).norm();
         const double ratio = view.devicePixelRatioF(), wide = view.width() * ratio,
                      high = view.height() * ratio;
         // Well within the legend.
@@ -329,8 +330,8 @@ private slots:
         QImage first;
         for (const double y : {0.5, 0.25, 0.15, 0.08})
             for (const double x : {0.3, 0.5, 0.6, 0.7, 0.8, 0.9}) {
-                scene.center_on(anchor + Vec3(0.5 - x, 0, 0) * wide / per_mm
-                                + Vec3(0, y - 0.5, 0) * high / per_mm);
+                scene.camera().center_on(anchor + Vec3(0.5 - x, 0, 0) * wide / per_mm
+                                         + Vec3(0, y - 0.5, 0) * high / per_mm);
                 view.refresh();
                 const QImage now = view_picture(w()).copy(legend);
                 if (x == 0.7 && y == 0.15) shot(w(), QStringLiteral("strips-legend"));

@@ -141,12 +141,12 @@ private slots:
         QCOMPARE(first->text(0), QStringLiteral("Gouge"));
         const Finding& f = model.findings().front();
         QVERIFY(f.by.known());
-        const CameraPlace before = w().viewport().scene().camera_place();
+        const CameraPlace before = w().viewport().scene().camera().place();
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
         QTest::qWait(20);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(first).center());
         QVERIFY(wait_until_settled(w()));
-        const CameraPlace after = w().viewport().scene().camera_place();
+        const CameraPlace after = w().viewport().scene().camera().place();
         QVERIFY((after.target - f.place).norm() < 1e-6);
         QVERIFY(after.height < before.height);
         QCOMPARE(playback().target(), playback().track().position_of(f.by));
@@ -216,20 +216,20 @@ private slots:
     void the_range_is_edited() {
         QVERIFY(open_and_plan());
         QVERIFY(verify());
-        const DeviationScale first = w().viewport().scene().deviation_scale();
+        const DeviationScale first = w().viewport().scene().deviation().scale();
         const QImage before = view_picture(w());
         auto* range = controller().panel()->range();
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
         QTest::qWait(20);
         type_over(range->high(), QStringLiteral("0.5"));
         QTest::keyClick(range->high(), Qt::Key_Return);
-        const DeviationScale wide = w().viewport().scene().deviation_scale();
+        const DeviationScale wide = w().viewport().scene().deviation().scale();
         QVERIFY(std::abs(wide.high - 12.7) < 1e-9); // inches
         QVERIFY(std::abs(wide.low - first.low) < 1e-3);
         QCOMPARE(controller().panel()->histogram()->histogram()->scale.high, wide.high);
         QVERIFY(changed_pixels(before, view_picture(w())) > 200);
         QTest::mouseClick(range->findChild<QToolButton*>(QStringLiteral("range_reset")), Qt::LeftButton);
-        QCOMPARE(w().viewport().scene().deviation_scale().high, first.high);
+        QCOMPARE(w().viewport().scene().deviation().scale().high, first.high);
         // In the other unit the same lengths.
         w().set_unit(LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));

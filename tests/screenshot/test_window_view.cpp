@@ -130,36 +130,40 @@ private slots:
             QTest::mouseRelease(&view, button, modifiers, middle + by);
         };
         const Vec3 anchor = w().document().part()->box.center();
-        const Vec2 at = view.scene().display_of(anchor);
+        const Vec2 at = view.scene().camera().display_of(anchor);
         drag(Qt::LeftButton, {}, QPoint(60, 30));
         QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) > 0.1);
         view.set_view(StandardView::top);
         drag(Qt::MiddleButton, {}, QPoint(50, -20));
-        Vec2 now = view.scene().display_of(anchor);
+        Vec2 now = view.scene().camera().display_of(anchor);
         QVERIFY((now - at - Vec2(50, -20)).norm() < 1.5); // what was grabbed stays under the pointer
         QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) < 1e-9);
         drag(Qt::LeftButton, Qt::ShiftModifier, QPoint(-50, 20));
-        now = view.scene().display_of(anchor);
+        now = view.scene().camera().display_of(anchor);
         QVERIFY((now - at).norm() < 2);
         // The wheel zooms about the pointer.
         const QPoint corner = view.rect().topLeft() + QPoint(200, 150);
-        const auto under = view.scene().pick_part(middle.x(), middle.y());
+        const auto under = view.scene().part().pick(middle.x(), middle.y());
         QVERIFY(under.has_value());
         QWheelEvent wheel(QPointF(middle), view.mapToGlobal(QPointF(middle)), {}, QPoint(0, 240),
                           Qt::NoButton, {}, Qt::NoScrollPhase, false);
-        const double before = (view.scene().display_of(under->point) - Vec2(corner.x(), corner.y())).norm();
+        const double before =
+            (view.scene().camera().display_of(under->point) - Vec2(corner.x(), corner.y())).norm();
         const Box3 box = w().document().part()->box;
         const double width_before =
-            (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+            (view.scene().camera().display_of(box.hi) - view.scene().camera().display_of(box.lo)).norm();
         QApplication::sendEvent(&view, &wheel);
-        QVERIFY((view.scene().display_of(under->point) - Vec2(middle.x(), middle.y())).norm() < 1.5);
+        QVERIFY((view.scene().camera().display_of(under->point) - Vec2(middle.x(), middle.y())).norm() < 1.5);
         QVERIFY(
-            std::abs((view.scene().display_of(under->point) - Vec2(corner.x(), corner.y())).norm() - before)
+            std::abs((view.scene().camera().display_of(under->point) - Vec2(corner.x(), corner.y())).norm()
+                     - before)
             < 2);
-        const double width_after = (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+        const double width_after =
+            (view.scene().camera().display_of(box.hi) - view.scene().camera().display_of(box.lo)).norm();
         QVERIFY(std::abs(width_after / width_before - 1.44) < 0.01);
         QTest::mouseDClick(&view, Qt::LeftButton, {}, middle);
-        const double width_fit = (view.scene().display_of(box.hi) - view.scene().display_of(box.lo)).norm();
+        const double width_fit =
+            (view.scene().camera().display_of(box.hi) - view.scene().camera().display_of(box.lo)).norm();
         QVERIFY(std::abs(width_fit / width_before - 1) < 0.01);
     }
 
@@ -171,7 +175,7 @@ private slots:
         const auto result = w().document().result(0);
         const auto& pass = result->path.passes[result->path.passes.size() / 2];
         const std::size_t point = pass.cl.size() / 2;
-        const Vec2 at = view.scene().display_of(pass.cl[point].tip);
+        const Vec2 at = view.scene().camera().display_of(pass.cl[point].tip);
         QSignalSpy picked(&view, &ui::Viewport::path_picked);
         QTest::mouseClick(&view, Qt::LeftButton, {},
                           QPoint(int(std::lround(at.x())), int(std::lround(at.y()))));
@@ -239,9 +243,10 @@ private slots:
         const QImage coarse = shown();
         QVERIFY(!view.finished());
         // What is picked is what is under the pointer, however coarse the picture.
-        const auto under = view.scene().pick_part(middle.x(), middle.y());
+        const auto under = view.scene().part().pick(middle.x(), middle.y());
         QVERIFY(under.has_value());
-        QVERIFY((view.scene().display_of(under->point) - Vec2(middle.x(), middle.y())).norm() < 1e-6);
+        QVERIFY((view.scene().camera().display_of(under->point) - Vec2(middle.x(), middle.y())).norm()
+                < 1e-6);
         QTest::qWait(600);
         QVERIFY(!view.finished()); // held, not let go
         QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(30, 20));

@@ -1,8 +1,11 @@
-// Where the camera stands: standard views, fitting, zooming.
-#include "viz/scene_impl.h"
+#include "viz/scene_camera.h"
 
-#include <vtkActorCollection.h>
+#include "viz/overlay.h"
+
+#include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,154 +123,159 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
 
 } // namespace
 
-Eigen::Vector2i Scene::Impl::window_size() const {
-    if (!window) return {0, 0};
-    const int* size = window->GetSize();
+SceneCamera::SceneCamera(vtkRenderer* renderer) : renderer_(renderer) {
+    vtk()->ParallelProjectionOn(); // makes the camera, too
+}
+
+SceneCamera::~SceneCamera() = default;
+
+vtkCamera* SceneCamera::vtk() const {
+    return renderer_->GetActiveCamera();
+}
+
+void SceneCamera::set_window(vtkRenderWindow* window) {
+    window_ = window;
+}
+
+vtkRenderWindow* SceneCamera::window() const {
+    return window_;
+}
+
+Eigen::Vector2i SceneCamera::window_size() const {
+    if (!window_) return {0, 0};
+    const int* size = window_->GetSize();
     return {size[0], size[1]};
 }
 
-Mat3 Scene::Impl::camera_frame() const {
-    auto* camera = const_cast<vtkRenderer*>(renderer.Get())->GetActiveCamera();
-    vtkMatrix4x4* m = camera->GetViewTransformMatrix();
-    Mat3 frame;
+Mat3 SceneCamera::frame() const {
+    vtkMatrix4x4* m = vtk()->GetViewTransformMatrix();
+    Mat3 axes;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
-            frame(r, c) = m->GetElement(r, c);
-    return frame;
+            axes(r, c) = m->GetElement(r, c);
+    return axes;
 }
 
-double Scene::Impl::pixel_size() const {
+Vec3 SceneCamera::toward_eye() const {
+    return frame().row(2).transpose();
+}
+
+double SceneCamera::pixel_size() const {
     const int height = window_size().y();
-    auto* camera = const_cast<vtkRenderer*>(renderer.Get())->GetActiveCamera();
-    return height > 0 ? 2.0 * camera->GetParallelScale() / height : 0.0;
+    return height > 0 ? 2.0 * vtk()->GetParallelScale() / height : 0.0;
 }
 
-Vec3 Scene::Impl::point_at(double x, double y) const {
+Vec3 SceneCamera::point_at(double x, double y) const {
     const Eigen::Vector2i size = window_size();
-    auto* camera = const_cast<vtkRenderer*>(renderer.Get())->GetActiveCamera();
-    const Vec3 focal(camera->GetFocalPoint());
-    const Mat3 frame = camera_frame();
+    const Vec3 focal(vtk()->GetFocalPoint());
+    const Mat3 axes = frame();
     const double mm = pixel_size();
-    return focal + frame.row(0).transpose() * ((x - size.x() / 2.0) * mm)
-           + frame.row(1).transpose() * ((size.y() / 2.0 - y) * mm);
+    return focal + axes.row(0).transpose() * ((x - size.x() / 2.0) * mm)
+           + axes.row(1).transpose() * ((size.y() / 2.0 - y) * mm);
 }
 
-Box3 Scene::bounds(bool with_tool) const {
-    Box3 b;
-    if (impl_->part && (visible(Layer::part) || visible(Layer::edges))) b.add(impl_->part->box);
-    if (impl_->deviation && visible(Layer::deviation)) b.add(impl_->deviation->box);
-    if (visible(Layer::stock)) {
-        b.add(impl_->stock);
-        if (impl_->stock.empty())
-            for (const auto& patch : impl_->cut_stock)
-                if (patch) b.add(patch->box);
-    }
-    if (impl_->path && (visible(Layer::cc) || visible(Layer::cl))) b.add(impl_->path->box);
-    if (with_tool && visible(Layer::tool)) b.add(impl_->tool_bounds());
-    return b;
+Vec2 SceneCamera::display_of(const Vec3& point) const {
+    const Eigen::Vector2i size = window_size();
+    const double mm = pixel_size();
+    if (mm <= 0) return Vec2::Zero();
+    const Mat3 axes = frame();
+    const Vec3 d = point - point_at(size.x() / 2.0, size.y() / 2.0);
+    return {size.x() / 2.0 + axes.row(0).dot(d) / mm, size.y() / 2.0 - axes.row(1).dot(d) / mm};
 }
 
-void Scene::Impl::set_clipping_range() {
-    // VTK would go through all facets of a new part, whose box is known.
-    Box3 box;
-    std::vector<vtkActor*> known;
-    const auto know = [&](const SceneActor& first, const auto& more) {
-        known.push_back(first.actor);
-        for (const auto& piece : more)
-            known.push_back(piece->actor);
-    };
-    if (part && (part_surface.actor->GetVisibility() || part_edges.actor->GetVisibility())) {
-        box = part->box;
-        know(part_surface, more_surface);
-        know(part_edges, more_edges);
-        known.push_back(part_lines.actor);
-    }
-    if (deviation && deviation_surface.actor->GetVisibility()) {
-        box.add(deviation->box);
-        know(deviation_surface, more_deviation);
-    }
-    for (const auto& [patches, actors_of] :
-         {std::pair(&cut_stock, &cut_patches), std::pair(&cut_detail, &detail_patches)})
-        for (std::size_t i = 0; i < patches->size(); ++i) {
-            const auto& a = (*actors_of)[i];
-            if (!a || !a->actor->GetVisibility()) continue;
-            box.add((*patches)[i]->box);
-            known.push_back(a->actor);
+CameraPlace SceneCamera::place() const {
+    vtkCamera* camera = vtk();
+    const Mat3 axes = frame();
+    return {Vec3(camera->GetFocalPoint()), axes.row(2).transpose(), axes.row(1).transpose(),
+            2 * camera->GetParallelScale()};
+}
+
+void SceneCamera::look_at(const CameraPlace& place) {
+    vtkCamera* camera = vtk();
+    const double distance = std::max(camera->GetDistance(), 1e-3);
+    const Vec3 eye = place.target + distance * place.toward_eye;
+    camera->SetFocalPoint(place.target.x(), place.target.y(), place.target.z());
+    camera->SetPosition(eye.x(), eye.y(), eye.z());
+    camera->SetViewUp(place.up.x(), place.up.y(), place.up.z());
+    camera->SetParallelScale(place.height / 2);
+}
+
+CameraPlace SceneCamera::place_to_see(const Vec3& point, const Vec3& normal, double height) const {
+    CameraPlace place = this->place();
+    place.target = point;
+    place.height = std::min(place.height, height);
+    constexpr double seen = 0.35; // cosine of the slant under which one still sees what is there
+    if (normal.norm() < 0.5 || normal.dot(place.toward_eye) >= seen) return place;
+    // From the four corners above and below, the one that the surface faces most; ties go to the front.
+    double best = -2;
+    for (const double z : {0.9, -0.9})
+        for (const auto& [x, y] : {std::pair(1.0, -1.0), {-1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+            const Vec3 eye = Vec3(x, y, z).normalized();
+            if (normal.dot(eye) <= best + 1e-9) continue;
+            best = normal.dot(eye);
+            place.toward_eye = eye;
         }
-    std::sort(known.begin(), known.end());
-    vtkActorCollection* actors = renderer->GetActors();
-    vtkCollectionSimpleIterator it;
-    actors->InitTraversal(it);
-    while (vtkActor* actor = actors->GetNextActor(it)) {
-        if (!actor->GetVisibility() || std::binary_search(known.begin(), known.end(), actor)) continue;
-        const double* b = actor->GetBounds();
-        if (!b || b[0] > b[1]) continue;
-        box.add(Vec3(b[0], b[2], b[4]));
-        box.add(Vec3(b[1], b[3], b[5]));
-    }
-    if (box.empty()) {
-        renderer->ResetCameraClippingRange();
-        return;
-    }
-    const double ends[6] = {box.lo.x(), box.hi.x(), box.lo.y(), box.hi.y(), box.lo.z(), box.hi.z()};
-    renderer->ResetCameraClippingRange(ends);
+    const Vec3 right = Vec3::UnitZ().cross(place.toward_eye).normalized();
+    place.up = place.toward_eye.cross(right);
+    return place;
 }
 
-void Scene::set_view(StandardView view) {
+void SceneCamera::turn_to(StandardView view) {
     const auto [toward, up] = view_vectors(view);
-    vtkCamera* camera = impl_->renderer->GetActiveCamera();
+    vtkCamera* camera = vtk();
     double focal[3];
     camera->GetFocalPoint(focal);
     camera->SetPosition(focal[0] + toward.x(), focal[1] + toward.y(), focal[2] + toward.z());
     camera->SetViewUp(up.x(), up.y(), up.z());
-    fit();
 }
 
-void Scene::fit(bool with_tool) {
-    impl_->apply_visibility();
-    vtkCamera* camera = impl_->renderer->GetActiveCamera();
-    const Box3 box = bounds(with_tool);
-    const Vec3 half = box.size() / 2;
-    const Mat3 frame = impl_->camera_frame();
-    Vec3 focal = box.empty() ? Vec3(Vec3::Zero()) : box.center();
-    double scale = empty_view_height / 2; // half the window's height in mm
-    double distance = empty_view_height;
-    if (!box.empty()) {
-        Eigen::Vector2i size = impl_->window_size();
-        if (size.x() < 1 || size.y() < 1) size = {400, 300}; // no window yet: fitted again when there is one
-        const double width = size.x() / impl_->ratio, height = size.y() / impl_->ratio;
-        std::array<Vec2, 3> edges;
-        for (int k = 0; k < 3; ++k)
-            edges[std::size_t(k)] = Vec2(frame(0, k), -frame(1, k)) * half[k];
-        const Fit f = best_fit(width, height, impl_->overlay->layout(impl_->overlay_content()), edges);
-        const double per_mm = f.pixels_per_mm;
-        if (std::isfinite(per_mm) && per_mm > 0) {
-            scale = height / 2 / per_mm;
-            const Vec2 off = (f.center - Vec2(width / 2, height / 2)) / per_mm; // of the box from the middle
-            focal -= frame.row(0).transpose() * off.x() - frame.row(1).transpose() * off.y();
-        }
-        distance = std::max(2 * box.diagonal(), 1e-3);
-    }
-    const Vec3 eye = focal + distance * Vec3(frame.row(2).transpose());
+void SceneCamera::place_at(const Vec3& focal, double distance, double scale) {
+    vtkCamera* camera = vtk();
+    const Vec3 eye = focal + distance * toward_eye();
     camera->SetFocalPoint(focal.x(), focal.y(), focal.z());
     camera->SetPosition(eye.x(), eye.y(), eye.z());
     camera->SetParallelScale(scale);
     camera->ParallelProjectionOn();
 }
 
-void Scene::zoom_at(double x, double y, double factor) {
-    if (!(factor > 0) || !std::isfinite(factor) || impl_->pixel_size() <= 0) return;
-    vtkCamera* camera = impl_->renderer->GetActiveCamera();
-    const Vec3 before = impl_->point_at(x, y);
+void SceneCamera::fit_empty() {
+    place_at(Vec3::Zero(), empty_view_height, empty_view_height / 2);
+}
+
+void SceneCamera::fit(const Box3& box, const OverlayLayout& clear_of, double ratio) {
+    const Vec3 half = box.size() / 2;
+    const Mat3 axes = frame();
+    Vec3 focal = box.center();
+    double scale = empty_view_height / 2;
+    Eigen::Vector2i size = window_size();
+    if (size.x() < 1 || size.y() < 1) size = {400, 300}; // no window yet: fitted again when there is one
+    const double width = size.x() / ratio, height = size.y() / ratio;
+    std::array<Vec2, 3> edges;
+    for (int k = 0; k < 3; ++k)
+        edges[std::size_t(k)] = Vec2(axes(0, k), -axes(1, k)) * half[k];
+    const Fit f = best_fit(width, height, clear_of, edges);
+    const double per_mm = f.pixels_per_mm;
+    if (std::isfinite(per_mm) && per_mm > 0) {
+        scale = height / 2 / per_mm;
+        const Vec2 off = (f.center - Vec2(width / 2, height / 2)) / per_mm; // of the box from the middle
+        focal -= axes.row(0).transpose() * off.x() - axes.row(1).transpose() * off.y();
+    }
+    place_at(focal, std::max(2 * box.diagonal(), 1e-3), scale);
+}
+
+void SceneCamera::zoom_at(double x, double y, double factor) {
+    if (!(factor > 0) || !std::isfinite(factor) || pixel_size() <= 0) return;
+    vtkCamera* camera = vtk();
+    const Vec3 before = point_at(x, y);
     camera->SetParallelScale(camera->GetParallelScale() / factor);
-    const Vec3 move = before - impl_->point_at(x, y);
+    const Vec3 move = before - point_at(x, y);
     const Vec3 focal = Vec3(camera->GetFocalPoint()) + move, eye = Vec3(camera->GetPosition()) + move;
     camera->SetFocalPoint(focal.x(), focal.y(), focal.z());
     camera->SetPosition(eye.x(), eye.y(), eye.z());
 }
 
-void Scene::center_on(const Vec3& point) {
-    vtkCamera* camera = impl_->renderer->GetActiveCamera();
+void SceneCamera::center_on(const Vec3& point) {
+    vtkCamera* camera = vtk();
     const Vec3 move = point - Vec3(camera->GetFocalPoint()), eye = Vec3(camera->GetPosition()) + move;
     camera->SetFocalPoint(point.x(), point.y(), point.z());
     camera->SetPosition(eye.x(), eye.y(), eye.z());

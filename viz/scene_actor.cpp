@@ -1,0 +1,126 @@
+#include "viz/scene_actor.h"
+
+#include "viz/palette.h"
+#include "viz/scene_layer.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace facetmill {
+
+SceneActor::SceneActor()
+    : actor(vtkSmartPointer<vtkActor>::New()), mapper(vtkSmartPointer<vtkPolyDataMapper>::New()) {
+    mapper->ScalarVisibilityOff();
+    mapper->StaticOn(); // the data never change in place
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+}
+
+SceneActor::~SceneActor() = default;
+
+void SceneActor::set_data(vtkPolyData* data, const Vec3& center) {
+    mapper->SetInputData(data);
+    actor->SetPosition(center.x(), center.y(), center.z());
+    filled = data->GetNumberOfCells() > 0;
+}
+
+void SceneActor::clear() {
+    mapper->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+    filled = false;
+}
+
+void SceneActor::show(bool wanted) {
+    actor->SetVisibility(wanted && filled);
+}
+
+bool SceneActor::shown() const {
+    return actor->GetVisibility() != 0;
+}
+
+vtkProperty* SceneActor::property() const {
+    return actor->GetProperty();
+}
+
+void SceneActor::color(const Rgb& color) {
+    property()->SetColor(color.r, color.g, color.b);
+}
+
+void SceneActor::unlit() {
+    property()->LightingOff();
+}
+
+void SceneActor::set_line_width(double pixels) {
+    property()->SetLineWidth(float(pixels));
+}
+
+void SceneActor::set_point_size(double pixels) {
+    property()->SetPointSize(float(pixels));
+}
+
+void SceneActor::nearer(double by) {
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -by);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-by);
+}
+
+void SceneActor::look_like(const SceneActor& other) {
+    actor->SetProperty(other.actor->GetProperty());
+    actor->SetBackfaceProperty(other.actor->GetBackfaceProperty());
+    mapper->SetScalarVisibility(other.mapper->GetScalarVisibility());
+    double factor = 0, units = 0;
+    other.mapper->GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+    other.mapper->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+    other.mapper->GetRelativeCoincidentTopologyPointOffsetParameter(units);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(units);
+}
+
+std::size_t SceneActor::elements() const {
+    vtkPolyData* data = mapper->GetInput();
+    const vtkIdType lines = data->GetLines()->GetNumberOfConnectivityIds() - data->GetNumberOfLines();
+    return std::size_t(data->GetNumberOfPolys() + lines + data->GetNumberOfVerts());
+}
+
+void ScenePieces::set(SceneStage& stage, const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
+                      const Vec3& center) {
+    stage.steps.forget();
+    for (auto& piece : more_)
+        stage.renderer->RemoveActor(piece->actor);
+    more_.clear();
+    if (pieces.empty()) {
+        first.clear();
+        return;
+    }
+    first.set_data(pieces.front(), center);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        auto piece = std::make_unique<SceneActor>();
+        piece->look_like(first);
+        piece->set_data(pieces[i], center);
+        stage.renderer->AddActor(piece->actor);
+        more_.push_back(std::move(piece));
+    }
+}
+
+void ScenePieces::show(bool wanted) {
+    first.show(wanted);
+    for (auto& piece : more_)
+        piece->show(wanted);
+}
+
+void ScenePieces::add_to(std::vector<SceneActor*>& all) {
+    all.push_back(&first);
+    for (auto& piece : more_)
+        all.push_back(piece.get());
+}
+
+void ScenePieces::add_to(std::vector<vtkActor*>& all) const {
+    all.push_back(first.actor);
+    for (const auto& piece : more_)
+        all.push_back(piece->actor);
+}
+
+} // namespace facetmill

@@ -1,0 +1,19 @@
+#include "viz/scene_layer.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+
+namespace facetmill {
+
+SceneStage::SceneStage() : renderer(vtkSmartPointer<vtkRenderer>::New()), camera(renderer) {
+    layers_on.assign(all_layers().size(), true);
+    layers_on[std::size_t(Layer::edges)] = false;
+}
+
+SceneStage::~SceneStage() = default;
+
+void SceneLayer::add_actor(SceneActor& actor) {
+    stage_.renderer->AddActor(actor.actor);
+}
+
+} // namespace facetmill

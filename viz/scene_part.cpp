@@ -1,0 +1,172 @@
+#include "viz/scene_part.h"
+
+#include "viz/overlay.h"
+#include "viz/poly_data.h"
+
+#include <vtkActor.h>
+#include <vtkProperty.h>
+
+#include <utility>
+
+namespace facetmill {
+
+ScenePart::ScenePart(SceneStage& stage) : SceneLayer(stage) {
+    for (SceneActor* a : {&surface_.first, &preview_, &lines_, &edges_.first})
+        add_actor(*a);
+    lines_.unlit();
+    edges_.first.unlit();
+    edges_.first.nearer(32);
+    lines_.nearer(36);
+    vtkProperty* look = surface_.first.property();
+    look->SetAmbient(0.10);
+    look->SetDiffuse(0.90);
+    look->SetSpecular(0.12);
+    look->SetSpecularPower(24);
+    surface_.first.actor->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New());
+    preview_.actor->SetProperty(look);
+    preview_.actor->SetBackfaceProperty(surface_.first.actor->GetBackfaceProperty());
+}
+
+void ScenePart::set(PartDisplayPtr part) {
+    // The old arrays stay until the actors have the new ones.
+    const PartDisplayPtr old = std::exchange(part_, std::move(part));
+    is_new_ = true;
+    if (!part_ || part_->triangles.empty()) {
+        part_ = nullptr;
+        surface_.set(stage_, {}, Vec3::Zero());
+        edges_.set(stage_, {}, Vec3::Zero());
+        lines_.clear();
+        preview_.clear();
+        return;
+    }
+    const PartDisplay& p = *part_;
+    const auto surface = triangle_pieces(p.points, p.normals, p.triangles, elements_in_piece);
+    vtkPolyData* like = surface.front();
+    surface_.set(stage_, surface, p.center);
+    edges_.set(stage_, segment_pieces(like, p.edges, elements_in_piece), p.center);
+    lines_.set_data(segment_pieces(like, p.lines, p.lines.size()).front(), p.center);
+    preview_.set_data(triangle_data(p.preview.points, p.preview.normals, p.preview.triangles), p.center);
+}
+
+void ScenePart::set(MeshPtr mesh) {
+    set(mesh ? prepare_part_display(std::move(mesh), {}) : PartDisplayPtr());
+}
+
+void ScenePart::set_style(PartStyle style) {
+    style_ = style;
+    apply_palette(colors_of(stage_.palette));
+}
+
+std::optional<PartPick> ScenePart::pick(double x, double y) const {
+    const SceneCamera& camera = stage_.camera;
+    if (!part_ || camera.pixel_size() <= 0) return std::nullopt;
+    const Mesh& mesh = *part_->mesh;
+    const Vec3 direction = -camera.toward_eye(), at = camera.point_at(x, y);
+    // Start before everything: in parallel projection the eye's own place means nothing.
+    const double back = 2 * part_->box.diagonal() + (part_->box.center() - at).norm();
+    const Vec3 origin = at - back * direction;
+    const SightHit hit = part_->sights.first(mesh, origin, direction);
+    if (!hit.found()) return std::nullopt;
+    PartPick pick;
+    pick.point = origin + hit.distance * direction;
+    pick.normal = mesh.facet_normal(hit.facet);
+    pick.facet = hit.facet;
+    pick.back_side = pick.normal.dot(direction) > 0;
+    return pick;
+}
+
+bool ScenePart::hides(const Vec3& place) const {
+    if (!part_) return false;
+    const Vec3 toward = stage_.camera.toward_eye();
+    const double back = 2 * part_->box.diagonal() + (part_->box.center() - place).norm();
+    const SightHit hit = part_->sights.first(*part_->mesh, place + back * toward, -toward);
+    const double slack = 2 * stage_.camera.pixel_size() + 1e-3 * part_->box.diagonal();
+    return hit.distance < back - slack;
+}
+
+bool ScenePart::covers() const {
+    return part_ && stage_.on(Layer::part) && style_ != PartStyle::wire;
+}
+
+SceneActor* ScenePart::lines_of_new() {
+    return std::exchange(is_new_, false) ? &lines_ : nullptr;
+}
+
+bool ScenePart::has(Layer layer) const {
+    return (layer == Layer::part || layer == Layer::edges) && part_;
+}
+
+void ScenePart::apply_palette(const Colors& colors) {
+    lines_.color(colors.feature_edges);
+    edges_.first.color(colors.mesh_edges);
+    surface_.first.color(colors.part);
+    vtkProperty* front = surface_.first.property();
+    if (style_ == PartStyle::flat)
+        front->SetInterpolationToFlat();
+    else
+        front->SetInterpolationToGouraud();
+    vtkProperty* back = surface_.first.actor->GetBackfaceProperty();
+    back->DeepCopy(front);
+    back->SetColor(colors.part_back.r, colors.part_back.g, colors.part_back.b);
+}
+
+void ScenePart::apply_line_widths() {
+    lines_.set_line_width(1.1 * stage_.ratio);
+    edges_.first.set_line_width(0.6 * stage_.ratio);
+}
+
+void ScenePart::apply_visibility(ShownSurface shown) {
+    const bool wire = style_ == PartStyle::wire, coarse = stage_.moving && preview_.filled;
+    const bool cut = shown == ShownSurface::cut_stock, own = shown == ShownSurface::part;
+    const bool on = stage_.on(Layer::part) && !cut;
+    surface_.show(on && !wire && !coarse && own);
+    preview_.show(on && coarse && own);
+    lines_.show(on);
+    edges_.show(((stage_.on(Layer::edges) && !cut) || (on && wire)) && !coarse);
+}
+
+bool ScenePart::has_preview() const {
+    return preview_.filled;
+}
+
+void ScenePart::add_bounds(Box3& box) const {
+    if (part_ && (stage_.on(Layer::part) || stage_.on(Layer::edges))) box.add(part_->box);
+}
+
+void ScenePart::add_known(KnownBoxes& known) const {
+    if (!part_ || !(surface_.first.shown() || edges_.first.shown())) return;
+    known.box.add(part_->box);
+    surface_.add_to(known.actors);
+    edges_.add_to(known.actors);
+    known.actors.push_back(lines_.actor);
+}
+
+void ScenePart::add_heavy(HeavyActors& heavy) {
+    surface_.add_to(heavy.surfaces);
+    heavy.lines.push_back(&lines_);
+    edges_.add_to(heavy.lines);
+}
+
+void ScenePart::add_legend(std::vector<LegendEntry>& entries, ShownSurface shown) const {
+    if (shows_back(shown))
+        entries.push_back(
+            {LegendEntry::Sample::surface, colors_of(stage_.palette).part_back, 1, "Back of the surface"});
+}
+
+bool ScenePart::shows_back(ShownSurface shown) const {
+    if (shown != ShownSurface::part || !covers() || !part_->has_border) return false;
+    // A sample is enough for a line of the legend.
+    const std::size_t n = part_->mesh->facets.size(), stride = n / 2048 + 1;
+    const Vec3 toward = stage_.camera.toward_eye();
+    std::size_t seen = 0, back = 0;
+    for (std::size_t f = 0; f < n; f += stride, ++seen)
+        back += part_->mesh->facet_normal(f).dot(toward) < 0;
+    return 50 * back > seen;
+}
+
+void ScenePart::rehearse(std::size_t k, SceneRehearsal& rehearsal) {
+    if (k == 0) rehearsal.triangle(surface_.first);
+    if (k == 1) rehearsal.segments(lines_);
+}
+
+} // namespace facetmill
