@@ -1,7 +1,7 @@
 #include "ui/inspection_panel.h"
 
 #include "ui/elided_label.h"
-#include "ui/icons.h"
+#include "ui/icon_button.h"
 #include "ui/plot_view.h"
 
 #include <QComboBox>
@@ -40,13 +40,7 @@ InspectionPanel::InspectionPanel(QWidget* parent) : QWidget(parent) {
     readout_->setMinimumWidth(20);
     row->addWidget(readout_, 1);
     const auto add = [&](Icon which, const QString& tip, const char* name) {
-        auto* b = new QToolButton(this);
-        b->setObjectName(QLatin1String(name));
-        b->setIcon(icon(which));
-        b->setIconSize(QSize(16, 16));
-        b->setAutoRaise(true);
-        b->setToolTip(tip);
-        b->setFocusPolicy(Qt::TabFocus);
+        auto* b = icon_button(this, which, tip, name);
         row->addWidget(b);
         buttons_.push_back(b);
         return b;

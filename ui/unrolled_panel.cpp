@@ -1,6 +1,6 @@
 #include "ui/unrolled_panel.h"
 
-#include "ui/icons.h"
+#include "ui/icon_button.h"
 #include "ui/unrolled_view.h"
 
 #include <QComboBox>
@@ -24,13 +24,7 @@ UnrolledPanel::UnrolledPanel(QWidget* parent) : QWidget(parent) {
     row->addWidget(operation_);
     row->addStretch(1);
     const auto add = [&](Icon which, const QString& tip, const char* name) {
-        auto* button = new QToolButton(this);
-        button->setObjectName(QLatin1String(name));
-        button->setIcon(icon(which));
-        button->setIconSize(QSize(16, 16));
-        button->setAutoRaise(true);
-        button->setToolTip(tip);
-        button->setFocusPolicy(Qt::TabFocus);
+        auto* button = icon_button(this, which, tip, name);
         row->addWidget(button);
         return button;
     };
