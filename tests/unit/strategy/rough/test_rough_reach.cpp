@@ -126,6 +126,53 @@ private slots:
         QCOMPARE(grid.held_up().size(), grid.columns() * grid.rows());
         for (const ReachGrid::HeldUp& h : grid.held_up())
             QVERIFY(std::abs(h.cutter - kept) < 1e-9 && std::abs(h.tool - (3 + kept)) < 1e-9);
+        // Each at its own place.
+        for (std::size_t i = 1; i < grid.held_up().size(); ++i) {
+            const Vec2 &before = grid.held_up()[i - 1].place, &here = grid.held_up()[i].place;
+            QVERIFY(here.y() > before.y() || (here.y() == before.y() && here.x() > before.x()));
+        }
+    }
+
+    /// So does a shank that is wider than the cutter.
+    void a_wide_shank_holds_the_tip_up() {
+        Tool tool = flat_tool(4);
+        tool.flute_length = 5;
+        tool.shank_diameter = 12;
+        tool.shank_length = 10;
+        const Reach r(step(0, 8), tool);
+        RoughReach::Hints hints;
+        const double kept = allowance + margin;
+        QVERIFY(r.reach.has_bodies());
+        QVERIFY(std::abs(r.reach.tip_z(Vec2(0, 5), hints) - (8 + kept - 5)) < 1e-9);
+        QVERIFY(std::abs(r.reach.tip_z(Vec2(0, 7), hints) - kept) < 1e-9);
+        // Where even the lowest tip is high enough there is nothing to hold it up.
+        tool.flute_length = 9;
+        QVERIFY(!Reach(step(0, 8), tool).reach.has_bodies());
+    }
+
+    /// Over a saddle four quarters meet, and cells there are free at two opposite corners: what is blocked
+    /// stays joined, and no border ends but at the grid's own.
+    void borders_over_a_saddle_are_whole() {
+        const Mesh saddle =
+            height_field([](double x, double y) { return 0.15 * x * y; }, Vec2(-9, -9), Vec2(9, 9), 36, 36);
+        const Reach r(saddle, ball_tool(4));
+        RoughReach::Hints hints;
+        Random rng(12);
+        std::size_t borders = 0;
+        for (int k = 0; k < trials(40, 10); ++k) {
+            const Vec2 lo(uniform(rng, -5, -4), uniform(rng, -5, -4)), hi(5, 5);
+            const ReachGrid grid(r.reach, DriveFrame(0), lo, hi, Progress());
+            const double z = r.reach.tip_z(Vec2(uniform(rng, -0.05, 0.05), uniform(rng, -0.05, 0.05)), hints);
+            for (const Contour& c : grid.contours(z, Progress())) {
+                ++borders;
+                if (c.closed) continue;
+                for (const Vec2& end : {c.points.front(), c.points.back()}) {
+                    const double inside = std::min((end - lo).minCoeff(), (hi - end).minCoeff());
+                    QVERIFY2(inside < 1e-9, qPrintable(QString::number(inside)));
+                }
+            }
+        }
+        QVERIFY(borders >= trials(std::size_t(40)));
     }
 
     /// Round a block the border of what is free is the block grown by the radius and what is kept.
@@ -199,6 +246,11 @@ private slots:
             for (const Vec2& p : route)
                 QVERIFY(distance_to(thin, p) <= beside + 1e-12);
         }
+        // A spur there and back is no part of a straight line, ahead or behind.
+        for (const double spur : {-3.0, 3.0, 13.0})
+            QVERIFY(
+                distance_to(thinned_route(std::vector<Vec2>{{0, 0}, {spur, 0}, {10, 0}}, 0.5), Vec2(spur, 0))
+                < 0.5 + 1e-12);
         const std::vector<Vec3> straight{{0, 0, 0}, {1, 0, 0.5}, {2, 0, 1}, {3, 1, 1}};
         QCOMPARE(thinned_route(straight, 1e-9).size(), std::size_t(3));
     }

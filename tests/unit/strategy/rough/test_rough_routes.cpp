@@ -65,6 +65,21 @@ double length_of(const std::vector<Vec2>& points) {
     return sum;
 }
 
+/// The link between two places of a border runs along it and is as long as it should be; a straight one that
+/// is free does as well.
+void check_link(const Layer& layer, const Vec2& from, const Vec2& to, std::span<const Contour> contours,
+                double exact) {
+    std::vector<Vec2> link;
+    QVERIFY(layer.routes.connect(from, to, contours, 0, 100, link));
+    if (link.empty()) return;
+    link.insert(link.begin(), from);
+    link.push_back(to);
+    for (std::size_t i = 1; i < link.size(); ++i)
+        QVERIFY(distance_to(contours[0].points, 0.5 * (link[i - 1] + link[i])) < 1e-9);
+    QVERIFY2(std::abs(length_of(link) - exact) < 1e-9,
+             qPrintable(QString("%1 of %2").arg(length_of(link)).arg(exact)));
+}
+
 } // namespace
 
 class TestRoughRoutes : public QObject {
@@ -102,6 +117,15 @@ private slots:
         const auto kept = layer.pieces(0, ends, 0, true);
         QCOMPARE(kept.size(), std::size_t(1));
         QVERIFY(kept[0].cut.lo > 0);
+        const std::vector<Interval> high_end{{-9, 4}};
+        const auto low = layer.pieces(0, high_end, 0, true);
+        QCOMPARE(low.size(), std::size_t(1));
+        QVERIFY(low[0].cut.hi < 0);
+        // However near to each other they are, pieces of two free ranges are two.
+        const Layer whole;
+        const auto apart = whole.pieces(0, std::vector<Interval>{{-9, -0.1}, {0.1, 9}}, 6, false);
+        QCOMPARE(apart.size(), std::size_t(2));
+        QVERIFY(apart[0].cut.hi <= -0.1 && apart[1].cut.lo >= 0.1);
     }
 
     void neighbouring_lines_are_one_route() {
@@ -162,6 +186,74 @@ private slots:
         link.clear();
         QVERIFY(layer.routes.connect(from, Vec2(4, 5), contours, 0, 5, link));
         QVERIFY(link.empty()); // straight
+    }
+
+    /// Between any two places of a closed border the link is the shorter way along it; along an open one the
+    /// only way; and from a place that is not free there is none.
+    void links_follow_the_border() {
+        const Layer layer(Vec3(-10, -10, -4), Vec3(10, 10, 2), box(Vec3(-2, -1, -8), Vec3(2, 1, 5)));
+        const ReachGrid grid(layer.reach, DriveFrame(0), Vec2(-9, -9), Vec2(9, 9), Progress());
+        const auto closed = grid.contours(0, Progress());
+        QCOMPARE(closed.size(), std::size_t(1));
+        std::vector<Contour> open = closed;
+        open[0].closed = false;
+        open[0].points.erase(open[0].points.begin(), open[0].points.begin() + 4);
+        Random rng(23);
+        std::size_t forward = 0, back = 0, links = 0;
+        for (const auto& contours : {closed, open}) {
+            const auto& border = contours[0].points;
+            std::vector<double> arc{0};
+            for (std::size_t i = 1; i < border.size(); ++i)
+                arc.push_back(arc.back() + (border[i] - border[i - 1]).norm());
+            for (int k = 0; k < 60; ++k) {
+                const auto a = std::size_t(whole(rng, 0, int(border.size()) - 1)),
+                           b = std::size_t(whole(rng, 0, int(border.size()) - 1));
+                const double ahead = std::abs(arc[b] - arc[a]);
+                const double exact = contours[0].closed ? std::min(ahead, arc.back() - ahead) : ahead;
+                check_link(layer, border[a], border[b], contours, exact);
+                if (QTest::currentTestFailed()) return;
+                ++(a < b ? forward : back);
+                ++links;
+            }
+        }
+        QVERIFY(forward > 20 && back > 20 && links == 120);
+        // Inside the border by less than is looked at around it.
+        const Vec2 inside = closed[0].points[3] * (1 - 1 / closed[0].points[3].norm());
+        std::vector<Vec2> link;
+        RoughReach::Hints hints;
+        QVERIFY(!layer.reach.is_free(inside, 0, hints));
+        QVERIFY(!layer.routes.connect(inside, -inside * 1.5, closed, 0, 100, link));
+    }
+
+    void the_nearest_border_is_cut_first() {
+        const Layer layer;
+        std::vector<Contour> borders{square(2), square(2)};
+        for (Vec2& p : borders[0].points)
+            p.x() -= 6;
+        for (Vec2& p : borders[1].points)
+            p.x() += 6;
+        for (const double side : {-1.0, 1.0}) {
+            Vec2 at(side * 9, 0.5);
+            const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
+            QCOMPARE(routes.size(), std::size_t(2));
+            QVERIFY((routes[0].points.front() - Vec2(side * 8, 0.5)).norm() < 1e-12);
+            QVERIFY(routes[1].points.front().x() * side < 0);
+        }
+    }
+
+    /// Where nothing stands within a radius before its work the tool begins there.
+    void a_border_is_begun_where_nothing_stands() {
+        for (const double from : {6.0, 6.3, 6.6, 6.9, 7.2, 7.5}) {
+            const Layer layer(Vec3(from, -10, -4), Vec3(20, 10, 2));
+            const std::vector<Contour> borders{square(5)};
+            Vec2 at(0, 0);
+            const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
+            QCOMPARE(routes.size(), std::size_t(1));
+            const Vec2 start = routes[0].points.front();
+            QVERIFY2(layer.field.stand_height(layer.cutter, start, start) <= least,
+                     qPrintable(
+                         QString("stock from %1, begun at %2, %3").arg(from).arg(start.x()).arg(start.y())));
+        }
     }
 
     void a_border_in_stock_is_cut_all_round_from_the_nearest_place() {

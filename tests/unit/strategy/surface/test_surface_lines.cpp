@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include <functional>
+
 using namespace facetmill;
 using namespace facetmill::test;
 
@@ -192,6 +194,126 @@ private slots:
         }
         QVERIFY2(found > trials(std::size_t(50)) && none > trials(std::size_t(50)),
                  qPrintable(QString("%1 %2").arg(found).arg(none)));
+    }
+
+    /// Slopes up to the upright are surface, and a line of two points is one.
+    void steep_and_short_lines_count() {
+        const auto slope = [](double rise) {
+            return height_field([rise](double x, double) { return rise * x; }, Vec2(0, 0), Vec2(2, 2), 3, 3);
+        };
+        for (const double rise : {5.0, 50.0, 800.0}) {
+            const Lines part(slope(rise));
+            const auto lines = part->lines(0.9);
+            QCOMPARE(lines.size(), std::size_t(1));
+            QVERIFY(std::abs(lines[0].length() - 2 * std::hypot(1, rise)) < 1e-9 * rise);
+        }
+        QVERIFY(Lines(slope(2000))->lines(0.9).empty());
+        Mesh one;
+        one.vertices = {Vec3(0, 0, 0), Vec3(4, 0, 1), Vec3(0, 4, 0)};
+        one.facets = {{0, 1, 2}};
+        const auto lines = Lines(one)->lines(1.0);
+        QCOMPARE(lines.size(), std::size_t(1));
+        QCOMPARE(lines[0].points.size(), std::size_t(2));
+        QVERIFY((lines[0].points.back().point - Vec3(3, 1, 0.75)).norm() < 1e-12);
+    }
+
+    /// A body like a spinning top: lines go over all of its lid, from rim to rim, wherever the cut
+    /// begins; a little below the rim, too, since normals turn over it.
+    void a_closed_body_is_passed_over_from_rim_to_rim() {
+        Mesh top;
+        constexpr int sides = 7;
+        for (int k = 0; k < sides; ++k)
+            top.vertices.emplace_back(5 * std::cos(2 * pi * k / sides), 5 * std::sin(2 * pi * k / sides), 0);
+        top.vertices.emplace_back(0.3, 0.2, 1);
+        top.vertices.emplace_back(0, 0, -9);
+        Mesh lid = top;
+        for (Index k = 0; k < sides; ++k) {
+            const Index next = (k + 1) % sides;
+            top.facets.push_back({k, next, sides});
+            lid.facets.push_back(top.facets.back());
+            top.facets.push_back({next, k, sides + 1});
+        }
+        for (int k = 0; k < 12; ++k) {
+            const double angle = 2 * pi * k / 12 + 0.1;
+            const Lines part(top, angle);
+            for (const double v : {-2.1, 0.05, 1.7}) {
+                double sum = 0;
+                for (const SurfaceLine& line : part->lines(v))
+                    for (std::size_t i = 1; i < line.points.size(); ++i)
+                        if (std::min(line.points[i].point.z(), line.points[i - 1].point.z()) > -1e-9)
+                            sum += line.arc[i] - line.arc[i - 1];
+                const double exact = length_by_facet(lid, v, DriveFrame(angle));
+                QVERIFY2(std::abs(sum - exact) < 1e-9, qPrintable(QString("%1 of %2").arg(sum).arg(exact)));
+            }
+        }
+    }
+
+    /// Between two points of a line the facet is that of the nearer one.
+    void places_of_a_line_know_their_facet() {
+        Random rng(4);
+        const Lines part(*random_sheet(rng, 9), 0.4);
+        for (const SurfaceLine& line : part->lines(0.5 * (part->lo() + part->hi())))
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const double from = line.arc[i - 1], piece = line.arc[i] - from;
+                if (piece < 1e-6) continue;
+                QCOMPARE(line.at(from + 0.3 * piece).facet, line.points[i - 1].facet);
+                QCOMPARE(line.at(from + 0.7 * piece).facet, line.points[i].facet);
+            }
+    }
+
+    /// What is thinned stays as near to the line as is asked, and so does its raised copy.
+    void a_thinned_slice_keeps_to_the_line() {
+        const auto line_of = [](const std::function<double(double)>& height,
+                                const std::function<double(double)>& lean) {
+            SurfaceLine line;
+            for (double x = 0; x < 20; x += 0.125) {
+                SlicePoint p;
+                p.point = Vec3(x, 0, height(x));
+                p.normal = Vec3(std::sin(lean(x)), 0, std::cos(lean(x)));
+                p.u = x;
+                line.arc.push_back(
+                    line.points.empty() ? 0 : line.arc.back() + (p.point - line.points.back().point).norm());
+                line.points.push_back(p);
+            }
+            return line;
+        };
+        const auto level = [](double) { return 0.0; };
+        const auto wavy = [](double x) { return 0.04 * std::sin(1.5 * x); };
+        const SurfaceSlice::Options options{0.005, 3, 0};
+        for (const bool leans : {false, true}) {
+            const SurfaceLine line =
+                leans ? line_of(level, [&](double x) { return 5 * wavy(x); }) : line_of(wavy, level);
+            const SurfaceSlice slice({line}, options);
+            std::vector<Vec3> raised;
+            // Leaning normals count at the tip of the longest piece, by twenty times as much.
+            const double raise = leans ? options.longest : 0,
+                         allowed = leans ? 20 * options.deviation : options.deviation;
+            QVERIFY(slice.near(Vec3(10, 0, 0), Vec3::UnitZ(), 10, 40, raise, raised));
+            QVERIFY(raised.size() < line.points.size() / 2);
+            for (const SlicePoint& p : line.points) {
+                const double off = distance_to(raised, p.point + raise * p.normal);
+                QVERIFY2(off <= allowed + 1e-9, qPrintable(QString("%1 at %2").arg(off).arg(p.u)));
+            }
+            for (std::size_t i = 1; i < raised.size(); ++i)
+                QVERIFY(leans || (raised[i] - raised[i - 1]).norm() <= options.longest + 1e-9);
+        }
+    }
+
+    /// Beyond both of its ends a slice goes on by the extension, and no farther.
+    void a_slice_goes_on_beyond_its_ends() {
+        const Lines part(
+            height_field([](double x, double) { return 0.5 * x; }, Vec2(-8, -2), Vec2(8, 2), 4, 2));
+        const auto lines = part->lines(0.3);
+        const Vec3 along = Vec3(1, 0, 0.5).normalized(), up = Vec3(-0.5, 0, 1).normalized();
+        const SurfaceSlice plain(lines, {0.01, 1, 0}), extended(lines, {0.01, 1, 2});
+        std::vector<Vec3> raised;
+        for (const double side : {-1.0, 1.0}) {
+            const Vec3 end = side * 8 * Vec3(1, 0, 0.5) + Vec3(0, 0.3, 0), p = end + side * 3 * along;
+            QVERIFY(!plain.near(p, up, p.x(), 1.5, 0, raised));
+            QVERIFY(extended.near(p, up, p.x(), 1.5, 0, raised));
+            QVERIFY(distance_to(raised, end + side * 2 * along) < 1e-9);
+            QVERIFY(!extended.near(end + side * 4 * along, up, p.x() + side, 1.5, 0, raised));
+        }
     }
 
     void planes_of_the_lattice_are_kept_until_forgotten() {
