@@ -16,6 +16,13 @@ struct LinkOptions {
     double clearance = 5;          ///< height of rapids above the highest of part and stock
     double link_distance = 0;      ///< passes whose ends are nearer than this are linked on the surface
     double chord_tolerance = 0.01; ///< how far a link may run beside the route that was found free
+    // No parameters: what links keep safe by, which tests halve and double.
+    /// The share of the chord tolerance by which a tool with five axes may be in the part at the places
+    /// looked at; the rest is for what lies between them.
+    double motion_share = 0.6;
+    /// The share of the clearance by which the chord of a rapid about a turning axis may lie nearer to it
+    /// than its ends: three quarters stay, whether the tip runs on the arc or on its chord.
+    double rapid_chord_share = 0.25;
 };
 
 /// The options that suit an operation: links as far as four step-overs or the cutter's radius, the chord

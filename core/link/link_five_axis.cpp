@@ -16,9 +16,6 @@ constexpr int max_depth = 16;
 /// How far a link on the surface is lifted at most, in diameters of the cutter: higher up a clearance move is
 /// as short.
 constexpr double max_lift_share = 1.5;
-/// The share of the chord tolerance that a link may use, as passes do (strategy/five_axis): the rest is left
-/// to the machine, which turns its joints between two locations, not the axis in one plane.
-constexpr double chord_share = 0.6;
 /// By how much the axis may turn between places that are no neighbours. Beyond it the tool goes up: rotary
 /// axes take their time, and near their pole they swing.
 const double max_turn = radians(45);
@@ -100,7 +97,7 @@ public:
                    const Progress& progress)
         : context_(context), clearance_(clearance), options_(options), progress_(progress),
           lift_(context.contact, context.tool, clearance), radius_(lift_.cutter().max_radius()),
-          chord_(chord_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
+          chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
           apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
           clear_lift_(context.contact, context.tool,
                       {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),

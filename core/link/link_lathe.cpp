@@ -8,10 +8,6 @@ namespace facetmill {
 
 namespace {
 
-/// The share of the clearance by which the chord of a rapid may lie nearer to the axis than its ends: three
-/// quarters stay, whether the tip runs on the arc or on its chord.
-constexpr double lathe_chord_share = 0.25;
-
 /// How far below the tip's distance from the axis a tilted tool reaches: its lower rims.
 double reach_in(const Tool& tool, double cutter_radius, double tilt) {
     const double sine = std::abs(std::sin(tilt)), cosine = std::cos(tilt);
@@ -32,7 +28,7 @@ public:
     LatheLinker(const LatheCommon& settings, const PlanContext& context, const TurnedPath& turned,
                 const LinkOptions& options, const Progress& progress)
         : frame_(settings, context), stock_(frame_, context, LatheStock::Of::whole_tool, progress),
-          clearance_(options.clearance) {
+          clearance_(options.clearance), rapid_chord_share_(options.rapid_chord_share) {
         const Mesh stock = lathe_stock_mesh(context.stock, context.stock_box);
         const double zones =
             radius_about(frame_, lathe_zone_mesh(settings, frame_, stock, options.clearance));
@@ -107,7 +103,7 @@ private:
             retract();
             const LathePlace from = place_of(*at_);
             const double turn = std::remainder(to.angle - from.angle, 2 * pi);
-            const double most = std::acos(std::max(0.0, 1 - lathe_chord_share * clearance_ / out_));
+            const double most = std::acos(std::max(0.0, 1 - rapid_chord_share_ * clearance_ / out_));
             const double parts = std::ceil(std::abs(turn) / std::min(2 * most, 0.25 * pi));
             for (double k = 1; k < parts; ++k)
                 put(MotionKind::rapid,
@@ -126,7 +122,7 @@ private:
     LatheFrame frame_;
     LatheStock stock_;
     ToolLift::Hint hint_;
-    double clearance_, out_ = 0;
+    double clearance_, rapid_chord_share_, out_ = 0;
     std::optional<CutterLocation> at_;
     ToolMotions result_;
 };

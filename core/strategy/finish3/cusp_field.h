@@ -27,10 +27,11 @@ struct StepOverInput {
     const CutterCover* cover = nullptr;
     const ContactDomain* domain = nullptr;
     DriveFrame frame;
-    double allowance = 0; ///< all that is left along the normal, as in `lift`
-    double floor = 0;     ///< lowest height of the tip
-    double cusp = 0.05;   ///< largest allowed
-    double merge = 0;     ///< gaps of the domain up to this are passed over
+    double allowance = 0;     ///< all that is left along the normal, as in `lift`
+    double floor = 0;         ///< lowest height of the tip
+    double cusp = 0.05;       ///< largest allowed
+    double merge = 0;         ///< gaps of the domain up to this are passed over
+    double look_share = 0.08; ///< distance of places along a line, in radii of the cutter
 };
 
 class CuspField {

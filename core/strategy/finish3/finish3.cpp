@@ -20,8 +20,10 @@ namespace {
 const OperationRegistration registration("finish3", "Finish, 3-axis",
                                          [] { return std::make_unique<Finish3>(); });
 
-/// Cells of the stock, in radii of the cutter.
+/// The size of the cells of the stock, in radii of the cutter. What stands only between the centres of cells
+/// is not seen: they are small beside the cutter.
 constexpr double rest_cell_share = 0.04;
+/// Drive planes of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
 constexpr double max_places = 2e9;
@@ -100,6 +102,7 @@ StrategyResult Planner::run() {
     input.floor = field_.floor;
     input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
     input.merge = fine_.spacing;
+    input.look_share = settings_.look_share;
     stepover_.emplace(input);
     check_size();
 

@@ -39,6 +39,9 @@ struct Finish3Settings : OperationCommon {
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     bool rest_only = false;
+    /// The distance of places along a line at which cusps are looked at, in radii of the cutter. No
+    /// parameter: step-overs rest on it, and tests halve and double it.
+    double look_share = 0.08;
 };
 
 const ParameterTable<Finish3Settings>& finish3_parameters();

@@ -8,6 +8,7 @@ namespace facetmill {
 
 namespace {
 
+/// Columns that a thread takes at a time.
 constexpr std::size_t block_columns = 8;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
@@ -22,6 +23,7 @@ constexpr double jump_share = 0.3;
 /// Beside the place where the contact jumps from flank to flank the part is to be cut as far into the hollow
 /// as the cutter that touches both leaves this share of the allowed cusp, as find_uncut has it.
 constexpr double hollow_share = 0.25;
+/// Halvings on the way into a hollow: to a hundredth of a percent of it.
 constexpr int hollow_halvings = 14;
 /// A flank whose normal rises by less has no surface that is known from above.
 constexpr double steepest_hollow = 0.05;

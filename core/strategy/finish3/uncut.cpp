@@ -10,8 +10,10 @@ namespace facetmill {
 
 namespace {
 
+/// Facets that a thread takes at a time, and those between two looks at the cancel flag.
 constexpr std::size_t block_facets = 64;
 constexpr std::size_t check_every = 8192;
+/// Samples beyond one a facet: some seconds of work.
 constexpr double max_samples = 4e6;
 /// Where the part holds the cutter up by more than this share of the allowed height, that is why too much
 /// stays.

@@ -19,9 +19,11 @@ constexpr double yawed_share = 0.5;
 /// A strip that is as wide to either side as this share of the gap needs no other posture: half would be
 /// enough if the neighbour's were as wide.
 constexpr double wanted_share = 0.75;
+/// Step of the yaw while an estimated posture is sought: a few tries to either side.
 const double yaw_step = radians(15);
 /// Largest step of the lead while the least inclined posture is sought.
 const double max_lead_step = radians(3);
+/// Contacts that a thread takes at a time.
 constexpr std::size_t contacts_per_block = 16;
 
 /// Nodes of the grid, from yaw 0 outward.

@@ -22,6 +22,7 @@ namespace {
 const OperationRegistration registration("finish5", "Finish, 5-axis",
                                          [] { return std::make_unique<Finish5>(); });
 
+/// Drive planes of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_drive_planes = 100000;
 /// Contact points of a plan, roughly: a day's work.
 constexpr double max_contacts = 2e7;

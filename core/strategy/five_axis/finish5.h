@@ -39,6 +39,14 @@ struct Finish5Settings : OperationCommon {
     bool accelerations = false;      ///< the global choice and the reported time mind those of the axes
     /// Used whatever `posture` says where they are free; where they are not, a warning names the point.
     std::vector<ManualPosture> manual_postures;
+    // No parameters: what plans keep safe by, which tests halve and double.
+    /// The share of the chord tolerance that motions may use along the axis at the places looked at, so that
+    /// what lies between them stays within the tolerance too: with half of it motions are divided more often,
+    /// with twice as much the tolerance may be exceeded.
+    double motion_share = 0.6;
+    /// Room that postures keep to the top, in chord tolerances: what motions between them may miss their
+    /// strip by, and as much again. Motions between postures on the border of their spaces leave these.
+    double room_chords = 3;
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();

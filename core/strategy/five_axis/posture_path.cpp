@@ -13,14 +13,10 @@ namespace {
 
 /// A motion between neighbouring contact points is halved this often at most.
 constexpr int max_divisions = 6;
+/// Places that a thread takes at a time: one takes some milliseconds.
 constexpr std::size_t places_per_block = 4;
 /// A run of free points shorter than this, in radii of the cutter, is left to clean-up with its neighbours.
 constexpr double shortest_run_share = 0.1;
-
-/// Share of the chord tolerance that motions may use along the axis at the places looked at, so that what
-/// lies between them stays within the tolerance too: with half of it motions are divided more often, with
-/// twice as much the tolerance is exceeded (test_posture_path).
-constexpr double chord_share = 0.6;
 
 struct Stop {
     ContactPlace place;
@@ -46,7 +42,7 @@ public:
 
     bool keeps_clear(const CutterLocation& a, const CutterLocation& b) {
         return keeps_clear_between(field_.lift(), a, b, looking_step(field_.radius(), field_.chord()),
-                                   chord_share * field_.chord(), hint_);
+                                   field_.settings().motion_share * field_.chord(), hint_);
     }
 
     /// Appends the stops that the motion from a to b needs; false where it cannot be made free.

@@ -6,10 +6,8 @@
 namespace facetmill {
 
 namespace {
+/// Places that a thread takes at a time.
 constexpr std::size_t studied_per_block = 8;
-/// Room that postures keep to the top, in chord tolerances: what motions between them may miss their strip
-/// by, and as much again. Motions between postures on the border of their spaces leave these.
-constexpr double room_chords = 3;
 
 /// The posture kept at a place, lifted as little as cuts nothing, if that is free.
 std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
@@ -60,7 +58,7 @@ std::vector<ChosenPosture> choose_postures(const FiveAxisField& field, const Pos
     input.before = before;
     input.next = next;
     input.accelerations = field.settings().accelerations;
-    input.room = room_chords * field.chord();
+    input.room = field.settings().room_chords * field.chord();
     input.turn_limit = field.settings().turn_limit;
     using Method = Finish5Settings::PostureChoice;
     switch (method) {

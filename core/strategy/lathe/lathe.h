@@ -46,6 +46,13 @@ struct LatheCommon : OperationCommon {
     NumberOrWord chord_tolerance{0, "auto"};            ///< mm
     double holder_clearance = 0;                        ///< mm
     Winding winding = Winding::unwound;                 ///< turning angles in the table of positions
+    // No parameters: what plans keep safe by, which tests halve and double.
+    /// The share of the chord tolerance that motions may use between the places looked at; as much is for
+    /// leaving points out, the rest for arcs that a reader of the program takes for straight.
+    double look_share = 0.4;
+    /// The share of the allowed cusp that side feeds aim at. The rest is for the angles between those looked
+    /// at.
+    double aimed_share = 0.9;
 };
 
 /// Description of a parameter of LatheCommon, the same for all lathe-mill operations; its default is the

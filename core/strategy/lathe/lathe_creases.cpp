@@ -10,6 +10,7 @@ namespace facetmill {
 
 namespace {
 
+/// Creases that a thread takes at a time; vertices between two looks at the cancel flag.
 constexpr std::size_t creases_per_block = 32, facets_per_check = 8192;
 /// A fillet of less than this share of what is allowed takes nothing from the feed.
 constexpr double min_fillet = 0.05;

@@ -16,7 +16,10 @@ constexpr double line_share = 0.05;
 constexpr double steepest = 0.5, place_share = 0.25;
 /// No feed is longer than this share of the cutter's diameter.
 constexpr double widest_share = 0.95;
+/// Lines on which cusps are measured: about as far apart as a step on a level plane, within these limits.
+/// LathePath aims below the allowed cusp for the angles between.
 constexpr std::size_t fewest_lines = 24, max_lines = 720;
+/// Halvings while a feed is sought: to a hundredth of it, and always on the safe side.
 constexpr int feed_halvings = 7;
 /// Places between two cutters at which the cusp is looked at, and halvings of their distance about the
 /// highest.

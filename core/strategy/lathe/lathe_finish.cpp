@@ -10,6 +10,7 @@ namespace {
 const OperationRegistration finish_registration("lathe_finish", "Finish, turning part",
                                                 [] { return std::make_unique<LatheFinish>(); });
 
+/// Points between two looks at the cancel flag.
 constexpr std::size_t points_per_check = 256;
 
 /// Whether the path comes anywhere deeper than the raw material stands.

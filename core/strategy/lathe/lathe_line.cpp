@@ -10,7 +10,9 @@ namespace facetmill {
 
 namespace {
 
+/// Places that a thread takes at a time.
 constexpr std::size_t line_points_per_block = 256;
+/// Halvings between two places, at most: a guard only, since they end where pieces are short.
 constexpr int deepest = 40;
 
 LathePlace between(const LathePlace& a, const LathePlace& b, double t) {

@@ -37,6 +37,7 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
 std::vector<LathePoint> thinned(const std::vector<LathePoint>& points, std::span<const LathePlace> route,
                                 double part_radius, double below, double above);
 
+/// Places of a path, at most: some hours of work, and 4 GB.
 inline constexpr double max_lathe_points = 4e7;
 
 } // namespace facetmill

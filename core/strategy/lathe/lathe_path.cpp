@@ -10,11 +10,9 @@ namespace facetmill {
 
 namespace {
 
-/// How the chord tolerance is shared out: between the places looked at, for leaving points out, and for the
-/// arcs of motions that a reader of the program takes for straight.
-constexpr double look_share = 0.4, thin_share = 0.4, arc_share = 0.2;
-/// Share of the allowed cusp that side feeds aim at. The rest is for the angles between those looked at.
-constexpr double aimed_share = 0.9;
+/// What LatheCommon::look_share leaves of the chord tolerance: for leaving points out, and for the arcs of
+/// motions that a reader of the program takes for straight.
+constexpr double thin_share = 0.4, arc_share = 0.2;
 /// An axis farther off the part's middle than this share of its radius is told.
 constexpr double off_share = 0.01;
 
@@ -34,7 +32,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     std::function<double(double)> advance;
     std::optional<SideFeed> feed;
     base_.cusp_max = cusp; // motions take their share of it
-    const double standing = std::max(cusp - chord, 0.5 * cusp), aimed = aimed_share * standing;
+    const double standing = std::max(cusp - chord, 0.5 * cusp), aimed = s.aimed_share * standing;
     const auto look = [&](const Progress& part) {
         reach_ = lathe_reach(s, *field_, context, range_, standing, {across_turns, advance}, part);
     };
@@ -78,7 +76,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
 
     const LatheRoute route = lathe_route(s.pattern, range_, steps, advance, progress.part(0.3, 0.31));
     LatheTolerance fine;
-    fine.below = fine.above = look_share * chord;
+    fine.below = fine.above = s.look_share * chord;
     fine.spacing = safe_lathe_spacing(field_->cover().profile(), part_radius, fine.below);
     points_ = thinned(trace(*field_, route.places, fine, progress.part(0.31, 0.95, "Following the part")),
                       route.places, part_radius, thin_share * chord, thin_share * chord);

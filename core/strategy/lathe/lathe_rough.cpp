@@ -15,7 +15,9 @@ namespace {
 const OperationRegistration rough_registration("lathe_rough", "Rough, turning part",
                                                [] { return std::make_unique<LatheRough>(); });
 
+/// Points that a thread takes at a time.
 constexpr std::size_t points_per_block = 256;
+/// Passes of a plan, at most: more come from a part in another unit.
 constexpr double max_passes = 10000;
 /// In diameters of the cutter: gaps with nothing to cut that are shorter are passed at feed.
 constexpr double joined_gap = 2;

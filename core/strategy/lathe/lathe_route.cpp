@@ -10,7 +10,9 @@ namespace facetmill {
 
 namespace {
 
+/// Facets that a thread takes at a time.
 constexpr std::size_t facets_per_block = 4096;
+/// Turns of a route, at most: more come from a part in another unit.
 constexpr std::size_t max_turns = 200000;
 /// Angles and places along the axis at which the part's lowest place is looked for, where something holds it.
 constexpr std::size_t low_angles = 72, low_places = 64;

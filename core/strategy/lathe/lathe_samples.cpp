@@ -11,6 +11,7 @@ namespace facetmill {
 
 namespace {
 
+/// Facets that a thread takes at a time; samples between two looks at the cancel flag.
 constexpr std::size_t sampled_facets_per_block = 256, samples_per_check = 64;
 /// Samples are as far apart as hollows of the allowed depth are wide, within these shares of the cutter's
 /// radius. A hollow narrower than they are is not missed by that: what keeps the cutter from it keeps it from

@@ -15,6 +15,7 @@ namespace {
 /// radius.
 constexpr double lattice_share = 1.0 / 8;
 constexpr double max_places = 1e6; ///< over the whole part; else they are farther apart
+/// What a thread takes at a time; samples between two looks at the cancel flag.
 constexpr std::size_t doubtful_per_block = 64, stands_per_block = 64, unreached_per_check = 64;
 /// A thorough search looks at so many places, within so many radii of the cutter, and goes downhill from so
 /// many of the best.

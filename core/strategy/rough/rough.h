@@ -37,6 +37,10 @@ struct RoughSettings : OperationCommon {
     Entry entry = Entry::automatic;
     double ramp_angle = radians(3);
     Offset offset = Offset::contact;
+    /// What tips keep from the exact surface, in diameters. Safe at any size, since places are looked at so
+    /// close together that the cutter dips by less than this between them (RoughReach::spacing): a smaller
+    /// one costs time, a larger one leaves more. No parameter: tests halve and double it.
+    double margin_share = 2e-3;
 };
 
 const ParameterTable<RoughSettings>& rough_parameters();

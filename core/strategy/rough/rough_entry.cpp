@@ -12,10 +12,12 @@ namespace {
 /// Radii of the cutter: how far outside a route may begin to stand free; the longest and the shortest leg of
 /// a ramp, and the shortest where there is room for nothing else; looks along a route.
 constexpr double max_outside = 4, longest_leg = 12, usual_leg = 2, shortest_leg = 0.7, look = 0.5;
+/// Legs of a ramp and turns of a helix, at most: what needs more is no entry.
 constexpr double max_legs = 200;
 /// Radii of a helix, in radii of the cutter: the larger the better the chips come out, but a core must not
 /// stay in its middle.
 constexpr double helix_radii[] = {0.9, 0.7, 0.5, 0.35};
+/// Sides of a turn of a helix, and directions in which its middle is looked for.
 constexpr int helix_sides = 24, helix_directions = 8;
 
 /// The part of a polyline from its beginning to `arc`.

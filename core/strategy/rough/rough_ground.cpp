@@ -9,6 +9,7 @@ namespace facetmill {
 
 namespace {
 
+/// Lines of a layer, at most: more come from a part in another unit.
 constexpr double max_lines = 1e5;
 /// Less than is stated, by this share, may stay beside floors, for the cutter itself may be kept as far from
 /// there.

@@ -21,12 +21,17 @@ constexpr double min_span = 1e-12;
 /// share of the one above is cut with it.
 constexpr double min_depth_share = 1e-6, last_layer_share = 1e-3;
 
+/// Facets between two looks at the cancel flag.
 constexpr std::size_t check_every = 8192;
+/// Layers of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_layers = 100000;
+/// Bins in which the slopes of the part are gathered, half a degree each, by heights. A bin counts as its
+/// worst, so wider ones only make layers closer.
 constexpr int slope_bins = 180;
 constexpr std::size_t height_bins = 2048;
 /// Facets flatter than this are level; a level place counts from this share of the cutter's area on.
 constexpr double level_slope = 0.25 * pi / 180, level_share = 0.05;
+/// Level places that get a layer of their own, the largest first: each costs a layer.
 constexpr std::size_t max_level_places = 200;
 /// Edges whose facets' normals make a smaller angle belong to a smooth surface.
 const double smooth_cosine = std::cos(10 * pi / 180);

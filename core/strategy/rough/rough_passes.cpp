@@ -12,7 +12,8 @@ namespace {
 /// A route that begins no farther than this many diameters along free ways from where the last one ended is
 /// cut in one go with it.
 constexpr double longest_join = 10;
-/// Shank and holder are asked of pieces of a route this many diameters long.
+/// Shank and holder are asked of pieces of a route this many diameters long. A piece is asked as a whole:
+/// longer ones are as safe, and leave out more.
 constexpr double clear_piece = 0.5;
 /// Over a floor no more than this many layers may stand.
 constexpr double max_floor_layers = 2;

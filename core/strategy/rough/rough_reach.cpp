@@ -10,10 +10,12 @@ namespace facetmill {
 
 namespace {
 
+/// Places of a layer, at most: 160 MB of heights.
 constexpr double max_places = 2e7;
 constexpr std::size_t line_block = 1;
 /// Halvings of a grid's edge: down to a thousandth of the margin on any edge that is allowed.
 constexpr int max_reach_halvings = 40;
+/// Points that one straight piece may stand for: each is looked at again for every piece that is tried.
 constexpr std::size_t longest_thinned = 256;
 /// Ends of what is free are known to this share of the margin.
 constexpr double border_share = 0.25;

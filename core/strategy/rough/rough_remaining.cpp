@@ -12,7 +12,9 @@ namespace facetmill {
 
 namespace {
 
+/// Places that are looked at, at most: some seconds of work.
 constexpr double max_looked_at = 2e5;
+/// Places that a thread takes at a time.
 constexpr std::size_t block = 256;
 /// Where the part keeps the cutter away by more than this share of what is allowed, a place is out of reach.
 constexpr double reach_share = 0.05;

@@ -14,11 +14,13 @@ namespace {
 
 /// Lu's safety factor c of the step-over.
 constexpr double stepover_share = 0.95;
-/// Shares of the cutter's diameter. `margin_share`: what tips keep from the exact surface. Safe at any size,
-/// since places are looked at so close together that the cutter dips by less than the margin between them
-/// (RoughReach::spacing): a smaller one costs time, a larger one leaves more. `min_share`: what is too little
-/// to be cut; where shank or holder come by, skins as thin are cut all the same.
-constexpr double margin_share = 2e-3, cell_share = 0.02, min_share = 2e-3;
+/// The size of the stock's cells, in diameters of the cutter. What stands only between the centres of cells
+/// is not seen as work: they are small beside the cutter. What must not be touched is never below a cell's
+/// top.
+constexpr double cell_share = 0.02;
+/// What is too little to be cut, in diameters; where shank or holder come by, skins as thin are cut all the
+/// same.
+constexpr double min_share = 2e-3;
 /// The margin is at most this share of the tolerance, and what is too little to be cut at most that.
 constexpr double margin_of_tolerance = 0.05, min_of_tolerance = 0.1;
 /// Lines on floors are at most so many times closer than others.
@@ -62,7 +64,7 @@ RoughMeasures::RoughMeasures(const RoughSettings& settings, const PlanContext& c
                                          : 2 * profile.max_radius()),
       budget(cusp_budget(settings, context)),
       allowance(settings.allowance + context.tessellation_tolerance[1]),
-      margin(std::max(std::min(margin_share * diameter, margin_of_tolerance * budget),
+      margin(std::max(std::min(settings.margin_share * diameter, margin_of_tolerance * budget),
                       tolerance::smallest_chord)),
       min_work(std::min(min_share * diameter, min_of_tolerance * budget)),
       stepover(stepover_of(settings, context, diameter)) {
