@@ -1,10 +1,8 @@
 #include "ui/cspace_view.h"
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QWheelEvent>
 #include <QWindow>
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -22,16 +20,13 @@ struct CSpaceView::Window {
 };
 
 namespace {
-constexpr double click_slack = 4.0, marker_radius = 10.0;
+constexpr double marker_radius = 10.0;
 } // namespace
 
 CSpaceView::CSpaceView(QWidget* parent) : GlCanvas(parent), window_(std::make_unique<Window>()) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 140);
-    hover_timer_.setSingleShot(true);
-    hover_timer_.setInterval(60);
-    connect(&hover_timer_, &QTimer::timeout, this, [this] { emit hovered(hit(hover_at_)); });
 }
 
 CSpaceView::~CSpaceView() {
@@ -54,6 +49,19 @@ void CSpaceView::initialize_gl() {
     dirty_ = true;
 }
 
+template <class Read>
+void CSpaceView::render(const Read& read) {
+    auto* w = window_->vtk.Get();
+    auto* state = w->GetState();
+    state->Reset();
+    state->Push();
+    w->Render();
+    w->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    w->GetDisplayFramebuffer()->ActivateReadBuffer(0);
+    read();
+    state->Pop();
+}
+
 void CSpaceView::paint_gl() {
     auto* w = window_->vtk.Get();
     if (!w->GetReadyForRendering()) return;
@@ -63,14 +71,7 @@ void CSpaceView::paint_gl() {
     dirty_ = false;
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(devicePixelRatioF());
-    auto* state = w->GetState();
-    state->Reset();
-    state->Push();
-    w->Render();
-    w->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-    w->GetDisplayFramebuffer()->ActivateReadBuffer(0);
-    take_picture(size);
-    state->Pop();
+    render([&] { take_picture(size); });
 }
 
 QImage CSpaceView::export_picture(const QSize& size) {
@@ -79,18 +80,14 @@ QImage CSpaceView::export_picture(const QSize& size) {
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(1);
     scene_.set_legend_visible(true);
-    auto* state = w->GetState();
-    state->Reset();
-    state->Push();
-    w->Render();
-    w->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-    w->GetDisplayFramebuffer()->ActivateReadBuffer(0);
     QImage picture(size, QImage::Format_RGB32);
-    auto* gl = QOpenGLContext::currentContext()->functions();
-    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, picture.bits());
+    render([&] {
+        auto* gl = QOpenGLContext::currentContext()->functions();
+        gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        gl->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                         picture.bits());
+    });
     picture.mirror();
-    state->Pop();
     done_current();
     scene_.set_legend_visible(false);
     refresh(); // the size goes back with the next picture
@@ -113,42 +110,33 @@ std::optional<CSpaceDisplay::Hit> CSpaceView::hit(const QPointF& at) const {
 }
 
 void CSpaceView::mousePressEvent(QMouseEvent* event) {
-    if (drag_ != Drag::none) return;
-    press_ = last_ = event->position();
-    dragged_ = false;
-    hover_timer_.stop();
-    const QPointF p = device(press_);
+    if (drag_) return;
+    rest_.stop();
+    const QPointF p = device(event->position());
     marker_ = scene_.marker_at(p.x(), p.y(), marker_radius * devicePixelRatioF());
-    if (event->button() == Qt::LeftButton)
-        drag_ = marker_ ? Drag::marker : Drag::turn;
-    else if (event->button() == Qt::RightButton)
-        drag_ = Drag::zoom;
+    const bool left = event->button() == Qt::LeftButton, right = event->button() == Qt::RightButton;
+    drag_.begin(left    ? (marker_ ? Drag::marker : Drag::turn)
+                : right ? Drag::zoom
+                        : Drag::none,
+                event->position());
 }
 
 void CSpaceView::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF at = event->position();
-    if (event->buttons() == Qt::NoButton) drag_ = Drag::none; // the release went elsewhere
-    if (drag_ == Drag::none) {
-        hover_at_ = at;
-        hover_timer_.start();
-        return;
-    }
-    if (!dragged_ && std::hypot(at.x() - press_.x(), at.y() - press_.y()) < click_slack) return;
-    dragged_ = true;
-    const QPointF by = at - last_;
-    last_ = at;
+    const auto by = drag_.travel(*event);
+    if (!drag_) return rest_.moved(event->position());
+    if (!by) return;
     const double side = std::max(1, std::min(width(), height()));
-    switch (drag_) {
+    switch (drag_.kind()) {
     case Drag::turn:
-        scene_.turn(-by.x() / side * pi, -by.y() / side * pi);
+        scene_.turn(-by->x() / side * pi, -by->y() / side * pi);
         refresh();
         break;
     case Drag::zoom:
-        scene_.zoom(std::exp(-by.y() * 0.01));
+        scene_.zoom(std::exp(-by->y() * 0.01));
         refresh();
         break;
     case Drag::marker:
-        if (const auto under = hit(at)) emit tried(under->posture);
+        if (const auto under = hit(event->position())) emit tried(under->posture);
         break;
     case Drag::none:
         break;
@@ -156,9 +144,8 @@ void CSpaceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void CSpaceView::mouseReleaseEvent(QMouseEvent* event) {
-    const Drag was = drag_;
-    drag_ = Drag::none;
-    if (dragged_ || event->button() != Qt::LeftButton) return;
+    const Drag was = drag_.end();
+    if (drag_.moved() || event->button() != Qt::LeftButton) return;
     if (was == Drag::marker && marker_ && *marker_ < cspace_choices)
         emit choice_clicked(*marker_);
     else if (was == Drag::turn)
@@ -172,7 +159,7 @@ void CSpaceView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void CSpaceView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = wheel_steps(*event);
     if (steps == 0) return;
     scene_.zoom(std::pow(1.15, steps));
     refresh();
@@ -181,7 +168,7 @@ void CSpaceView::wheelEvent(QWheelEvent* event) {
 
 void CSpaceView::leaveEvent(QEvent* event) {
     GlCanvas::leaveEvent(event);
-    hover_timer_.stop();
+    rest_.stop();
     emit hovered(std::nullopt);
 }
 

@@ -4,9 +4,8 @@
 #pragma once
 
 #include "ui/gl_canvas.h"
+#include "ui/pointer.h"
 #include "viz/cspace_scene.h"
-
-#include <QTimer>
 
 #include <optional>
 
@@ -50,6 +49,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// Draws, and calls `read` while the picture is bound for reading.
+    template <class Read>
+    void render(const Read& read);
     enum class Drag { none, turn, zoom, marker };
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
     std::optional<CSpaceDisplay::Hit> hit(const QPointF& at) const;
@@ -57,11 +59,10 @@ private:
     CSpaceScene scene_;
     struct Window;
     std::unique_ptr<Window> window_;
-    bool dirty_ = true, dragged_ = false;
-    Drag drag_ = Drag::none;
+    bool dirty_ = true;
+    PointerDrag<Drag> drag_{click_slack};
     std::optional<std::size_t> marker_; ///< under the press
-    QPointF press_, last_, hover_at_;
-    QTimer hover_timer_;
+    PointerRest rest_{[this](const QPointF& at) { emit hovered(hit(at)); }};
 };
 
 } // namespace facetmill::ui

@@ -1,23 +1,23 @@
-// A chart: curves over one axis, limits, marks and a cursor. Left click or drag moves the cursor, the wheel
-// zooms along the horizontal axis about the pointer (Ctrl: along the upright one), right, middle or Shift
-// drag moves, a double click or Home shows all again. No knowledge of what is charted: the panel fills it.
+// A chart of curves over one axis, with limits, marks and a cursor that goes where the user points. The wheel
+// zooms along the horizontal axis (Ctrl: along the upright one). No knowledge of what is charted: the panel
+// fills it.
 #pragma once
 
-#include "ui/plot_content.h"
+#include "ui/chart_view.h"
+#include "ui/plot_painting.h"
 
 #include <QImage>
 #include <QPixmap>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
-#include <QWidget>
 
 #include <optional>
 #include <vector>
 
 namespace facetmill::ui {
 
-class PlotView : public QWidget {
+class PlotView : public ChartView {
     Q_OBJECT
 public:
     explicit PlotView(QWidget* parent = nullptr);
@@ -33,7 +33,7 @@ public:
     void set_cursor(std::optional<double> x);
     std::optional<double> cursor() const { return cursor_; }
 
-    void reset_view();
+    void reset_view() override;
     /// What is seen of either axis.
     QRectF view() const { return view_; }
     void zoom_x(double about, double factor);
@@ -47,40 +47,30 @@ public:
 signals:
     /// By the user.
     void cursor_moved(double x);
-    void stepped(int by);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    bool filled() const override { return !empty(); }
+    void point_at(const QPointF& at) override;
+    void move_by(const QPointF& by) override;
+    void zoom_at(const QPointF& about, double factor, bool upright) override;
+    void zoom_by_key(double factor) override;
 
 private:
-    enum class Drag { none, cursor, move };
-    struct Look;
     QRectF whole() const;
-    QRectF frame(const QSize& size, bool titled) const;
-    QPointF place_of(double x, double y, const QRectF& in) const;
+    QRectF frame() const;
     double x_at(double pixel) const;
     void hold_view();
     void redraw(); ///< everything, not the cursor alone
-    Look look() const;
-    void paint(QPainter& p, const QSize& size, const Look& look, bool exported) const;
-    void paint_axes(QPainter& p, const QRectF& in, const Look& look) const;
-    void paint_series(QPainter& p, const QRectF& in, const Look& look, std::size_t k) const;
-    void paint_key(QPainter& p, const QRectF& in, const Look& look) const;
+    PlotLook look() const;
+    void paint(QPainter& p, const QSize& size, const PlotLook& look, bool exported) const;
 
     PlotContent content_;
     QString empty_text_;
     QRectF whole_{0, 0, 1, 1},
         view_{0, 0, 1, 1}; ///< x from left to right, y from top (the low end) to bottom
     std::optional<double> cursor_;
-    Drag drag_ = Drag::none;
-    QPointF last_;
     QPixmap cache_; ///< all but the cursor
     bool drawn_ = false;
 };

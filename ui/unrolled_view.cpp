@@ -8,9 +8,7 @@
 #include "viz/round_ticks.h"
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +24,6 @@ constexpr double angle_step = 90, full_turn = 360;
 /// Share of the whole below which no less is shown.
 constexpr double max_zoom = 1e-3;
 
-QString number(double v, double step) {
-    const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
-    return QString::number(v, 'f', digits).replace(QChar('-'), QChar(0x2212));
-}
-
 /// Entries of the legend, as many as a bar of this height has room for.
 std::vector<std::pair<double, QString>> depth_ticks(const UnrolledPath& path, double height,
                                                     const QFontMetricsF& fm) {
@@ -38,7 +31,7 @@ std::vector<std::pair<double, QString>> depth_ticks(const UnrolledPath& path, do
     const double step = round_step(path.high - path.low, most);
     std::vector<std::pair<double, QString>> ticks;
     for (const double v : round_ticks(path.low, path.high, most))
-        ticks.emplace_back(v, number(v, step));
+        ticks.emplace_back(v, tick_text(v, step));
     return ticks;
 }
 
@@ -55,9 +48,8 @@ void draw_title(QPainter& p, const QString& text, double middle, double from, do
 
 } // namespace
 
-UnrolledView::UnrolledView(QWidget* parent) : QWidget(parent) {
+UnrolledView::UnrolledView(QWidget* parent) : ChartView(parent) {
     setObjectName(QStringLiteral("unrolled_view"));
-    setFocusPolicy(Qt::StrongFocus);
     setToolTip(
         tr("Click or drag: the tool goes there. Arrows: along the path. Wheel: zoom. Right drag: move. "
            "Double click, Home: all."));
@@ -91,7 +83,7 @@ void UnrolledView::hold_window() {
     update();
 }
 
-void UnrolledView::zoom(const QPointF& about, double factor) {
+void UnrolledView::zoom_at(const QPointF& about, double factor, bool) {
     if (!path_) return;
     const QRectF in = frame();
     const double x = std::clamp((about.x() - in.left()) / in.width(), 0.0, 1.0),
@@ -112,8 +104,7 @@ void UnrolledView::set_motion(std::optional<std::size_t> motion) {
     if (motion == motion_) return;
     motion_ = motion;
     // What is zoomed follows the tool when it leaves.
-    if (const auto place =
-            motion && path_ && drag_ == Drag::none ? unrolled_place(*path_, *motion) : std::nullopt) {
+    if (const auto place = motion && path_ && !dragged() ? unrolled_place(*path_, *motion) : std::nullopt) {
         const double along = double(place->along), angle = double(place->angle);
         const double dx =
             along < window_.from || along > window_.to ? along - 0.5 * (window_.from + window_.to) : 0;
@@ -181,7 +172,7 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
         p.setPen(ink);
         p.drawLine(QPointF(x, in.bottom()), QPointF(x, in.bottom() + tick_length));
         p.drawText(QRectF(x - 60, in.bottom() + tick_length + 1, 120, fm.height()), int(Qt::AlignCenter),
-                   number(v, step_x));
+                   tick_text(v, step_x));
     }
     const QString unit = text(path_->unit);
     draw_title(p, tr("Along the axis (%1)").arg(unit), in.center().x(), margin, size.width() - margin,
@@ -207,7 +198,7 @@ void UnrolledView::paint(QPainter& p, const QSize& size, const QImage& image, co
         p.setPen(ink);
         p.drawLine(QPointF(in.left() - tick_length, y), QPointF(in.left(), y));
         p.drawText(QRectF(0, y - fm.height() / 2, in.left() - tick_length - label_gap, fm.height()),
-                   int(Qt::AlignRight | Qt::AlignVCenter), number(v, step_angle) + QChar(0x00B0));
+                   int(Qt::AlignRight | Qt::AlignVCenter), tick_text(v, step_angle) + QChar(0x00B0));
     }
     // What the cutter cannot come to.
     p.save();
@@ -298,7 +289,7 @@ QImage UnrolledView::picture(const QSize& size) const {
     return image;
 }
 
-void UnrolledView::take(const QPointF& at) {
+void UnrolledView::point_at(const QPointF& at) {
     if (!path_) return;
     const QRectF in = frame();
     const double along =
@@ -310,24 +301,7 @@ void UnrolledView::take(const QPointF& at) {
         emit motion_wanted(*motion);
 }
 
-void UnrolledView::mousePressEvent(QMouseEvent* event) {
-    if (drag_ != Drag::none) return; // a second button during a drag changes nothing
-    last_ = event->position();
-    const bool left = event->button() == Qt::LeftButton, shift = event->modifiers() & Qt::ShiftModifier;
-    if (left && !shift) {
-        drag_ = Drag::place;
-        take(last_);
-    } else {
-        drag_ = Drag::move;
-    }
-}
-
-void UnrolledView::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() == Qt::NoButton) drag_ = Drag::none; // the release went elsewhere
-    const QPointF by = event->position() - last_;
-    last_ = event->position();
-    if (drag_ == Drag::place) return take(last_);
-    if (drag_ != Drag::move || !path_) return;
+void UnrolledView::move_by(const QPointF& by) {
     const QRectF in = frame();
     const double dx = -by.x() / in.width() * (window_.to - window_.from),
                  dy = by.y() / in.height() * (window_.high - window_.low);
@@ -335,33 +309,18 @@ void UnrolledView::mouseMoveEvent(QMouseEvent* event) {
     hold_window();
 }
 
-void UnrolledView::mouseReleaseEvent(QMouseEvent*) {
-    drag_ = Drag::none;
-}
-
-void UnrolledView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) reset_view();
-}
-
-void UnrolledView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    if (steps == 0 || !path_) return;
-    zoom(event->position(), std::pow(1.25, steps));
-    event->accept();
+void UnrolledView::zoom_by_key(double factor) {
+    zoom_at(frame().center(), factor, false);
 }
 
 void UnrolledView::keyPressEvent(QKeyEvent* event) {
     const int by = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    if (event->key() == Qt::Key_Right || event->key() == Qt::Key_Up)
+    if (event->key() == Qt::Key_Up)
         emit stepped(by);
-    else if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Down)
+    else if (event->key() == Qt::Key_Down)
         emit stepped(-by);
-    else if (event->key() == Qt::Key_Home)
-        reset_view();
-    else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus)
-        zoom(frame().center(), event->key() == Qt::Key_Plus ? 1.25 : 0.8);
     else
-        QWidget::keyPressEvent(event);
+        ChartView::keyPressEvent(event);
 }
 
 } // namespace facetmill::ui

@@ -1,17 +1,16 @@
 // The unrolled path of an operation on a turning part: turning angle upward, length along the axis to the
-// right, depth as colour, with axes and legend; dashed boxes are around what the cutter cannot come to. A
-// click or left drag takes the tool to the nearest place; a mark shows where it is. The wheel zooms about the
-// pointer, right, middle or Shift+left drag moves, a double click or Home shows all.
+// right, depth as colour, with axes and legend; dashed boxes are around what the cutter cannot come to. The
+// tool goes to the place nearest to where the user points; a mark shows where it is.
 #pragma once
 
+#include "ui/chart_view.h"
 #include "viz/unrolled.h"
 
 #include <QImage>
-#include <QWidget>
 
 namespace facetmill::ui {
 
-class UnrolledView : public QWidget {
+class UnrolledView : public ChartView {
     Q_OBJECT
 public:
     explicit UnrolledView(QWidget* parent = nullptr);
@@ -27,7 +26,7 @@ public:
 
     const UnrolledWindow& window() const { return window_; }
     /// All of it.
-    void reset_view();
+    void reset_view() override;
     /// Pixel of the widget for a place; and the picture's frame in it.
     QPointF place_of(double along, double angle) const;
     QRectF frame() const;
@@ -40,25 +39,21 @@ public:
 signals:
     /// The tool is wanted at the end of this motion.
     void motion_wanted(std::size_t motion);
-    void stepped(int by);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool filled() const override { return path_ != nullptr; }
+    void point_at(const QPointF& at) override;
+    void move_by(const QPointF& by) override;
+    void zoom_at(const QPointF& about, double factor, bool upright) override;
+    void zoom_by_key(double factor) override;
 
 private:
-    enum class Drag { none, place, move };
     QRectF frame(const QSize& size, const QFontMetricsF& metrics, bool titled) const;
     void paint(QPainter& p, const QSize& size, const QImage& image, const UnrolledWindow& window,
                bool titled) const;
     QImage image_for(const QSize& pixels, const UnrolledWindow& window) const;
-    void take(const QPointF& at);
-    void zoom(const QPointF& about, double factor);
     /// Keeps the window within the whole, and redraws.
     void hold_window();
 
@@ -67,8 +62,6 @@ private:
     std::optional<std::size_t> motion_;
     UnrolledWindow window_;
     QImage image_; ///< what the frame shows, in device pixels; null: to be made
-    Drag drag_ = Drag::none;
-    QPointF last_;
 };
 
 } // namespace facetmill::ui

@@ -2,46 +2,21 @@
 
 #include "ui/view_cube.h"
 
-#include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
-#include <QWheelEvent>
-#include <QWindow>
 
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLState.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <cmath>
-#include <utility>
 
 namespace facetmill::ui {
 
-struct Viewport::Window {
-    vtkSmartPointer<vtkGenericOpenGLRenderWindow> vtk = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
-};
-
 namespace {
 
-/// Pointer travel, in points, below which a press and release is a click.
-constexpr double click_slack = 4.0;
 /// Half a turn of the part for one travel over the shorter side of the view.
 constexpr double turn_per_side = pi;
 constexpr double pick_radius = 8.0;
-/// A full picture that takes longer is replaced by a coarse one until nothing changes any more.
-constexpr double slow_frame_ms = 40.0;
-/// Coarseness 1 is the scene's preview without smoothing; 2 has half the pixels a side besides, 3 a third.
-constexpr int coarsest = 3;
-constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
-constexpr int rest_ms = 250;
-/// Without a new picture before shaders of later ones are rehearsed: none while something moves. In an empty
-/// window there is nothing that could.
-constexpr int rehearsal_ms = 120, empty_rehearsal_ms = 20;
 
 Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
@@ -75,274 +50,53 @@ QString Viewport::why_unavailable() {
         .arg(got.minorVersion());
 }
 
-Viewport::Viewport(QWidget* parent) : GlCanvas(parent), window_(std::make_unique<Window>()) {
+Viewport::Viewport(QWidget* parent) : SceneCanvas(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 120);
     cube_ = new ViewCube(this);
     connect(cube_, &ViewCube::chosen, this, &Viewport::set_view);
     connect(this, &Viewport::camera_changed, cube_, [this] { cube_->set_orientation(sight(), up()); });
-    hover_timer_.setSingleShot(true);
-    hover_timer_.setInterval(60);
-    connect(&hover_timer_, &QTimer::timeout, this, &Viewport::hover);
     cube_->set_orientation(sight(), up());
-    rest_timer_.setSingleShot(true);
-    rest_timer_.setInterval(rest_ms);
-    connect(&rest_timer_, &QTimer::timeout, this, &Viewport::rested);
-    step_timer_.setSingleShot(true);
-    step_timer_.setInterval(0);
-    connect(&step_timer_, &QTimer::timeout, this, &Viewport::draw_step);
-    pace_timer_.setSingleShot(true);
-    pace_timer_.setInterval(0);
-    connect(&pace_timer_, &QTimer::timeout, this, [this] { update(); });
-    rehearsal_timer_.setSingleShot(true);
-    connect(&rehearsal_timer_, &QTimer::timeout, this, &Viewport::rehearse);
 }
 
-Viewport::~Viewport() {
-    if (!initialized() || !make_current()) return;
-    scene_.detach();
-    window_->vtk->Finalize();
-    window_->vtk->SetReadyForRendering(false);
-    done_current();
-}
+Viewport::~Viewport() = default;
 
-void Viewport::initialize_gl() {
-    auto* w = window_->vtk.Get();
-    w->SetOwnContext(0);
-    w->SetIsCurrent(true);
-    w->SetReadyForRendering(true);
-    // The canvas reads back what is drawn, where it is drawn: without a graphics card, copying it elsewhere
-    // first would wait for it.
-    w->SetFrameBlitModeToNoBlit();
-    w->SetSwapBuffers(0);
-    w->SetMultiSamples(0);
-    w->OpenGLInit();
-    scene_.attach(w);
-    dirty_ = true;
-    const auto* name = QOpenGLContext::currentContext()->functions()->glGetString(GL_RENDERER);
-    const QString renderer = name ? QString::fromUtf8(reinterpret_cast<const char*>(name)) : QString();
-    without_card_ = false;
-    for (const char* processor :
-         {"llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render"})
-        without_card_ = without_card_ || renderer.contains(QLatin1String(processor), Qt::CaseInsensitive);
-}
-
-bool Viewport::slow() const {
-    return full_frame_ms_ < 0 ? scene_.has_preview() : full_frame_ms_ > slow_frame_ms;
-}
-
-void Viewport::paint_gl() {
-    auto* w = window_->vtk.Get();
-    if (!w->GetReadyForRendering()) return;
-    const double ratio = devicePixelRatioF();
-    const QSize size = frame_size();
-    const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
-    if (resized) stop_steps();
-    if (awaiting() || (!dirty_ && !resized)) return;
-    dirty_ = false;
-    w->SetSize(size.width(), size.height());
-    scene_.set_pixel_ratio(ratio);
-    if (fitted_ && resized) scene_.fit();
-    coarse_ = !std::exchange(whole_, false) && slow();
-    // New content goes to the graphics card in its first picture, which says nothing about the later ones. It
-    // does so by steps, as long as nobody turns it; until then the old picture stands.
-    const bool fresh = std::exchange(fresh_, false);
-    if (coarse_ && fresh && drag_ == Drag::none) {
-        rested();
-        return;
-    }
-    const bool first = full_frame_ms_ < 0;
-    drawing_ = !coarse_ ? Drawing::full_picture : first ? Drawing::first_picture : Drawing::coarse_picture;
-    draw(!coarse_ ? 0 : first ? 2 : coarseness_);
-}
-
-void Viewport::frame_done() {
-    const Drawing drawn = std::exchange(drawing_, Drawing::nothing);
-    const double ms = double(drawing_since_.nsecsElapsed()) * 1e-6;
-    switch (drawn) {
-    case Drawing::nothing: // something changed meanwhile
-    case Drawing::rehearsal:
-        break;
-    case Drawing::step:
-        step_ms_ += ms;
-        if (*step_ < steps_) {
-            step_timer_.start();
-            return;
-        }
-        stop_steps();
-        full_frame_ms_ = last_frame_ms_ = step_ms_;
-        coarse_ = false;
-        ++frames_;
-        break;
-    case Drawing::first_picture:
-    case Drawing::coarse_picture:
-        ++frames_;
-        last_frame_ms_ = ms;
-        if (drawn == Drawing::first_picture)
-            coarseness_ = 1;
-        else if (ms > dear_frame_ms)
-            coarseness_ = std::min(coarseness_ + 1, coarsest);
-        else if (ms < cheap_frame_ms)
-            coarseness_ = std::max(coarseness_ - 1, 1);
-        rest_timer_.start();
-        break;
-    case Drawing::full_picture:
-        ++frames_;
-        last_frame_ms_ = ms;
-        // The first picture of all compiles shaders and says nothing about the later ones.
-        if (frames_ > 1 && !fresh_) full_frame_ms_ = ms;
-        break;
-    }
-    if (rehearsed_ < Scene::rehearsals)
-        rehearsal_timer_.start(scene_.has(Layer::scale) ? rehearsal_ms : empty_rehearsal_ms);
-    update();
-    if (drawn == Drawing::step || drawn == Drawing::full_picture) emit this->drawn();
-}
-
-void Viewport::draw(int coarseness) {
-    auto* w = window_->vtk.Get();
-    const int width_px = w->GetSize()[0], height_px = w->GetSize()[1], part = std::max(1, coarseness);
-    const double ratio = devicePixelRatioF();
-    drawing_since_.start();
-    scene_.set_moving(coarseness > 0);
-    scene_.set_antialiasing(coarseness == 0);
-    auto* state = w->GetState();
-    state->Reset();
-    state->Push();
-    if (part == 1) {
-        w->Render();
-        await_frame();
-    } else {
-        // Fewer pixels, shown larger. Afterwards the window has its size again: picking counts in its pixels.
-        w->SetSize(std::max(1, width_px / part), std::max(1, height_px / part));
-        scene_.set_pixel_ratio(ratio / part);
-        w->Render();
-        await_frame();
-        w->SetSize(width_px, height_px);
-        scene_.set_pixel_ratio(ratio);
-    }
-    state->Pop();
-}
-
-void Viewport::await_frame() {
-    const bool seen = drawing_ == Drawing::step ? *step_ == steps_ : drawing_ != Drawing::rehearsal;
-    if (!seen) return await_drawn();
-    auto* w = window_->vtk.Get();
-    w->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-    w->GetRenderFramebuffer()->ActivateReadBuffer(0);
-    await_picture({w->GetSize()[0], w->GetSize()[1]});
-}
-
-void Viewport::rehearse() {
-    // A shader takes some 50 ms: only while nothing else goes on. The next picture starts the timer again.
-    if (dirty_ || awaiting() || coarse_ || step_ || drag_ != Drag::none || rehearsed_ >= Scene::rehearsals
-        || !window_->vtk->GetReadyForRendering())
-        return;
-    if (!make_current()) return;
-    scene_.rehearse(rehearsed_++);
-    drawing_ = Drawing::rehearsal;
-    draw(1);
-    scene_.end_rehearsal();
-    scene_.set_moving(false);
-    scene_.set_antialiasing(true);
-    done_current();
-}
-
-void Viewport::rested() {
-    if (drag_ != Drag::none && drag_ != Drag::handle) {
-        rest_timer_.start(); // held still, but not let go
-        return;
-    }
-    if (!coarse_ || dirty_ || awaiting() || !window_->vtk->GetReadyForRendering()) return;
-    scene_.set_moving(false);
-    scene_.set_antialiasing(true);
-    steps_ = scene_.begin_steps();
-    step_ = 0;
-    step_ms_ = 0;
-    step_timer_.start();
-}
-
-void Viewport::draw_step() {
-    if (!step_ || awaiting() || !make_current()) return;
-    drawing_since_.start();
-    auto* w = window_->vtk.Get();
-    auto* state = w->GetState();
-    state->Reset();
-    state->Push();
-    scene_.set_step(*step_);
-    w->Render();
-    ++*step_;
-    drawing_ = Drawing::step;
-    await_frame();
-    state->Pop();
-    done_current();
-}
-
-void Viewport::stop_steps() {
-    if (!step_) return;
-    step_.reset();
-    step_timer_.stop();
-    if (drawing_ == Drawing::step) drawing_ = Drawing::nothing;
-    scene_.end_steps();
-}
-
-bool Viewport::finished() const {
-    const QWindow* shown = isVisible() ? window()->windowHandle() : nullptr;
-    return !coarse_ && !step_ && !awaiting() && !(dirty_ && shown && shown->isExposed());
+SceneCanvas::Hand Viewport::hand() const {
+    if (!drag_) return Hand::free;
+    return drag_.kind() == Drag::handle ? Hand::drags_in_view : Hand::drags_view;
 }
 
 void Viewport::content_changed() {
-    full_frame_ms_ = -1;
-    fresh_ = true;
     place_overlays(); // what stood in the way may be gone
-    refresh();
-}
-
-void Viewport::refresh() {
-    stop_steps();
-    dirty_ = true;
-    if (awaiting()) return; // the next one follows it
-    // Pictures that take a while come by way of a timer, so that other timers and events get their turn in
-    // between.
-    if (!slow())
-        update();
-    else if (!pace_timer_.isActive())
-        pace_timer_.start();
-}
-
-QImage Viewport::full_picture() {
-    refresh();
-    whole_ = true;
-    return picture();
+    SceneCanvas::content_changed();
 }
 
 void Viewport::set_view(StandardView view) {
-    scene_.set_view(view);
-    fitted_ = true;
+    scene().set_view(view);
+    set_fitted(true);
     emit camera_changed();
     refresh();
 }
 
 void Viewport::fit() {
-    scene_.fit();
-    fitted_ = true;
+    scene().fit();
+    set_fitted(true);
     emit camera_changed();
     refresh();
 }
 
 Vec3 Viewport::sight() const {
-    return vec(scene_.camera().vtk()->GetDirectionOfProjection());
+    return vec(scene().camera().vtk()->GetDirectionOfProjection());
 }
 
 Vec3 Viewport::up() const {
-    return vec(scene_.camera().vtk()->GetViewUp());
+    return vec(scene().camera().vtk()->GetViewUp());
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-    GlCanvas::resizeEvent(event);
     place_overlays();
-    refresh();
+    SceneCanvas::resizeEvent(event);
 }
 
 void Viewport::place_overlays() {
@@ -355,12 +109,11 @@ void Viewport::place_overlays() {
             free = false;
     cube_->setVisible(free);
     const QRectF covered = free ? QRectF(cube_->geometry()) : QRectF();
-    scene_.strips().set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
+    scene().strips().set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
 }
 
 void Viewport::turn(const QPointF& by) {
-    fitted_ = false;
-    vtkCamera* camera = scene_.camera().vtk();
+    vtkCamera* camera = scene().camera().vtk();
     const double side = std::max(1, std::min(width(), height()));
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
     Vec3 upward = vec(camera->GetViewUp());
@@ -375,13 +128,11 @@ void Viewport::turn(const QPointF& by) {
     camera->SetPosition(position.data());
     camera->SetFocalPoint(focus.data());
     camera->SetViewUp(new_up.data());
-    emit camera_changed();
-    refresh();
+    camera_moved();
 }
 
 void Viewport::move(const QPointF& by) {
-    fitted_ = false;
-    vtkCamera* camera = scene_.camera().vtk();
+    vtkCamera* camera = scene().camera().vtk();
     const double mm_per_point = 2.0 * camera->GetParallelScale() / std::max(1, height());
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
     const Vec3 right = forward.cross(vec(camera->GetViewUp())).normalized();
@@ -390,71 +141,62 @@ void Viewport::move(const QPointF& by) {
     const Vec3 position = vec(camera->GetPosition()) + shift, focus = vec(camera->GetFocalPoint()) + shift;
     camera->SetPosition(position.data());
     camera->SetFocalPoint(focus.data());
-    emit camera_changed();
-    refresh();
+    camera_moved();
 }
 
 void Viewport::camera_moved() {
-    fitted_ = false;
+    set_fitted(false);
     emit camera_changed();
     refresh();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    if (drag_ != Drag::none) return; // a second button during a drag changes nothing
-    press_ = last_ = event->position();
-    dragged_ = false;
-    hover_timer_.stop();
-    if (event->button() == Qt::LeftButton)
-        drag_ = event->modifiers() & Qt::ShiftModifier ? Drag::move : Drag::turn;
-    else if (event->button() == Qt::MiddleButton)
-        drag_ = Drag::move;
-    else if (event->button() == Qt::RightButton)
-        drag_ = Drag::zoom;
-    if (drag_ == Drag::turn) {
-        if (const auto handle = handle_at(press_)) {
-            drag_ = Drag::handle;
-            handle_from_ = handle_to_ = *handle;
-            return;
-        }
-        // What is under the pointer stays there; off the part it turns about the middle of what is shown.
-        const Box3 bounds = scene_.bounds();
-        pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
-        const QPointF at = device(press_);
-        if (const auto pick = scene_.part().pick(at.x(), at.y())) pivot_ = pick->point;
+    if (drag_) return;
+    rest_.stop();
+    drag_.begin(drag_of(*event), event->position());
+    if (drag_.kind() != Drag::turn) return;
+    if (const auto handle = handle_at(drag_.press())) {
+        drag_.begin(Drag::handle, drag_.press());
+        handle_from_ = handle_to_ = *handle;
+        return;
+    }
+    // What is under the pointer stays there; off the part it turns about the middle of what is shown.
+    const Box3 bounds = scene().bounds();
+    pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
+    const QPointF at = device(drag_.press());
+    if (const auto pick = scene().part().pick(at.x(), at.y())) pivot_ = pick->point;
+}
+
+Viewport::Drag Viewport::drag_of(const QMouseEvent& press) {
+    switch (press.button()) {
+    case Qt::LeftButton:
+        return press.modifiers() & Qt::ShiftModifier ? Drag::move : Drag::turn;
+    case Qt::MiddleButton:
+        return Drag::move;
+    case Qt::RightButton:
+        return Drag::zoom;
+    default:
+        return Drag::none;
     }
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF at = event->position();
-    if (event->buttons() == Qt::NoButton) drag_ = Drag::none; // the release went elsewhere
-    if (drag_ == Drag::none) {
-        hover_at_ = at;
-        hover_timer_.start();
-        return;
-    }
-    if (!dragged_ && std::hypot(at.x() - press_.x(), at.y() - press_.y()) < click_slack) return;
-    dragged_ = true;
-    const QPointF by = at - last_;
-    last_ = at;
-    switch (drag_) {
+    const auto by = drag_.travel(*event);
+    if (!drag_) return rest_.moved(event->position());
+    if (!by) return;
+    switch (drag_.kind()) {
     case Drag::turn:
-        turn(by);
+        turn(*by);
         break;
     case Drag::move:
-        move(by);
+        move(*by);
         break;
-    case Drag::zoom: {
-        const QPointF center = device(press_);
-        scene_.camera().zoom_at(center.x(), center.y(), std::exp(-by.y() * 0.01));
-        fitted_ = false;
-        emit camera_changed();
-        refresh();
+    case Drag::zoom:
+        zoom_at(drag_.press(), std::exp(-by->y() * 0.01));
         break;
-    }
     case Drag::handle: {
-        const QPointF over = device(at);
-        if (const auto pick = scene_.part().pick(over.x(), over.y())) {
+        const QPointF over = device(event->position());
+        if (const auto pick = scene().part().pick(over.x(), over.y())) {
             handle_to_ = pick->point;
             emit handle_dragged(handle_from_, handle_to_);
         }
@@ -465,16 +207,21 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
+void Viewport::zoom_at(const QPointF& at, double factor) {
+    const QPointF p = device(at);
+    scene().camera().zoom_at(p.x(), p.y(), factor);
+    camera_moved();
+}
+
 std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
     const QPointF p = device(at);
-    return scene_.strips().pick_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
+    return scene().strips().pick_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    const Drag was = drag_;
-    drag_ = Drag::none;
-    if (was == Drag::handle && dragged_) emit handle_dropped(handle_from_, handle_to_);
-    if (dragged_ || was == Drag::none) return;
+    const Drag was = drag_.end();
+    if (was == Drag::handle && drag_.moved()) emit handle_dropped(handle_from_, handle_to_);
+    if (drag_.moved() || was == Drag::none) return;
     if ((was == Drag::turn || was == Drag::handle) && event->button() == Qt::LeftButton)
         click(event->position(), event->modifiers());
     if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
@@ -485,20 +232,16 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = wheel_steps(*event);
     if (steps == 0) return;
-    const QPointF at = device(event->position());
-    scene_.camera().zoom_at(at.x(), at.y(), std::pow(1.2, steps));
-    fitted_ = false;
-    emit camera_changed();
-    refresh();
+    zoom_at(event->position(), std::pow(1.2, steps));
     event->accept();
 }
 
 void Viewport::leaveEvent(QEvent* event) {
-    hover_timer_.stop();
+    rest_.stop();
     emit hovered(std::nullopt);
-    GlCanvas::leaveEvent(event);
+    SceneCanvas::leaveEvent(event);
 }
 
 void Viewport::set_picking(bool on) {
@@ -510,27 +253,27 @@ void Viewport::set_picking(bool on) {
 }
 
 void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
-    if (!window_->vtk->GetReadyForRendering()) return;
+    if (!ready()) return;
     const QPointF p = device(at);
-    if (picking_) return emit point_picked(scene_.part().pick(p.x(), p.y()), modifiers);
-    if (const auto pick = scene_.paths().pick(p.x(), p.y(), pick_radius * devicePixelRatioF()))
+    if (picking_) return emit point_picked(scene().part().pick(p.x(), p.y()), modifiers);
+    if (const auto pick = scene().paths().pick(p.x(), p.y(), pick_radius * devicePixelRatioF()))
         emit path_picked(*pick);
-    else if (const auto part = scene_.part().pick(p.x(), p.y()))
+    else if (const auto part = scene().part().pick(p.x(), p.y()))
         emit part_picked(*part);
     else
         emit nothing_picked();
 }
 
-void Viewport::hover() {
-    if (!window_->vtk->GetReadyForRendering() || drag_ != Drag::none) return;
-    const QPointF p = device(hover_at_);
+void Viewport::hover(const QPointF& at) {
+    if (!ready() || drag_) return;
+    const QPointF p = device(at);
     if (picking_)
         setCursor(Qt::CrossCursor);
-    else if (handle_at(hover_at_))
+    else if (handle_at(at))
         setCursor(Qt::SizeAllCursor);
     else
         unsetCursor();
-    emit hovered(scene_.part().pick(p.x(), p.y()));
+    emit hovered(scene().part().pick(p.x(), p.y()));
 }
 
 } // namespace facetmill::ui
