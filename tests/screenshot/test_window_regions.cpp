@@ -92,8 +92,9 @@ class TestWindowRegions : public QObject, public WindowFixture {
     }
     void switch_region(int row, bool on) {
         dialog()
+            .regions()
             .table()
-            ->item(row, RegionDialog::name_column)
+            ->item(row, RegionPage::name_column)
             ->setCheckState(on ? Qt::Checked : Qt::Unchecked);
     }
 
@@ -191,11 +192,11 @@ private slots:
         QVERIFY(open_dialog());
         QVERIFY2(dialog().problem().isEmpty(), qPrintable(dialog().problem()));
         QCOMPARE(regions().size(), std::size_t(2));
-        QCOMPARE(dialog().table()->rowCount(), 2);
+        QCOMPARE(dialog().regions().table()->rowCount(), 2);
         const QImage strips = view_picture(w());
         QVERIFY(changed_pixels(bare, strips) > 2000);
-        QVERIFY(dialog().table()->item(0, RegionDialog::reason_column)->text().contains("lead"));
-        QCOMPARE(dialog().table()->item(0, RegionDialog::tool_column)->text(), QStringLiteral("T7"));
+        QVERIFY(dialog().regions().table()->item(0, RegionPage::reason_column)->text().contains("lead"));
+        QCOMPARE(dialog().regions().table()->item(0, RegionPage::tool_column)->text(), QStringLiteral("T7"));
         shot_both(QStringLiteral("regions"));
         // The form takes no more room than its fields.
         const auto* scroll = dialog().findChild<QScrollArea*>();
@@ -265,9 +266,9 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(regions()[0].strip.area > first);
         QCOMPARE(regions()[0].grow, 0.5);
-        dialog().table()->item(0, RegionDialog::grow_column)->setText(QStringLiteral("wide"));
+        dialog().regions().table()->item(0, RegionPage::grow_column)->setText(QStringLiteral("wide"));
         QVERIFY2(dialog().problem().contains(QStringLiteral("wide")), qPrintable(dialog().problem()));
-        dialog().table()->item(0, RegionDialog::grow_column)->setText(QStringLiteral("-0.5"));
+        dialog().regions().table()->item(0, RegionPage::grow_column)->setText(QStringLiteral("-0.5"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY(dialog().problem().isEmpty());
         QVERIFY(regions()[0].strip.area < first);
@@ -333,7 +334,7 @@ private slots:
         QCOMPARE(regions().size(), std::size_t(2));
         QVERIFY(std::abs(regions()[0].strip.area - tried) < 1e-6 * tried);
         QVERIFY(!regions()[1].strip.enabled);
-        QCOMPARE(dialog().table()->item(1, RegionDialog::name_column)->checkState(), Qt::Unchecked);
+        QCOMPARE(dialog().regions().table()->item(1, RegionPage::name_column)->checkState(), Qt::Unchecked);
 
         dialog().findChild<QPushButton*>(QStringLiteral("drop_edits"))->click();
         QVERIFY(wait_until_settled(w()));
@@ -345,11 +346,12 @@ private slots:
     void what_grew_together_is_switched_as_one() {
         QVERIFY(open_dents());
         QVERIFY(open_dialog());
-        dialog().table()->item(0, RegionDialog::grow_column)->setText(QStringLiteral("12"));
+        dialog().regions().table()->item(0, RegionPage::grow_column)->setText(QStringLiteral("12"));
         QVERIFY(wait_until_settled(w()));
         dialog()
+            .regions()
             .table()
-            ->item(int(regions().size()) - 1, RegionDialog::grow_column)
+            ->item(int(regions().size()) - 1, RegionPage::grow_column)
             ->setText(QStringLiteral("12"));
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(regions().size(), std::size_t(1));
@@ -365,29 +367,29 @@ private slots:
         QVERIFY(open_dents());
         QVERIFY(open_dialog());
         dialog().tabs()->setCurrentIndex(1);
-        QVERIFY(!dialog().plot()->empty());
-        const PlotContent time = dialog().plot()->content();
+        QVERIFY(!dialog().advice().plot()->empty());
+        const PlotContent time = dialog().advice().plot()->content();
         QCOMPARE(time.series.size(), std::size_t(3));
         QVERIFY(time.x.size() > 5);
         for (std::size_t i = 0; i < time.x.size(); ++i)
             QVERIFY(std::abs(time.series[0].y[i] + time.series[1].y[i] - time.series[2].y[i]) < 1e-9);
-        QVERIFY(std::abs(*dialog().plot()->cursor() - 6) < 1e-9);
-        QVERIFY(dialog().suggested());
+        QVERIFY(std::abs(*dialog().advice().plot()->cursor() - 6) < 1e-9);
+        QVERIFY(dialog().advice().suggested());
         shot_both(QStringLiteral("regions-chart"));
         for (const int quantity : {1, 2}) {
-            dialog().quantity_box()->setCurrentIndex(quantity);
-            QVERIFY(!dialog().plot()->empty());
+            dialog().advice().quantity_box()->setCurrentIndex(quantity);
+            QVERIFY(!dialog().advice().plot()->empty());
         }
         // Less to rework with more lead.
-        const auto& share = dialog().plot()->content().series[0].y;
+        const auto& share = dialog().advice().plot()->content().series[0].y;
         QVERIFY(std::is_sorted(share.rbegin(), share.rend()) && share.front() > share.back());
-        dialog().axis_box()->setCurrentIndex(1);
-        QVERIFY(dialog().plot()->content().x_label.contains(QStringLiteral("diameter")));
-        dialog().axis_box()->setCurrentIndex(0);
-        dialog().quantity_box()->setCurrentIndex(0);
+        dialog().advice().axis_box()->setCurrentIndex(1);
+        QVERIFY(dialog().advice().plot()->content().x_label.contains(QStringLiteral("diameter")));
+        dialog().advice().axis_box()->setCurrentIndex(0);
+        dialog().advice().quantity_box()->setCurrentIndex(0);
         // A drag in the chart is one step.
         const int steps = w().document().undo_stack().index();
-        PlotView* plot = dialog().plot();
+        PlotView* plot = dialog().advice().plot();
         const auto at = [&](double x) { return plot->place_of(x, plot->view().center().y()).toPoint(); };
         QTest::mousePress(plot, Qt::LeftButton, {}, at(8));
         QTest::mouseMove(plot, at(10));
@@ -398,10 +400,11 @@ private slots:
         const double lead = degrees(std::get<double>(w().document().operation(0).get("lead_limit")));
         QVERIFY2(std::abs(lead - 12) < 0.5, qPrintable(QString::number(lead)));
         // The suggestion is taken by a button.
-        dialog().use_suggested()->click();
+        dialog().advice().use_suggested()->click();
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(std::get<double>(w().document().operation(0).get("lead_limit")), *dialog().suggested());
-        QVERIFY(!dialog().use_suggested()->isEnabled());
+        QCOMPARE(std::get<double>(w().document().operation(0).get("lead_limit")),
+                 *dialog().advice().suggested());
+        QVERIFY(!dialog().advice().use_suggested()->isEnabled());
     }
 
     void what_cannot_be_is_said_in_place() {
@@ -411,7 +414,7 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(dialog().form()->error("lead_limit").contains(QStringLiteral("assumed")),
                  qPrintable(dialog().problem()));
-        QCOMPARE(dialog().table()->rowCount(), 0);
+        QCOMPARE(dialog().regions().table()->rowCount(), 0);
         QVERIFY(!controller().shown());
         shot_both(QStringLiteral("regions-error"));
         enter_region("lead_limit", QStringLiteral("-1"));
@@ -419,14 +422,14 @@ private slots:
         enter_region("lead_limit", QStringLiteral("6"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(dialog().problem().isEmpty(), qPrintable(dialog().problem()));
-        QCOMPARE(dialog().table()->rowCount(), 2);
+        QCOMPARE(dialog().regions().table()->rowCount(), 2);
         enter_region("rework_offset", QStringLiteral("500"));
         QVERIFY(wait_until_settled(w()));
         QVERIFY(dialog().form()->error("rework_offset").contains(QStringLiteral("larger than the part")));
         enter_region("rework_offset", QStringLiteral("1"));
         enter_region("lead_limit", QStringLiteral("44"));
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(dialog().table()->rowCount(), 0);
+        QCOMPARE(dialog().regions().table()->rowCount(), 0);
         shot_both(QStringLiteral("regions-none"));
     }
 
