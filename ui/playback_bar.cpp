@@ -1,6 +1,6 @@
 #include "ui/playback_bar.h"
 
-#include "ui/icons.h"
+#include "ui/icon_button.h"
 #include "ui/text.h"
 
 #include <QComboBox>
@@ -49,17 +49,22 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
         row->setSpacing(4);
     rows_->addLayout(first, 1);
     rows_->addLayout(second, 0);
+    add_drive(*first);
+    add_fields(*second);
+    connect(&playback_, &PlaybackController::loaded_changed, this, &PlaybackBar::reload);
+    connect(&playback_, &PlaybackController::moved, this, &PlaybackBar::show_position);
+    connect(&playback_, &PlaybackController::playing_changed, this, [this] {
+        play_->setIcon(icon(playback_.playing() ? Icon::pause : Icon::play));
+        play_->setToolTip(playback_.playing() ? tr("Pause (Space)") : tr("Play (Space)"));
+    });
+    reload();
+}
 
+void PlaybackBar::add_drive(QBoxLayout& row) {
     const auto add_button = [&](Icon which, const QString& tip, const char* name, auto run) {
-        auto* b = new QToolButton(this);
-        b->setObjectName(QLatin1String(name));
-        b->setIcon(icon(which));
-        b->setIconSize(QSize(18, 18));
-        b->setAutoRaise(true);
-        b->setToolTip(tip);
-        b->setFocusPolicy(Qt::TabFocus); // the space bar keeps meaning play and pause after a click
+        auto* b = icon_button(this, which, tip, name, 18); // after a click the space bar still plays
         connect(b, &QToolButton::clicked, this, run);
-        first->addWidget(b);
+        row.addWidget(b);
         return b;
     };
     add_button(Icon::to_start, tr("To the start"), "play_start", [this] {
@@ -80,8 +85,10 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
     slider_->setToolTip(tr("All motions of all operations"));
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { playback_.go_to(double(value)); });
     connect(slider_, &QSlider::sliderPressed, &playback_, &PlaybackController::pause);
-    first->addWidget(slider_, 1);
+    row.addWidget(slider_, 1);
+}
 
+void PlaybackBar::add_fields(QBoxLayout& row) {
     operation_ = new QComboBox(this);
     operation_->setObjectName(QStringLiteral("play_operation"));
     operation_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -129,20 +136,12 @@ PlaybackBar::PlaybackBar(PlaybackController& playback, QWidget* parent)
     turn_->setCheckable(true);
     turn_->setAutoRaise(true);
     turn_->setFocusPolicy(Qt::TabFocus);
-    second->addWidget(turn_);
+    row.addWidget(turn_);
     for (QWidget* w : std::initializer_list<QWidget*>{operation_, goto_, of_})
-        second->addWidget(w);
-    second->addStretch(1);
-    second->addWidget(time_);
-    second->addWidget(speed_);
-
-    connect(&playback_, &PlaybackController::loaded_changed, this, &PlaybackBar::reload);
-    connect(&playback_, &PlaybackController::moved, this, &PlaybackBar::show_position);
-    connect(&playback_, &PlaybackController::playing_changed, this, [this] {
-        play_->setIcon(icon(playback_.playing() ? Icon::pause : Icon::play));
-        play_->setToolTip(playback_.playing() ? tr("Pause (Space)") : tr("Play (Space)"));
-    });
-    reload();
+        row.addWidget(w);
+    row.addStretch(1);
+    row.addWidget(time_);
+    row.addWidget(speed_);
 }
 
 QToolButton* PlaybackBar::button(const char* name) const {

@@ -33,6 +33,10 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// The buttons that move it, and the slider.
+    void add_drive(QBoxLayout& row);
+    /// Where it is, by operation, number and time, and how fast.
+    void add_fields(QBoxLayout& row);
     void reload();
     void show_position();
     void take_speed();

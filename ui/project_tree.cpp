@@ -79,6 +79,22 @@ QString state_text(OperationState state) {
 }
 
 ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+    make_tree();
+    make_actions();
+    auto* bar = make_bar();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(tree_, 1);
+    column->addWidget(bar);
+    connect(&document_, &Document::opened, this, &ProjectTree::rebuild);
+    connect(&document_, &Document::changed, this, &ProjectTree::rebuild);
+    connect(&document_, &Document::part_changed, this, &ProjectTree::show_states);
+    connect(&document_, &Document::states_changed, this, &ProjectTree::show_states);
+    rebuild();
+}
+
+void ProjectTree::make_tree() {
     tree_ = new QTreeWidget(this);
     tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
@@ -97,7 +113,22 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
     tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setExpandsOnDoubleClick(false);
+    connect(tree_, &QTreeWidget::customContextMenuRequested, this, &ProjectTree::menu);
+    connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
+        if (rebuilding_) return;
+        update_actions();
+        emit selection_changed();
+    });
+    connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
+        const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
+        if (kind == TreeNode::Kind::tool)
+            emit edit_tool(item->data(0, index_role).toULongLong());
+        else
+            item->setExpanded(!item->isExpanded());
+    });
+}
 
+void ProjectTree::make_actions() {
     add_tool_ = new QAction(icon(Icon::tool), tr("Add tool…"), this);
     add_operation_ = new QMenu(tr("Add operation"), this);
     add_operation_->setIcon(icon(Icon::operation));
@@ -128,7 +159,18 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
         });
         tree_->addAction(by_key);
     }
+    connect(add_tool_, &QAction::triggered, this, &ProjectTree::new_tool);
+    connect(edit_, &QAction::triggered, this, [this] {
+        if (const auto node = selected(); node && node->kind == TreeNode::Kind::tool)
+            emit edit_tool(node->index);
+    });
+    connect(duplicate_, &QAction::triggered, this, &ProjectTree::duplicate);
+    connect(remove_, &QAction::triggered, this, &ProjectTree::remove);
+    connect(up_, &QAction::triggered, this, [this] { move(-1); });
+    connect(down_, &QAction::triggered, this, [this] { move(+1); });
+}
 
+QToolBar* ProjectTree::make_bar() {
     auto* bar = new QToolBar(this);
     bar->setIconSize(QSize(16, 16));
     auto* add = new QToolButton(bar);
@@ -149,40 +191,7 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
     bar->addAction(down_);
     bar->addSeparator();
     bar->addAction(edit_);
-
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(tree_, 1);
-    column->addWidget(bar);
-
-    connect(add_tool_, &QAction::triggered, this, &ProjectTree::new_tool);
-    connect(edit_, &QAction::triggered, this, [this] {
-        if (const auto node = selected(); node && node->kind == TreeNode::Kind::tool)
-            emit edit_tool(node->index);
-    });
-    connect(duplicate_, &QAction::triggered, this, &ProjectTree::duplicate);
-    connect(remove_, &QAction::triggered, this, &ProjectTree::remove);
-    connect(up_, &QAction::triggered, this, [this] { move(-1); });
-    connect(down_, &QAction::triggered, this, [this] { move(+1); });
-    connect(tree_, &QTreeWidget::customContextMenuRequested, this, &ProjectTree::menu);
-    connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
-        if (rebuilding_) return;
-        update_actions();
-        emit selection_changed();
-    });
-    connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
-        const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
-        if (kind == TreeNode::Kind::tool)
-            emit edit_tool(item->data(0, index_role).toULongLong());
-        else
-            item->setExpanded(!item->isExpanded());
-    });
-    connect(&document_, &Document::opened, this, &ProjectTree::rebuild);
-    connect(&document_, &Document::changed, this, &ProjectTree::rebuild);
-    connect(&document_, &Document::part_changed, this, &ProjectTree::show_states);
-    connect(&document_, &Document::states_changed, this, &ProjectTree::show_states);
-    rebuild();
+    return bar;
 }
 
 std::optional<TreeNode> ProjectTree::selected() const {

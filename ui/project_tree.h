@@ -12,6 +12,7 @@
 
 class QAction;
 class QMenu;
+class QToolBar;
 class QTreeWidgetItem;
 
 namespace facetmill::ui {
@@ -59,6 +60,9 @@ signals:
     void refused(const QString& why);
 
 private:
+    void make_tree();
+    void make_actions();
+    QToolBar* make_bar();
     void rebuild();
     void show_states();
     QTreeWidgetItem* add_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,

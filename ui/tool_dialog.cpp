@@ -82,48 +82,7 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     connect(form_, &ParameterForm::edited, this, &ToolDialog::set_value);
     connect(form_, &ParameterForm::validity_changed, this, &ToolDialog::validate);
 
-    holder_ = new QTableWidget(0, 2, this);
-    holder_->setObjectName(QStringLiteral("holder"));
-    const QString u = text(unit_name(unit_));
-    holder_->setHorizontalHeaderLabels({tr("Diameter (%1)").arg(u), tr("Length (%1)").arg(u)});
-    holder_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    holder_->verticalHeader()->setVisible(false);
-    holder_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    holder_->setMinimumHeight(86);
-    holder_->setMaximumHeight(110);
-    connect(holder_, &QTableWidget::itemChanged, this, [this] {
-        if (!filling_) read_holder();
-    });
-    auto* add = new QToolButton(this);
-    add->setObjectName(QStringLiteral("add_section"));
-    add->setIcon(icon(Icon::add));
-    add->setToolTip(tr("Add a section above the others"));
-    auto* remove = new QToolButton(this);
-    remove->setObjectName(QStringLiteral("remove_section"));
-    remove->setIcon(icon(Icon::remove));
-    remove->setToolTip(tr("Remove the selected section"));
-    connect(add, &QToolButton::clicked, this, [this] {
-        const HolderSection below = tool_.holder.empty()
-                                        ? HolderSection{tool_.shank_diameter * 2, tool_.shank_diameter * 3}
-                                        : tool_.holder.back();
-        tool_.holder.push_back(below);
-        show_holder();
-        validate();
-    });
-    connect(remove, &QToolButton::clicked, this, [this] {
-        if (tool_.holder.empty()) return;
-        const int row = holder_->currentRow() >= 0 ? holder_->currentRow() : holder_->rowCount() - 1;
-        tool_.holder.erase(tool_.holder.begin() + row);
-        show_holder();
-        validate();
-    });
-    auto* holder_buttons = new QVBoxLayout;
-    holder_buttons->addWidget(add);
-    holder_buttons->addWidget(remove);
-    holder_buttons->addStretch(1);
-    auto* holder_row = new QHBoxLayout;
-    holder_row->addWidget(holder_, 1);
-    holder_row->addLayout(holder_buttons);
+    QLayout* holder_row = make_holder();
 
     auto* shape_row = new QHBoxLayout;
     shape_row->setContentsMargins(8, 0, 4, 0);
@@ -168,6 +127,52 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     resize(780, 560);
     show_holder();
     validate();
+}
+
+QLayout* ToolDialog::make_holder() {
+    holder_ = new QTableWidget(0, 2, this);
+    holder_->setObjectName(QStringLiteral("holder"));
+    const QString u = text(unit_name(unit_));
+    holder_->setHorizontalHeaderLabels({tr("Diameter (%1)").arg(u), tr("Length (%1)").arg(u)});
+    holder_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    holder_->verticalHeader()->setVisible(false);
+    holder_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    holder_->setMinimumHeight(86);
+    holder_->setMaximumHeight(110);
+    connect(holder_, &QTableWidget::itemChanged, this, [this] {
+        if (!filling_) read_holder();
+    });
+    auto* add = new QToolButton(this);
+    add->setObjectName(QStringLiteral("add_section"));
+    add->setIcon(icon(Icon::add));
+    add->setToolTip(tr("Add a section above the others"));
+    auto* remove = new QToolButton(this);
+    remove->setObjectName(QStringLiteral("remove_section"));
+    remove->setIcon(icon(Icon::remove));
+    remove->setToolTip(tr("Remove the selected section"));
+    connect(add, &QToolButton::clicked, this, [this] {
+        const HolderSection below = tool_.holder.empty()
+                                        ? HolderSection{tool_.shank_diameter * 2, tool_.shank_diameter * 3}
+                                        : tool_.holder.back();
+        tool_.holder.push_back(below);
+        show_holder();
+        validate();
+    });
+    connect(remove, &QToolButton::clicked, this, [this] {
+        if (tool_.holder.empty()) return;
+        const int row = holder_->currentRow() >= 0 ? holder_->currentRow() : holder_->rowCount() - 1;
+        tool_.holder.erase(tool_.holder.begin() + row);
+        show_holder();
+        validate();
+    });
+    auto* holder_buttons = new QVBoxLayout;
+    holder_buttons->addWidget(add);
+    holder_buttons->addWidget(remove);
+    holder_buttons->addStretch(1);
+    auto* holder_row = new QHBoxLayout;
+    holder_row->addWidget(holder_, 1);
+    holder_row->addLayout(holder_buttons);
+    return holder_row;
 }
 
 void ToolDialog::set_value(const std::string& key, const ParameterValue& value) {

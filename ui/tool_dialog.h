@@ -10,6 +10,7 @@
 class QComboBox;
 class QDialogButtonBox;
 class QLabel;
+class QLayout;
 class QTableWidget;
 
 namespace facetmill::ui {
@@ -37,6 +38,8 @@ signals:
     void taken(std::size_t index);
 
 private:
+    /// The table of its sections, with buttons.
+    QLayout* make_holder();
     void set_value(const std::string& key, const ParameterValue& value);
     void set_shape(int index);
     void read_holder();

@@ -21,14 +21,7 @@ struct Exception {
     const char* why;
 };
 
-const std::vector<Exception> long_functions = {
-    {"ui/playback_bar.cpp", "facetmill::ui::PlaybackBar::PlaybackBar", 109,
-     "Older than this rule: to be split where it is next changed"},
-    {"ui/project_tree.cpp", "facetmill::ui::ProjectTree::ProjectTree", 106,
-     "Older than this rule: to be split where it is next changed"},
-    {"ui/tool_dialog.cpp", "facetmill::ui::ToolDialog::ToolDialog", 108,
-     "Older than this rule: to be split where it is next changed"},
-};
+const std::vector<Exception> long_functions = {};
 
 const std::vector<Exception> large_classes = {
     {"ui/cspace_controller.h", "facetmill::ui::CSpaceController", 452,
