@@ -14,11 +14,11 @@
 #include <QImage>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace facetmill::ui {
 
@@ -26,16 +26,22 @@ namespace {
 
 constexpr QSize picture_size(1200, 900);
 
+std::string free_text(const CSpaceContent& content) {
+    return utf8(CSpaceController::tr("%1 of %2 postures free")
+                    .arg(count_text(content.free_nodes), count_text(content.block.size())));
+}
+
 } // namespace
 
 CSpaceController::CSpaceController(Document& document, QWidget* window)
-    : Controller(window), document_(document), panel_(new CSpacePanel(window)),
+    : Controller(window), document_(document), kept_(document), panel_(new CSpacePanel(window)),
       studies_(new CSpaceStudies(this)) {
     connect(panel_, &CSpacePanel::stepped, this, &CSpaceController::step);
     connect(panel_, &CSpacePanel::cancel_requested, this, [this] { studies_->cancel_job(); });
     connect(panel_, &CSpacePanel::back_requested, this, [this] { show_choice(cspace_choices - 1); });
     connect(panel_, &CSpacePanel::keep_requested, this, &CSpaceController::keep);
     connect(panel_, &CSpacePanel::remove_requested, this, &CSpaceController::remove_kept);
+    connect(panel_, &CSpacePanel::kept_chosen, this, &CSpaceController::stand_at);
     connect(panel_->view(), &CSpaceView::hovered, this, &CSpaceController::show_hover);
     connect(panel_->view(), &CSpaceView::tried, this, &CSpaceController::try_posture);
     connect(panel_->view(), &CSpaceView::choice_clicked, this, &CSpaceController::show_choice);
@@ -47,8 +53,14 @@ CSpaceController::CSpaceController(Document& document, QWidget* window)
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(panel_, &CSpacePanel::picture_requested, this, [this] { export_point(false); });
-    connect(panel_, &CSpacePanel::table_requested, this, [this] { export_point(true); });
+    connect(panel_, &CSpacePanel::picture_requested, this, [this] {
+        export_file(panel_, tr("Export configuration space"), ExportFormat::picture, export_name(),
+                    std::bind_front(&CSpaceController::save_picture, this));
+    });
+    connect(panel_, &CSpacePanel::table_requested, this, [this] {
+        export_file(panel_, tr("Export postures"), ExportFormat::table, export_name(),
+                    std::bind_front(&CSpaceController::save_table, this));
+    });
     connect(studies_, &CSpaceStudies::ready, this, [this] {
         if (const auto point = at_ ? studies_->known(*at_) : nullptr) show_point(point);
     });
@@ -117,27 +129,14 @@ bool CSpaceController::go_near(int operation, const std::shared_ptr<const Operat
         record_ = record;
         cutter_ = std::make_shared<const CutterProfile>(record->context.tool.cutter());
     }
-    operation_ = operation;
+    kept_.look_at(operation, record);
     result_ = result;
-    const std::size_t index = nearest_point(place);
+    const std::size_t index = nearest_point(*record_, place, 0, record_->points.size());
     if (at_ == index && shown_ && !tried_) return true;
     at_ = index;
     tried_.reset();
     study();
     return true;
-}
-
-std::size_t CSpaceController::nearest_point(const Vec3& place) const {
-    double nearest = infinity;
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < record_->points.size(); ++i) {
-        const double away = (record_->points[i].place.surface - place).squaredNorm();
-        if (away < nearest) {
-            nearest = away;
-            index = i;
-        }
-    }
-    return index;
 }
 
 void CSpaceController::leave() {
@@ -146,7 +145,7 @@ void CSpaceController::leave() {
     record_.reset();
     result_.reset();
     at_.reset();
-    operation_ = -1;
+    kept_.look_at(-1, nullptr);
     clear_view(tr("Pick a point on the path of a planned 5-axis operation"));
 }
 
@@ -172,17 +171,8 @@ void CSpaceController::step(int points, int passes) {
         const auto number = std::ptrdiff_t(&line - lines.data()) + passes;
         const auto& to =
             lines[std::size_t(std::clamp<std::ptrdiff_t>(number, 0, std::ptrdiff_t(lines.size()) - 1))];
-        if (&to != &line) {
-            const Vec3 here = record_->points[next].place.surface;
-            double nearest = infinity;
-            for (std::size_t i = to.begin; i < to.end; ++i) {
-                const double away = (record_->points[i].place.surface - here).squaredNorm();
-                if (away < nearest) {
-                    nearest = away;
-                    next = i;
-                }
-            }
-        }
+        if (&to != &line)
+            next = nearest_point(*record_, record_->points[next].place.surface, to.begin, to.end);
     }
     if (next == *at_ && !tried_) return;
     stand_at(next);
@@ -245,8 +235,7 @@ void CSpaceController::show_point(std::shared_ptr<const FiveAxisStudy::Point> po
     CSpaceScene& scene = panel_->view()->scene();
     scene.set_unit(document_.unit());
     panel_->heading()->set_text(heading());
-    scene.set_title({}, utf8(tr("%1 of %2 postures free")
-                                 .arg(count_text(content->free_nodes), count_text(content->block.size()))));
+    scene.set_title({}, free_text(*content));
     scene.set_content(std::move(content));
     panel_->show_legend();
     // What was kept stands in the record also where it was not free.
@@ -309,34 +298,8 @@ void CSpaceController::show_choice(std::size_t choice) {
               chosen.free ? name : tr("left to clean-up"));
 }
 
-std::vector<ManualPosture> CSpaceController::all_kept() const {
-    const auto index = document_.index_of(operation_);
-    if (!index) return {};
-    return manual_posture_list.of(document_.operation(*index));
-}
-
-std::optional<std::size_t> CSpaceController::kept_number() const {
-    if (!at_ || !record_) return std::nullopt;
-    const std::vector<ManualPosture> all = all_kept();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto& p = all[i].point;
-        if (nearest_point({p[0], p[1], p[2]}) == *at_) return i;
-    }
-    return std::nullopt;
-}
-
 std::optional<ManualPosture> CSpaceController::kept() const {
-    const auto number = kept_number();
-    return number ? std::optional(all_kept()[*number]) : std::nullopt;
-}
-
-void CSpaceController::change_kept(const QString& what, const std::vector<ManualPosture>& postures) {
-    const auto index = document_.index_of(operation_);
-    if (!index) return;
-    document_.change(what, [&](Project& project) {
-        Operation& operation = *project.operations[*index];
-        if (manual_posture_list.is_in(operation)) manual_posture_list.set(operation, postures);
-    });
+    return at_ ? kept_.at(*at_) : std::nullopt;
 }
 
 void CSpaceController::keep() {
@@ -344,23 +307,14 @@ void CSpaceController::keep() {
     if (!can_be_kept(*tried_)) return;
     const Vec3& place = shown_->place.surface;
     const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lead, tried_->yaw};
-    std::vector<ManualPosture> all = all_kept();
-    if (const auto number = kept_number())
-        all[*number] = posture;
-    else
-        all.push_back(posture);
-    change_kept(tr("Keep posture"), all);
+    kept_.keep(*at_, posture);
     tell(tr("Kept lead %1, yaw %2 for the point. Plan again to use it.")
              .arg(posture_angle_text(posture.lead), posture_angle_text(posture.yaw)));
 }
 
 void CSpaceController::remove_kept() {
-    const auto number = kept_number();
-    if (!number) return;
-    std::vector<ManualPosture> all = all_kept();
-    all.erase(all.begin() + std::ptrdiff_t(*number));
-    change_kept(tr("Remove kept posture"), all);
-    tell(tr("The posture kept for the point is forgotten. Plan again to choose one."));
+    if (at_ && kept_.remove(*at_))
+        tell(tr("The posture kept for the point is forgotten. Plan again to choose one."));
 }
 
 void CSpaceController::show_kept() {
@@ -371,26 +325,18 @@ void CSpaceController::show_kept() {
         !tried  ? tr("Try a posture first: click in the configuration space, or drag a marker")
         : !free ? tr("The tried posture is not free: it would not be used")
                 : tr("Keep the tried posture for this point; planning again uses it"));
-    panel_->remove()->setEnabled(kept_number().has_value());
-    const std::vector<ManualPosture> all = all_kept();
-    panel_->kept()->setText(tr("Kept: %1").arg(all.size()));
-    panel_->kept()->setVisible(!all.empty());
-    if (QMenu* old = panel_->kept()->menu()) { // which may be what led here
-        panel_->kept()->setMenu(nullptr);
-        old->deleteLater();
-    }
-    if (all.empty() || !record_) return;
-    auto* menu = new QMenu(panel_->kept());
-    for (const ManualPosture& m : all) {
-        const std::size_t point = nearest_point({m.point[0], m.point[1], m.point[2]});
+    panel_->remove()->setEnabled(kept().has_value());
+    std::vector<CSpacePanel::Kept> all;
+    for (const ManualPosture& m : kept_.all()) {
+        const std::size_t point = kept_.point_of(m);
         const FiveAxisRecord::Line& line = record_->line_of(point);
-        menu->addAction(tr("Pass %1, point %2: lead %3, yaw %4")
-                            .arg(line.drive + 1)
-                            .arg(count_text(point - line.begin + 1), posture_angle_text(m.lead),
-                                 posture_angle_text(m.yaw)),
-                        this, [this, point] { stand_at(point); });
+        all.push_back({tr("Pass %1, point %2: lead %3, yaw %4")
+                           .arg(line.drive + 1)
+                           .arg(count_text(point - line.begin + 1), posture_angle_text(m.lead),
+                                posture_angle_text(m.yaw)),
+                       point});
     }
-    panel_->kept()->setMenu(menu);
+    panel_->show_kept(all);
 }
 
 void CSpaceController::palette_changed(Palette palette) {
@@ -406,13 +352,10 @@ bool CSpaceController::busy() const {
 bool CSpaceController::save_picture(const QString& path) {
     if (!shown_) return false;
     CSpaceScene& scene = panel_->view()->scene();
-    scene.set_title(utf8(heading()), utf8(tr("%1 of %2 postures free")
-                                              .arg(count_text(scene.content()->free_nodes),
-                                                   count_text(scene.content()->block.size()))));
+    const std::string free = free_text(*scene.content());
+    scene.set_title(utf8(heading()), free);
     const QImage picture = panel_->view()->export_picture(picture_size);
-    scene.set_title({}, utf8(tr("%1 of %2 postures free")
-                                 .arg(count_text(scene.content()->free_nodes),
-                                      count_text(scene.content()->block.size()))));
+    scene.set_title({}, free);
     return report_written(path, write_picture(path, picture));
 }
 
@@ -421,18 +364,10 @@ bool CSpaceController::save_table(const QString& path) {
     return report_written(path, write_table(path, cspace_csv(*studies_->study(), *shown_, document_.unit())));
 }
 
-void CSpaceController::export_point(bool table) {
-    const QString name = QStringLiteral("%1-point-%2")
-                             .arg(QFileInfo(document_.name()).completeBaseName())
-                             .arg(at_.value_or(0));
-    const QString path =
-        ask_export_file(panel_, table ? tr("Export postures") : tr("Export configuration space"),
-                        table ? ExportFormat::table : ExportFormat::picture, name);
-    if (path.isEmpty()) return;
-    if (table)
-        save_table(path);
-    else
-        save_picture(path);
+QString CSpaceController::export_name() const {
+    return QStringLiteral("%1-point-%2")
+        .arg(QFileInfo(document_.name()).completeBaseName())
+        .arg(at_.value_or(0));
 }
 
 } // namespace facetmill::ui

@@ -2,10 +2,9 @@
 // and the panel that shows it. The tool in the part view follows the posture that is chosen here.
 #pragma once
 
-#include "core/job/planner.h"
-#include "core/strategy/five_axis/manual_posture.h"
 #include "ui/controller.h"
 #include "ui/cspace_studies.h"
+#include "ui/kept_postures.h"
 #include "viz/cspace_display.h"
 
 #include <memory>
@@ -70,12 +69,8 @@ signals:
                      const QString& readout);
 
 private:
-    void export_point(bool table);
+    QString export_name() const;
     void stand_at(std::size_t index);
-    std::size_t nearest_point(const Vec3& place) const;
-    std::vector<ManualPosture> all_kept() const;
-    std::optional<std::size_t> kept_number() const;
-    void change_kept(const QString& what, const std::vector<ManualPosture>& postures);
     void show_kept();
     void study();
     void show_point(std::shared_ptr<const FiveAxisStudy::Point> point);
@@ -88,8 +83,8 @@ private:
     QString heading() const;
 
     Document& document_;
+    KeptPostures kept_;
     CSpacePanel* panel_ = nullptr;
-    int operation_ = -1;
     std::shared_ptr<const OperationResult> result_;
     std::shared_ptr<const FiveAxisRecord> record_;
     std::shared_ptr<const CutterProfile> cutter_;

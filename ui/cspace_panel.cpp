@@ -3,13 +3,14 @@
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
 #include "ui/flow_layout.h"
-#include "ui/icons.h"
+#include "ui/icon_button.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "viz/overlay.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QProgressBar>
 #include <QToolButton>
@@ -68,7 +69,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     heading_->set_elide_mode(Qt::ElideRight); // the point first, the operation's name after it
     row->addWidget(heading_, 1);
     const auto add = [&](Icon which, const QString& tip, const char* name) {
-        auto* b = button(int(which), tip, name);
+        auto* b = icon_button(this, which, tip, name);
         row->addWidget(b);
         return b;
     };
@@ -98,8 +99,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
     progress_->setFixedHeight(6);
-    cancel_ = button(int(Icon::cancel), tr("Cancel"), "cspace_cancel");
-    cancel_->setIconSize(QSize(12, 12));
+    cancel_ = icon_button(this, Icon::cancel, tr("Cancel"), "cspace_cancel", 12);
     connect(cancel_, &QToolButton::clicked, this, &CSpacePanel::cancel_requested);
     busy->addWidget(progress_, 1);
     busy->addWidget(cancel_);
@@ -148,17 +148,6 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     set_ready(false, false);
 }
 
-QToolButton* CSpacePanel::button(int which, const QString& tip, const char* name) {
-    auto* b = new QToolButton(this);
-    b->setObjectName(QLatin1String(name));
-    b->setIcon(icon(Icon(which)));
-    b->setIconSize(QSize(16, 16));
-    b->setAutoRaise(true);
-    b->setToolTip(tip);
-    b->setFocusPolicy(Qt::TabFocus);
-    return b;
-}
-
 void CSpacePanel::set_busy(bool busy, double fraction) {
     progress_->setVisible(busy);
     cancel_->setVisible(busy);
@@ -188,6 +177,20 @@ void CSpacePanel::show_legend() {
         item->show();
     }
     legend_->updateGeometry();
+}
+
+void CSpacePanel::show_kept(const std::vector<Kept>& all) {
+    kept_->setText(tr("Kept: %1").arg(all.size()));
+    kept_->setVisible(!all.empty());
+    if (QMenu* old = kept_->menu()) { // which may be what led here
+        kept_->setMenu(nullptr);
+        old->deleteLater();
+    }
+    if (all.empty()) return;
+    auto* menu = new QMenu(kept_);
+    for (const Kept& k : all)
+        menu->addAction(k.label, this, [this, point = k.point] { emit kept_chosen(point); });
+    kept_->setMenu(menu);
 }
 
 } // namespace facetmill::ui

@@ -31,6 +31,13 @@ public:
     /// Buttons for what is there: a point, its study.
     void set_ready(bool point, bool study);
     void show_legend();
+    /// A posture that is kept by hand: what it is, and for which point.
+    struct Kept {
+        QString label;
+        std::size_t point = 0;
+    };
+    /// Lists them in the menu of their button, which is hidden where there are none.
+    void show_kept(const std::vector<Kept>& all);
     QSize sizeHint() const override { return {400, 460}; }
 
 signals:
@@ -41,9 +48,9 @@ signals:
     void back_requested(); ///< to the planned posture
     void keep_requested(); ///< the tried posture, for the point
     void remove_requested();
+    void kept_chosen(std::size_t point);
 
 private:
-    QToolButton* button(int which, const QString& tip, const char* name);
     CSpaceView* view_ = nullptr;
     ElidedLabel* heading_ = nullptr;
     QLabel* readout_ = nullptr;

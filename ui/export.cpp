@@ -10,7 +10,10 @@
 
 namespace facetmill::ui {
 
-QString ask_export_file(QWidget* window, const QString& title, ExportFormat format, QString name) {
+namespace {
+
+/// The file that the user names; empty: none.
+QString ask(QWidget* window, const QString& title, ExportFormat format, QString name) {
     struct Format {
         QString filter, suffix;
     };
@@ -24,6 +27,14 @@ QString ask_export_file(QWidget* window, const QString& title, ExportFormat form
     dialog.selectFile(name.replace(QChar('/'), QChar('-')) + QChar('.') + suffix);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
     return dialog.selectedFiles().front();
+}
+
+} // namespace
+
+void export_file(QWidget* window, const QString& title, ExportFormat format, const QString& name,
+                 const std::function<void(const QString& path)>& write) {
+    const QString path = ask(window, title, format, name);
+    if (!path.isEmpty()) write(path);
 }
 
 QString write_picture(const QString& path, const QImage& picture) {

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QString>
 
+#include <functional>
 #include <string_view>
 
 class QWidget;
@@ -12,8 +13,10 @@ namespace facetmill::ui {
 
 enum class ExportFormat { picture, table, web_page };
 
-/// Asks for the file to be written, beginning with a name without folder and extension; empty: none.
-QString ask_export_file(QWidget* window, const QString& title, ExportFormat format, QString name);
+/// Asks for a file, beginning with a name without folder and extension, and has it written; nothing when the
+/// user gives up.
+void export_file(QWidget* window, const QString& title, ExportFormat format, const QString& name,
+                 const std::function<void(const QString& path)>& write);
 
 /// What went wrong, for the user; empty: the file is written.
 [[nodiscard]] QString write_picture(const QString& path, const QImage& picture);

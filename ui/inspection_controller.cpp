@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace facetmill::ui {
@@ -42,8 +43,14 @@ InspectionController::InspectionController(Document& document, Viewport& viewpor
         if (end.how == JobEnd::How::failed) emit failed(end.message);
         emit settled();
     });
-    connect(panel_, &InspectionPanel::picture_requested, this, [this] { export_chart(false); });
-    connect(panel_, &InspectionPanel::table_requested, this, [this] { export_chart(true); });
+    connect(panel_, &InspectionPanel::picture_requested, this, [this] {
+        export_file(panel_, tr("Export the chart"), ExportFormat::picture, export_name(),
+                    std::bind_front(&InspectionController::save_picture, this));
+    });
+    connect(panel_, &InspectionPanel::table_requested, this, [this] {
+        export_file(panel_, tr("Export the chart's values"), ExportFormat::table, export_name(),
+                    std::bind_front(&InspectionController::save_table, this));
+    });
     offer_quantities();
     show_chart();
 }
@@ -244,17 +251,6 @@ bool InspectionController::save_picture(const QString& path) {
 bool InspectionController::save_table(const QString& path) {
     if (panel_->plot()->empty()) return false;
     return report_written(path, write_table(path, chart_.table()));
-}
-
-void InspectionController::export_chart(bool table) {
-    const QString path =
-        ask_export_file(panel_, table ? tr("Export the chart's values") : tr("Export the chart"),
-                        table ? ExportFormat::table : ExportFormat::picture, export_name());
-    if (path.isEmpty()) return;
-    if (table)
-        save_table(path);
-    else
-        save_picture(path);
 }
 
 } // namespace facetmill::ui

@@ -47,7 +47,6 @@ signals:
     void step_wanted(int by);
 
 private:
-    void export_chart(bool table);
     PathQuantity quantity() const;
     void offer_quantities();
     void update();

@@ -19,6 +19,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <functional>
+
 namespace facetmill::ui {
 
 ProgramExport::ProgramExport(const Document& document, BackgroundJob& job, Messages& messages,
@@ -111,9 +113,9 @@ void ProgramExport::save_programs(const QString& folder) {
 
 void ProgramExport::sheet_with_dialog() {
     if (!may_write_sheet()) return;
-    const QString path = ask_export_file(window_, tr("Export setup sheet"), ExportFormat::web_page,
-                                         QFileInfo(document_.name()).completeBaseName());
-    if (!path.isEmpty()) save_sheet(path);
+    export_file(window_, tr("Export setup sheet"), ExportFormat::web_page,
+                QFileInfo(document_.name()).completeBaseName(),
+                std::bind_front(&ProgramExport::save_sheet, this));
 }
 
 bool ProgramExport::may_write_sheet() {
@@ -160,9 +162,9 @@ void ProgramExport::save_sheet(const QString& path) {
 }
 
 void ProgramExport::picture_with_dialog() {
-    const QString path = ask_export_file(window_, tr("Export picture"), ExportFormat::picture,
-                                         QFileInfo(document_.name()).completeBaseName());
-    if (!path.isEmpty()) save_picture(path);
+    export_file(window_, tr("Export picture"), ExportFormat::picture,
+                QFileInfo(document_.name()).completeBaseName(),
+                std::bind_front(&ProgramExport::save_picture, this));
 }
 
 bool ProgramExport::save_picture(const QString& path) {

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <functional>
 
 namespace facetmill::ui {
 
@@ -23,9 +24,8 @@ UnrolledController::UnrolledController(Document& document, QWidget* window)
     operation_ = panel_->operation_box();
     connect(operation_, &QComboBox::currentIndexChanged, this, &UnrolledController::update);
     connect(panel_, &UnrolledPanel::picture_requested, this, [this] {
-        const QString path =
-            ask_export_file(panel_, tr("Export the unrolled path"), ExportFormat::picture, export_name());
-        if (!path.isEmpty()) save_picture(path);
+        export_file(panel_, tr("Export the unrolled path"), ExportFormat::picture, export_name(),
+                    std::bind_front(&UnrolledController::save_picture, this));
     });
     connect(view_, &UnrolledView::motion_wanted, this, [this](std::size_t motion) {
         if (const auto at = source()) emit place_wanted(*at, motion);
