@@ -16,10 +16,10 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_advice = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_in_minutes = 300 * 60; ///< beyond it the axis of time counts hours
 
-QString angle_text(double radians) {
+QString advice_angle(double radians) {
     return text(format_number(degrees(radians), 3)) + QChar(0x00B0);
 }
 
@@ -136,11 +136,11 @@ void AdvicePage::fill_chart() {
     content.x_label =
         over_lead()
             ? tr("Lead limit (°), tool D %1").arg(shown_length(diameter_, unit_, 4))
-            : tr("Tool diameter (%1), lead limit %2").arg(text(unit_name(unit_)), angle_text(lead_limit_));
+            : tr("Tool diameter (%1), lead limit %2").arg(text(unit_name(unit_)), advice_angle(lead_limit_));
     for (const StrategyEstimate& e : all)
         content.x.push_back(over_lead() ? degrees(e.lead_limit) : e.diameter / mm_per(unit_));
     const auto add = [&](const QString& name, auto&& value) -> PlotSeries& {
-        PlotSeries s{name, {}, {}, none, none};
+        PlotSeries s{name, {}, {}, no_advice, no_advice};
         for (const StrategyEstimate& e : all)
             s.y.push_back(value(e));
         content.series.push_back(std::move(s));
@@ -175,15 +175,15 @@ void AdvicePage::fill_chart() {
     suggestion_->setText(
         tr("Least by this estimate: lead limit %1 with this tool, %2; of all tools D %3 with "
            "%4, %5.")
-            .arg(angle_text(own->lead_limit), duration_text(own->seconds()),
-                 shown_length(best.diameter, unit_, 3), angle_text(best.lead_limit),
+            .arg(advice_angle(own->lead_limit), duration_text(own->seconds()),
+                 shown_length(best.diameter, unit_, 3), advice_angle(best.lead_limit),
                  duration_text(best.seconds())));
     suggestion_->setToolTip(
         std::isfinite(advice_->diameter)
             ? tr("By Wang's (1) a tool of up to D %1 matches all but 5 % of the hollow places at this limit.")
                   .arg(shown_length(advice_->diameter, unit_, 3))
             : tr("No place is hollow: any tool matches."));
-    use_->setText(tr("Use %1").arg(angle_text(own->lead_limit)));
+    use_->setText(tr("Use %1").arg(advice_angle(own->lead_limit)));
     use_->setToolTip(tr("Set the lead limit to it"));
     use_->setVisible(true);
     use_->setEnabled(std::abs(own->lead_limit - lead_limit_) > radians(0.005));
@@ -206,7 +206,7 @@ void AdvicePage::show_cursor() {
     for (std::size_t i = 1; i < x.size(); ++i)
         if (std::abs(x[i] - *plot_->cursor()) < std::abs(x[nearest] - *plot_->cursor())) nearest = i;
     const StrategyEstimate& e = all[nearest];
-    readout_->setText((over_lead() ? tr("At %1: ").arg(angle_text(e.lead_limit))
+    readout_->setText((over_lead() ? tr("At %1: ").arg(advice_angle(e.lead_limit))
                                    : tr("With D %1: ").arg(shown_length(e.diameter, unit_, 4)))
                       + estimate_text(e));
 }

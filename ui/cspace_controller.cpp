@@ -24,7 +24,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr QSize picture_size(1200, 900);
+constexpr QSize cspace_picture_size(1200, 900);
 
 std::string free_text(const CSpaceContent& content) {
     return utf8(CSpaceController::tr("%1 of %2 postures free")
@@ -354,7 +354,7 @@ bool CSpaceController::save_picture(const QString& path) {
     CSpaceScene& scene = panel_->view()->scene();
     const std::string free = free_text(*scene.content());
     scene.set_title(utf8(heading()), free);
-    const QImage picture = panel_->view()->export_picture(picture_size);
+    const QImage picture = panel_->view()->export_picture(cspace_picture_size);
     scene.set_title({}, free);
     return report_written(path, write_picture(path, picture));
 }

@@ -31,12 +31,6 @@ public:
     QString textFromValue(double value) const override { return ui::text(format_number(value, 5)); }
 };
 
-QString percent(double share) {
-    const double p = 100 * share;
-    if (p > 0 && p < 0.01) return QStringLiteral("< 0.01 %");
-    return QString::number(p, 'g', 3) + QStringLiteral(" %");
-}
-
 } // namespace
 
 DeviationHistogramView::DeviationHistogramView(QWidget* parent) : QWidget(parent) {
@@ -92,7 +86,7 @@ void DeviationHistogramView::paintEvent(QPaintEvent*) {
         return;
     }
     p.drawText(QRectF(0, 0, width(), fm.height()), int(Qt::AlignLeft | Qt::AlignVCenter),
-               fm.elidedText(tr("Share of the area, highest %1").arg(percent(f.highest / h.total)),
+               fm.elidedText(tr("Share of the area, highest %1").arg(percent_text(f.highest / h.total)),
                              Qt::ElideRight, width()));
     // Whatever there is shows, be it ever so little: a gouge is small.
     const auto bar = [&](double x, double w, double area, const QColor& color) {
@@ -153,15 +147,15 @@ bool DeviationHistogramView::event(QEvent* event) {
     const auto length = [&](double mm) { return shown_length(mm, unit_, 3); };
     QString tip;
     if (x < 0) {
-        tip = tr("below %1: %2").arg(length(h.scale.low), percent(h.below / h.total));
+        tip = tr("below %1: %2").arg(length(h.scale.low), percent_text(h.below / h.total));
     } else if (x >= f.bars.width()) {
-        tip = tr("above %1: %2").arg(length(h.scale.high), percent(h.above / h.total));
+        tip = tr("above %1: %2").arg(length(h.scale.high), percent_text(h.above / h.total));
     } else {
         const auto i = std::min(std::size_t(x / f.step), bins - 1);
         const double width = (h.scale.high - h.scale.low) / double(bins);
         tip = tr("%1 to %2: %3")
                   .arg(length(h.scale.low + width * double(i)), length(h.scale.low + width * double(i + 1)),
-                       percent(h.bins[i] / h.total));
+                       percent_text(h.bins[i] / h.total));
     }
     QToolTip::showText(help->globalPos(), tip, this);
     return true;

@@ -24,7 +24,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr QSize picture_size(1600, 900);
+constexpr QSize inspection_picture_size(1600, 900);
 } // namespace
 
 InspectionController::InspectionController(Document& document, Viewport& viewport, LayerBar& layers,
@@ -245,7 +245,7 @@ QString InspectionController::export_name() const {
 
 bool InspectionController::save_picture(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    return report_written(path, write_picture(path, panel_->plot()->picture(picture_size)));
+    return report_written(path, write_picture(path, panel_->plot()->picture(inspection_picture_size)));
 }
 
 bool InspectionController::save_table(const QString& path) {

@@ -20,7 +20,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr int narrow = 820;
+constexpr int narrow_bar = 820;
 constexpr double time_speeds[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 constexpr double motion_speeds[] = {1, 10, 100, 1000, 10000};
 
@@ -158,7 +158,8 @@ QString PlaybackBar::time_text() const {
 
 void PlaybackBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    rows_->setDirection(event->size().width() < narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    rows_->setDirection(event->size().width() < narrow_bar ? QBoxLayout::TopToBottom
+                                                           : QBoxLayout::LeftToRight);
 }
 
 void PlaybackBar::take_speed() {

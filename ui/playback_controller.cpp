@@ -7,7 +7,7 @@ namespace facetmill::ui {
 
 namespace {
 constexpr int tick_ms = 33;
-constexpr int rest_ms = 400;         // without a new position: the finer stock is worth its time
+constexpr int stock_rest_ms = 400;   // without a new position: the finer stock is worth its time
 constexpr double longest_tick = 0.2; // s; a window that was held up does not jump
 } // namespace
 
@@ -16,7 +16,7 @@ PlaybackController::PlaybackController(QObject* parent) : QObject(parent) {
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &PlaybackController::tick);
     rest_timer_.setSingleShot(true);
-    rest_timer_.setInterval(rest_ms);
+    rest_timer_.setInterval(stock_rest_ms);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
         if (!fine_source_ || !follow_ || playing()) return;
         if (!fine_.loaded()) fine_.load(fine_source_);

@@ -16,7 +16,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr double margin = 8, tick_length = 4, key_gap = 14, key_sample = 18;
+constexpr double plot_margin = 8, plot_tick = 4, key_gap = 14, key_sample = 18;
 constexpr double mark_room =
     14; ///< along the axis for one in full size; where there is less they are smaller
 
@@ -52,8 +52,8 @@ void PlotPainting::paint_axes() const {
         p_.setPen(look_.grid);
         p_.drawLine(QPointF(in_.left(), y), QPointF(in_.right(), y));
         p_.setPen(look_.ink);
-        p_.drawLine(QPointF(in_.left() - tick_length, y), QPointF(in_.left(), y));
-        p_.drawText(QRectF(0, y - fm.height() / 2, in_.left() - tick_length - 3, fm.height()),
+        p_.drawLine(QPointF(in_.left() - plot_tick, y), QPointF(in_.left(), y));
+        p_.drawText(QRectF(0, y - fm.height() / 2, in_.left() - plot_tick - 3, fm.height()),
                     int(Qt::AlignRight | Qt::AlignVCenter), tick_text(v, step_y));
     }
     // Along.
@@ -66,11 +66,11 @@ void PlotPainting::paint_axes() const {
         p_.setPen(look_.grid);
         p_.drawLine(QPointF(x, in_.top()), QPointF(x, in_.bottom()));
         p_.setPen(look_.ink);
-        p_.drawLine(QPointF(x, in_.bottom()), QPointF(x, in_.bottom() + tick_length));
+        p_.drawLine(QPointF(x, in_.bottom()), QPointF(x, in_.bottom() + plot_tick));
         const QString label = tick_text(v, step_x);
         const double w = fm.horizontalAdvance(label);
         if (x - w / 2 < written + 6) continue;
-        p_.drawText(QRectF(x - w, in_.bottom() + tick_length + 1, 2 * w, fm.height()), int(Qt::AlignCenter),
+        p_.drawText(QRectF(x - w, in_.bottom() + plot_tick + 1, 2 * w, fm.height()), int(Qt::AlignCenter),
                     label);
         written = x + w / 2;
     }
@@ -78,7 +78,7 @@ void PlotPainting::paint_axes() const {
     p_.drawRect(QRectF(std::round(in_.left()) + 0.5, std::round(in_.top()) + 0.5, std::round(in_.width()) - 1,
                        std::round(in_.height()) - 1));
     const QString label = fm.elidedText(content_.x_label, Qt::ElideMiddle, in_.width());
-    p_.drawText(QRectF(in_.left(), in_.bottom() + tick_length + 2 + fm.height(), in_.width(), fm.height()),
+    p_.drawText(QRectF(in_.left(), in_.bottom() + plot_tick + 2 + fm.height(), in_.width(), fm.height()),
                 int(Qt::AlignHCenter | Qt::AlignTop), label);
     p_.setRenderHint(QPainter::Antialiasing, true);
 }
@@ -209,10 +209,10 @@ QRectF plot_frame(const QRectF& view, const QFont& font, const QSize& size, bool
     const double step = round_step(view.height(), most);
     for (const double v : round_ticks(view.top(), view.bottom(), most))
         widest = std::max(widest, fm.horizontalAdvance(tick_text(v, step)));
-    const double left = margin + widest + tick_length + 4;
-    const double top = margin + fm.height() + 6 + (titled ? 1.6 * fm.height() : 0);
-    const double bottom = size.height() - margin - 2 * fm.height() - tick_length - 2;
-    return {left, top, std::max(10.0, size.width() - left - 2 * margin), std::max(10.0, bottom - top)};
+    const double left = plot_margin + widest + plot_tick + 4;
+    const double top = plot_margin + fm.height() + 6 + (titled ? 1.6 * fm.height() : 0);
+    const double bottom = size.height() - plot_margin - 2 * fm.height() - plot_tick - 2;
+    return {left, top, std::max(10.0, size.width() - left - 2 * plot_margin), std::max(10.0, bottom - top)};
 }
 
 QPointF plot_place(const QRectF& view, const QRectF& frame, double x, double y) {
@@ -233,7 +233,7 @@ void paint_plot(QPainter& p, const PlotContent& content, const QRectF& view, con
     bold.setBold(true);
     p.setFont(bold);
     p.setPen(look.ink);
-    p.drawText(QRectF(in.left(), margin / 2, in.width(), 1.6 * QFontMetricsF(bold).height()),
+    p.drawText(QRectF(in.left(), plot_margin / 2, in.width(), 1.6 * QFontMetricsF(bold).height()),
                int(Qt::AlignLeft | Qt::AlignVCenter),
                QFontMetricsF(bold).elidedText(content.title, Qt::ElideMiddle, in.width()));
 }

@@ -16,7 +16,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr double margin = 8;
+constexpr double title_margin = 8;
 constexpr double headroom = 0.06; ///< share of the height, above and below the curves
 /// Limits are in view from the beginning where they leave the curves at least this share of the height.
 constexpr double min_share = 0.4;
@@ -147,7 +147,8 @@ void PlotView::paint(QPainter& p, const QSize& size, const PlotLook& look, bool 
     p.setFont(look.font);
     if (empty()) {
         p.setPen(look.quiet);
-        p.drawText(QRectF(QPointF(0, 0), QSizeF(size)).adjusted(margin, margin, -margin, -margin),
+        p.drawText(QRectF(QPointF(0, 0), QSizeF(size))
+                       .adjusted(title_margin, title_margin, -title_margin, -title_margin),
                    int(Qt::AlignCenter | Qt::TextWordWrap), empty_text_);
         return;
     }

@@ -26,7 +26,7 @@ constexpr double slow_frame_ms = 40.0;
 /// Coarseness 1 is the scene's preview without smoothing; 2 has half the pixels a side besides, 3 a third.
 constexpr int coarsest = 3;
 constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
-constexpr int rest_ms = 250;
+constexpr int rest_after_ms = 250;
 /// Without a new picture before shaders of later ones are rehearsed: none while something moves. In an empty
 /// window there is nothing that could.
 constexpr int rehearsal_ms = 120, empty_rehearsal_ms = 20;
@@ -39,7 +39,7 @@ SceneCanvas::SceneCanvas(QWidget* parent) : GlCanvas(parent), window_(std::make_
         timer.setInterval(ms);
         connect(&timer, &QTimer::timeout, this, what);
     };
-    once(rest_timer_, rest_ms, &SceneCanvas::rested);
+    once(rest_timer_, rest_after_ms, &SceneCanvas::rested);
     once(step_timer_, 0, &SceneCanvas::draw_step);
     once(pace_timer_, 0, [this] { update(); });
     once(rehearsal_timer_, rehearsal_ms, &SceneCanvas::rehearse);

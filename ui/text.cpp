@@ -45,6 +45,12 @@ QString duration_text(double seconds) {
     return text(facetmill::duration_text(seconds));
 }
 
+QString percent_text(double share) {
+    const double p = 100 * share;
+    if (p > 0 && p < 0.01) return QStringLiteral("< 0.01 %");
+    return QString::number(p, 'g', 3) + QStringLiteral(" %");
+}
+
 QString elided(const QString& text, int characters) {
     if (text.size() <= characters) return text;
     const int left = (characters - 1) / 2, right = characters - 1 - left;

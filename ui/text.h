@@ -32,6 +32,8 @@ QString size_text(const double (&mm)[3], LengthUnit unit, int digits = 5);
 QString count_text(std::size_t n);
 /// "0.4 s", "12 s", "3 min 20 s", "1 h 05 min".
 QString duration_text(double seconds);
+/// A share as "12.5 %"; "< 0.01 %" where it is not quite nothing.
+QString percent_text(double share);
 /// `text` cut in the middle so that it has at most `characters` ones.
 QString elided(const QString& text, int characters);
 /// Messages of core name lengths in millimetres ("1.5 mm"); the same message with them in the unit of the

@@ -15,7 +15,7 @@
 namespace facetmill::ui {
 
 namespace {
-constexpr QSize picture_size(1400, 1000);
+constexpr QSize unrolled_picture_size(1400, 1000);
 }
 
 UnrolledController::UnrolledController(Document& document, QWidget* window)
@@ -132,7 +132,7 @@ QString UnrolledController::export_name() const {
 }
 
 bool UnrolledController::save_picture(const QString& path) {
-    return report_written(path, write_picture(path, view_->picture(picture_size)));
+    return report_written(path, write_picture(path, view_->picture(unrolled_picture_size)));
 }
 
 } // namespace facetmill::ui

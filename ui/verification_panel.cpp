@@ -25,12 +25,6 @@ constexpr std::size_t max_listed = 1000; // findings: more nobody goes through o
 enum Column { kind_column, depth_column, goto_column, operation_column };
 constexpr int finding_role = Qt::UserRole;
 
-QString percent(double share) {
-    const double p = 100 * share;
-    if (p > 0 && p < 0.01) return QStringLiteral("< 0.01 %");
-    return QString::number(p, 'g', 3) + QStringLiteral(" %");
-}
-
 } // namespace
 
 VerificationPanel::VerificationPanel(Document& document, VerificationModel& model, QWidget* parent)
@@ -192,7 +186,7 @@ void VerificationPanel::show_verdict() {
         color = signal.good;
         line = tr("Verified: no gouge, no collision");
         const double uncut = model_.verification().figures.uncut_fraction;
-        if (uncut > 0) note = tr("Material is left on %1 of the area.").arg(percent(uncut));
+        if (uncut > 0) note = tr("Material is left on %1 of the area.").arg(percent_text(uncut));
         break;
     }
     case Verdict::failed:
@@ -248,8 +242,8 @@ QString VerificationPanel::figures_html() const {
     html += row(tr("… 99 % below"), length(f.excess_p99));
     html += row(tr("… largest"), length(f.excess_max));
     if (v.used.tolerance > 0) {
-        html += row(tr("Over the tolerance %1").arg(length(v.used.tolerance)), percent(f.over_fraction));
-        html += row(tr("Uncut"), percent(f.uncut_fraction),
+        html += row(tr("Over the tolerance %1").arg(length(v.used.tolerance)), percent_text(f.over_fraction));
+        html += row(tr("Uncut"), percent_text(f.uncut_fraction),
                     f.uncut_fraction > 0 ? signal.attention.name() : QString());
     }
     html += row(tr("Collisions"), count_text(v.collisions.size()),
@@ -272,7 +266,7 @@ QString VerificationPanel::figures_html() const {
         bands += cell(number(b.figures.gouge_max),
                       b.figures.gouge_max > v.used.gouge_limit ? signal.bad.name() : QString());
         bands += cell(number(b.figures.excess_p95)) + cell(number(b.figures.excess_max))
-                 + cell(percent(b.figures.uncut_fraction)) + QStringLiteral("</tr>");
+                 + cell(percent_text(b.figures.uncut_fraction)) + QStringLiteral("</tr>");
     }
     if (!bands.isEmpty()) {
         const auto head = [&](const QString& name) {

@@ -17,7 +17,7 @@ namespace {
 /// Width of the docks on the right at which their tabs can be read whole.
 constexpr int right_width = 306;
 /// A window below this width has no room for docks on both sides.
-constexpr int narrow = 1000;
+constexpr int narrow_window = 1000;
 
 } // namespace
 
@@ -84,7 +84,7 @@ void WindowDocks::size_as_new() {
 
 void WindowDocks::arrange() {
     if (docks_.empty()) return;
-    if (window_.width() < narrow) {
+    if (window_.width() < narrow_window) {
         if (!make_room()) return;
     } else {
         if (made_room_.empty()) return;

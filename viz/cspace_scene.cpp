@@ -31,7 +31,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr double margin = 10;
+constexpr double grid_margin = 10;
 constexpr double beside_axis = 46; ///< layout pixels beside the box for numbers and names of the axes
 constexpr double above_box = 52;   ///< above it
 
@@ -256,7 +256,7 @@ struct CSpaceScene::Impl {
         }
         const Vec2 end = shown(a.delta.middle) + Vec2(0, -15);
         const double w = overlay->note_width(a.delta.name, true);
-        c.notes.push_back({{std::max(margin + w / 2, end.x()), end.y()}, 0, a.delta.name, true, false});
+        c.notes.push_back({{std::max(grid_margin + w / 2, end.x()), end.y()}, 0, a.delta.name, true, false});
     }
 
     void sort_volume() {
@@ -365,7 +365,7 @@ struct CSpaceScene::Impl {
         double best = infinity;
         Area in = areas.front();
         for (const Area& a : areas) {
-            const double wide = a.x1 - a.x0 - 2 * aside, high = a.y1 - a.y0 - aside - margin;
+            const double wide = a.x1 - a.x0 - 2 * aside, high = a.y1 - a.y0 - aside - grid_margin;
             if (wide < 20 || high < 20) continue;
             const double per = std::max(extent.x() / wide, extent.y() / high);
             if (per < best) {
@@ -375,7 +375,7 @@ struct CSpaceScene::Impl {
         }
         if (!std::isfinite(best)) best = std::max(extent.x() / w, extent.y() / h) * 1.3;
         // The middle of the area shows the middle of the box.
-        const Vec2 aim((in.x0 + in.x1) / 2, (in.y0 + in.y1 - aside + margin) / 2);
+        const Vec2 aim((in.x0 + in.x1) / 2, (in.y0 + in.y1 - aside + grid_margin) / 2);
         const Vec2 box = (lo + hi) / 2;
         const Vec2 focus(box.x() - (aim.x() - w / 2) * best, box.y() + (aim.y() - h / 2) * best);
         const double deep = (camera * middle()).z();

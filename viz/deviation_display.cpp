@@ -10,7 +10,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 1u << 16; // samples or triangles: a few ms
+constexpr std::size_t samples_per_check = 1u << 16; // samples or triangles: a few ms
 
 /// Colours looked up by place in the range, because a sample must not cost a search in the map.
 class Lookup {
@@ -76,7 +76,7 @@ DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSur
     display->lowest = infinity;
     display->highest = -infinity;
     for (std::size_t i = 0; i < n; ++i) {
-        if (i % check_every == 0) progress.check();
+        if (i % samples_per_check == 0) progress.check();
         display->box.add(point(i));
         if (judged(s.flags[i], s.deviation[i], scale.gouge_limit)) {
             display->lowest = std::min(display->lowest, double(s.deviation[i]));
@@ -91,7 +91,7 @@ DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSur
     display->normals.resize(3 * n);
     display->areas.assign(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
-        if (i % check_every == 0) progress.check();
+        if (i % samples_per_check == 0) progress.check();
         for (std::size_t k = 0; k < 3; ++k) {
             display->points[3 * i + k] = float(double(s.points[i][k]) - display->center[Eigen::Index(k)]);
             display->normals[3 * i + k] = s.normals[i][k];
@@ -99,7 +99,7 @@ DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSur
     }
     display->triangles.reserve(3 * s.triangles.size());
     for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-        if (t % check_every == 0) progress.check();
+        if (t % samples_per_check == 0) progress.check();
         const auto& [a, b, c] = s.triangles[t];
         if (std::max({a, b, c}) >= n)
             throw Error(ErrorCode::out_of_range, "deviation", "a triangle names a sample that there is not",

@@ -12,7 +12,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t block = 8192; // vertices or facets: well below 20 ms
+constexpr std::size_t items_per_block = 8192; // vertices or facets: well below 20 ms
 
 /// Corners by vertex: corner c = 3 * facet + k stands at corners[start[v]] .. corners[start[v + 1] - 1],
 /// ascending.
@@ -24,7 +24,7 @@ CornersByVertex corners_by_vertex(const Mesh& mesh, const Progress& progress) {
     CornersByVertex by;
     by.start.assign(mesh.vertices.size() + 1, 0);
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-        if (f % (16 * block) == 0) progress.check();
+        if (f % (16 * items_per_block) == 0) progress.check();
         for (const Index v : mesh.facets[f])
             ++by.start[v + 1];
     }
@@ -34,7 +34,7 @@ CornersByVertex corners_by_vertex(const Mesh& mesh, const Progress& progress) {
     by.corners.resize(3 * mesh.facets.size());
     std::vector<std::uint32_t> next(by.start.begin(), by.start.end() - 1);
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-        if (f % (16 * block) == 0) progress.check();
+        if (f % (16 * items_per_block) == 0) progress.check();
         for (std::size_t k = 0; k < 3; ++k)
             by.corners[next[mesh.facets[f][k]]++] = std::uint32_t(3 * f + k);
     }
@@ -166,7 +166,7 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
         throw Error(ErrorCode::too_large, "part", "has more facets than can be drawn", "reduce the mesh");
 
     display->box = parallel_reduce(
-        mesh.facets.size(), block, Box3{}, progress.part(0.0, 0.1),
+        mesh.facets.size(), items_per_block, Box3{}, progress.part(0.0, 0.1),
         [&](std::size_t begin, std::size_t end) {
             Box3 b;
             for (std::size_t f = begin; f < end; ++f)
@@ -182,28 +182,29 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
     display->center = display->box.center();
 
     std::vector<Vec3> facet_normals(mesh.facets.size());
-    parallel_for(mesh.facets.size(), block, progress.part(0.1, 0.2),
+    parallel_for(mesh.facets.size(), items_per_block, progress.part(0.1, 0.2),
                  [&](std::size_t f) { facet_normals[f] = mesh.facet_normal(f); });
     display->sights = SightTree(mesh, progress.part(0.2, 0.3));
     const CornersByVertex by = corners_by_vertex(mesh, progress);
     const EdgeTable table(mesh, progress.part(0.3, 0.3));
 
-    const std::size_t blocks = (mesh.vertices.size() + block - 1) / block;
+    const std::size_t blocks = (mesh.vertices.size() + items_per_block - 1) / items_per_block;
     display->triangles.resize(3 * mesh.facets.size());
     std::vector<VertexBlock> vertex_blocks(blocks);
     std::vector<EdgeBlock> edge_blocks(blocks);
     std::vector<std::int32_t> display_of(mesh.vertices.size(),
                                          0); // one display vertex of each mesh vertex, for lines
-    parallel_blocks(mesh.vertices.size(), block, progress.part(0.3, 0.8),
+    parallel_blocks(mesh.vertices.size(), items_per_block, progress.part(0.3, 0.8),
                     [&](std::size_t begin, std::size_t end) {
-                        VertexBlock& out = vertex_blocks[begin / block];
+                        VertexBlock& out = vertex_blocks[begin / items_per_block];
                         out.points.reserve(3 * (end - begin));
                         out.normals.reserve(3 * (end - begin));
                         Splitter splitter(mesh, by, facet_normals, display->center, display->triangles);
                         for (std::size_t v = begin; v < end; ++v) {
                             display_of[v] = std::int32_t(out.points.size() / 3);
                             splitter.split(v, out);
-                            classify_edges(mesh, table, facet_normals, v, edge_blocks[begin / block]);
+                            classify_edges(mesh, table, facet_normals, v,
+                                           edge_blocks[begin / items_per_block]);
                         }
                     });
 
@@ -212,9 +213,9 @@ PartDisplayPtr prepare_part_display(MeshPtr mesh_ptr, const Progress& progress) 
         base[b + 1] = base[b] + std::int32_t(vertex_blocks[b].points.size() / 3);
     display->points.resize(3 * std::size_t(base[blocks]));
     display->normals.resize(3 * std::size_t(base[blocks]));
-    parallel_blocks(mesh.vertices.size(), block, progress.part(0.8, 1.0),
+    parallel_blocks(mesh.vertices.size(), items_per_block, progress.part(0.8, 1.0),
                     [&](std::size_t begin, std::size_t end) {
-                        const std::size_t b = begin / block;
+                        const std::size_t b = begin / items_per_block;
                         std::copy(vertex_blocks[b].points.begin(), vertex_blocks[b].points.end(),
                                   display->points.begin() + 3 * std::ptrdiff_t(base[b]));
                         std::copy(vertex_blocks[b].normals.begin(), vertex_blocks[b].normals.end(),

@@ -6,10 +6,10 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 1u << 16; // vertices or facets: a few ms
-constexpr double cells_a_side = 100;          // along the longest side of the part's box
+constexpr std::size_t items_per_check = 1u << 16; // vertices or facets: a few ms
+constexpr double cells_a_side = 100;              // along the longest side of the part's box
 
-Vec3 vec(const std::vector<float>& values, std::size_t i) {
+Vec3 vector_at(const std::vector<float>& values, std::size_t i) {
     return {double(values[3 * i]), double(values[3 * i + 1]), double(values[3 * i + 2])};
 }
 
@@ -20,7 +20,7 @@ std::size_t side_of(const Vec3& n) {
     return 2 * std::size_t(axis) + (n[axis] < 0 ? 1 : 0);
 }
 
-void append(std::vector<float>& values, const Vec3& v) {
+void append_vector(std::vector<float>& values, const Vec3& v) {
     values.insert(values.end(), {float(v.x()), float(v.y()), float(v.z())});
 }
 
@@ -58,8 +58,8 @@ PartPreview make_preview(const std::vector<float>& points, const std::vector<flo
     std::vector<Sum> normals;
     std::vector<std::int32_t> place_of_vertex, merged(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
-        if (v % check_every == 0) progress.check();
-        const Vec3 p = vec(points, v), n = vec(all_normals, v);
+        if (v % items_per_check == 0) progress.check();
+        const Vec3 p = vector_at(points, v), n = vector_at(all_normals, v);
         std::int32_t& place = place_of_cell[cell_of(p)];
         if (place < 0) {
             place = std::int32_t(places.size());
@@ -79,12 +79,12 @@ PartPreview make_preview(const std::vector<float>& points, const std::vector<flo
     }
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const Sum& place = places[std::size_t(place_of_vertex[i])];
-        append(preview.points, place.total / place.count);
+        append_vector(preview.points, place.total / place.count);
         const double length = normals[i].total.norm();
-        append(preview.normals, length > 0 ? Vec3(normals[i].total / length) : Vec3(0, 0, 1));
+        append_vector(preview.normals, length > 0 ? Vec3(normals[i].total / length) : Vec3(0, 0, 1));
     }
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        if (t % (3 * check_every) == 0) progress.check();
+        if (t % (3 * items_per_check) == 0) progress.check();
         std::array<std::int32_t, 3> corner{}, place{};
         for (std::size_t k = 0; k < 3; ++k) {
             corner[k] = merged[std::size_t(triangles[t + k])];
@@ -92,10 +92,10 @@ PartPreview make_preview(const std::vector<float>& points, const std::vector<flo
         }
         if (place[0] == place[1] || place[1] == place[2] || place[2] == place[0]) continue;
         // A thin facet may have been turned over; its normals still say which side is out.
-        const auto at = [&](std::size_t k) { return vec(preview.points, std::size_t(corner[k])); };
+        const auto at = [&](std::size_t k) { return vector_at(preview.points, std::size_t(corner[k])); };
         Vec3 out = Vec3::Zero();
         for (const std::int32_t c : corner)
-            out += vec(preview.normals, std::size_t(c));
+            out += vector_at(preview.normals, std::size_t(c));
         if ((at(1) - at(0)).cross(at(2) - at(0)).dot(out) < 0) std::swap(corner[1], corner[2]);
         preview.triangles.insert(preview.triangles.end(), corner.begin(), corner.end());
     }

@@ -9,7 +9,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 1u << 16; // points: about 1 ms
+constexpr std::size_t points_per_check = 1u << 16; // points: about 1 ms
 
 void append(std::vector<float>& points, const Vec3& p) {
     points.insert(points.end(), {float(p.x()), float(p.y()), float(p.z())});
@@ -97,7 +97,7 @@ public:
 
 private:
     void tick() {
-        if (++points_ % check_every == 0) progress_.check();
+        if (++points_ % points_per_check == 0) progress_.check();
     }
     void measure(const ToolMotions& motions);
 

@@ -15,8 +15,8 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 1u << 14, points_per_block = 16;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t motions_per_check = 1u << 14, points_per_block = 16;
+constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
 /// As core/output/motion_time.cpp counts them: within runs between rapids, by more than rounding.
 std::vector<std::size_t> turning_points(const std::vector<Motion>& motions, const MachineMotion& run,
@@ -54,19 +54,19 @@ PathFiguresPtr path_figures(const std::shared_ptr<const OperationResult>& operat
         values->reserve(n);
     double length = 0, elapsed = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        if (i % check_every == 0) progress.check();
+        if (i % motions_per_check == 0) progress.check();
         const MotionJoints& m = run.motions[i];
         const double route = i > 0 ? (motions[i].to.tip - motions[i - 1].to.tip).norm() : 0.0;
         figures->length.push_back(length += route);
         figures->elapsed.push_back(elapsed += m.seconds);
         figures->seconds.push_back(m.seconds);
-        figures->feed.push_back(m.seconds > 0 && route > 0 ? route / m.seconds * 60 : none);
+        figures->feed.push_back(m.seconds > 0 && route > 0 ? route / m.seconds * 60 : no_figure);
         double rate = 0;
         for (int k = 0; k < machine.joints(); ++k)
             rate = std::max(rate, std::abs(m.rates[std::size_t(k)]) / machine.speed(k));
-        figures->joint_rate.push_back(m.seconds > 0 ? rate : none);
+        figures->joint_rate.push_back(m.seconds > 0 ? rate : no_figure);
         for (std::size_t r = 0; r < axes; ++r)
-            figures->rotary[r].push_back(m.held ? m.at.rotary[r] : none);
+            figures->rotary[r].push_back(m.held ? m.at.rotary[r] : no_figure);
     }
     for (std::size_t r = 0; r < axes; ++r)
         figures->reversals[r] = turning_points(motions, run, 3 + int(r));
@@ -78,7 +78,7 @@ std::vector<double> motion_cusps(const OperationResult& operation, const Progres
     if (!record) return {};
     const FiveAxisStudy study(record, progress.part(0, 0.4));
     const auto& points = record->points;
-    std::vector<double> at_points(points.size(), none);
+    std::vector<double> at_points(points.size(), no_figure);
     parallel_for(points.size(), points_per_block, progress.part(0.4, 1), [&](std::size_t i) {
         if (points[i].choice.free)
             at_points[i] = posture_cusp(study.field(), points[i].place, points[i].choice.posture);
@@ -91,7 +91,7 @@ std::vector<double> motion_cusps(const OperationResult& operation, const Progres
     std::vector<std::vector<double>> of_pass;
     for (const Pass& pass : operation.path.passes) {
         progress.check();
-        std::vector<double>& cusps = of_pass.emplace_back(pass.cc.size(), none);
+        std::vector<double>& cusps = of_pass.emplace_back(pass.cc.size(), no_figure);
         std::size_t before = 0; // one past the last contact point that was planned
         for (std::size_t i = 0; i < cusps.size(); ++i) {
             const Vec3& p = pass.cc[i].point;
@@ -110,7 +110,7 @@ std::vector<double> motion_cusps(const OperationResult& operation, const Progres
         }
     }
     const auto& motions = operation.program.motions.motions;
-    std::vector<double> cusps(motions.size(), none);
+    std::vector<double> cusps(motions.size(), no_figure);
     for (std::size_t m = 0; m < motions.size(); ++m)
         if (motions[m].pass < of_pass.size() && motions[m].point < of_pass[motions[m].pass].size())
             cusps[m] = of_pass[motions[m].pass][motions[m].point];

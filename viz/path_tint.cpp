@@ -13,8 +13,8 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t check_every = 1u << 14;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t values_per_check = 1u << 14;
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 /// Outliers are cut off the scale where they would take this share of it at least.
 constexpr double worth_cutting = 0.4;
 constexpr double minute = 60, longest_in_seconds = 300; // s
@@ -33,7 +33,7 @@ Values values_of(const PathFigures& figures, PathQuantity quantity, double per, 
     const OperationResult& operation = *figures.operation;
     const auto& motions = operation.program.motions.motions;
     Values values;
-    values.at.assign(motions.size(), none);
+    values.at.assign(motions.size(), no_value);
     if (!path_quantity_missing(quantity, operation).empty()) return values;
     const auto scaled = [&](const std::vector<double>& from) {
         for (std::size_t m = 0; m < std::min(from.size(), motions.size()); ++m)
@@ -45,7 +45,7 @@ Values values_of(const PathFigures& figures, PathQuantity quantity, double per, 
         break;
     case PathQuantity::lead:
         for (std::size_t m = 0; m < motions.size(); ++m) {
-            if (m % check_every == 0) progress.check();
+            if (m % values_per_check == 0) progress.check();
             if (motions[m].kind == MotionKind::cut && motions[m].pass < passes.size()
                 && motions[m].point < passes[motions[m].pass].cc.size())
                 values.at[m] = degrees(
@@ -112,7 +112,7 @@ void color(TintedPath::Lines& lines, double low, double high) {
 }
 
 /// Runs of n segments as one.
-TintedPath::Lines thinned(const TintedPath::Lines& lines) {
+TintedPath::Lines thinned_lines(const TintedPath::Lines& lines) {
     TintedPath::Lines thin;
     const std::size_t count = lines.values.size() / 2;
     if (count <= largest_path_without_preview) return thin;
@@ -206,7 +206,7 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
         const Values values = values_of(*operations[o], quantity, per, here);
         const auto& motions = operations[o]->operation->program.motions.motions;
         for (std::size_t m = 1; m < motions.size(); ++m) {
-            if (m % check_every == 0) here.check();
+            if (m % values_per_check == 0) here.check();
             if (o < shown.size() && !shown[o].shows_motion(m)) continue;
             const Vec3 &from = motions[m - 1].to.tip, &to = motions[m].to.tip;
             if (motions[m].kind == MotionKind::rapid || !from.allFinite() || !to.allFinite()) continue;
@@ -234,7 +234,7 @@ TintedPathPtr prepare_tinted_path(const std::vector<PathFiguresPtr>& operations,
     find_range(*path, std::move(known));
     for (std::size_t k = 0; k < motion_kinds; ++k) {
         progress.check();
-        path->preview[k] = thinned(path->lines[k]);
+        path->preview[k] = thinned_lines(path->lines[k]);
         color(path->lines[k], path->low, path->high);
         color(path->preview[k], path->low, path->high);
     }

@@ -10,8 +10,8 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t block = 8192; // facets or boxes: a few ms
-constexpr std::size_t check_every = 1u << 16;
+constexpr std::size_t boxes_per_block = 8192; // facets or boxes: a few ms
+constexpr std::size_t boxes_per_check = 1u << 16;
 constexpr int bits_per_axis = 10;
 /// Boxes are larger than their facets by this share of the part, for the rounding of the tests against them.
 constexpr double box_margin = 1e-9;
@@ -38,13 +38,13 @@ void sort_by_code(std::vector<std::uint64_t>& items, const Progress& progress) {
         constexpr std::uint64_t mask = (1u << bits_per_axis) - 1;
         std::array<std::size_t, mask + 2> start{};
         for (std::size_t i = 0; i < items.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % boxes_per_check == 0) progress.check();
             ++start[(items[i] >> shift & mask) + 1];
         }
         for (std::size_t k = 0; k <= mask; ++k)
             start[k + 1] += start[k];
         for (std::size_t i = 0; i < items.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % boxes_per_check == 0) progress.check();
             other[start[items[i] >> shift & mask]++] = items[i];
         }
         items.swap(other);
@@ -74,7 +74,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
     const std::size_t n = mesh.facets.size();
     if (n == 0) return;
     const Box3 all = parallel_reduce(
-        n, block, Box3{}, progress.part(0, 0.1),
+        n, boxes_per_block, Box3{}, progress.part(0, 0.1),
         [&](std::size_t begin, std::size_t end) {
             Box3 b;
             for (std::size_t f = begin; f < end; ++f)
@@ -93,7 +93,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
     const double side = all.size().maxCoeff();
     const double scale = side > 0 ? ((1 << bits_per_axis) - 1) / side : 0;
     std::vector<std::uint64_t> items(n);
-    parallel_for(n, block, progress.part(0.1, 0.3), [&](std::size_t f) {
+    parallel_for(n, boxes_per_block, progress.part(0.1, 0.3), [&](std::size_t f) {
         const Vec3 middle = (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
         std::uint64_t code = 0;
         for (int k = 0; k < 3; ++k) {
@@ -105,7 +105,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
     });
     sort_by_code(items, progress);
     order_.resize(n);
-    parallel_for(n, block, progress.part(0.6, 0.7),
+    parallel_for(n, boxes_per_block, progress.part(0.6, 0.7),
                  [&](std::size_t i) { order_[i] = std::uint32_t(items[i]); });
 
     const auto empty_box = [] {
@@ -113,7 +113,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
         return Box{{most, most, most}, {-most, -most, -most}};
     };
     levels_.emplace_back((n + arity - 1) / arity);
-    parallel_for(levels_[0].size(), block / arity, progress.part(0.7, 0.95), [&](std::size_t i) {
+    parallel_for(levels_[0].size(), boxes_per_block / arity, progress.part(0.7, 0.95), [&](std::size_t i) {
         Box box = empty_box();
         for (std::size_t j = i * arity; j < std::min(n, (i + 1) * arity); ++j)
             for (int c = 0; c < 3; ++c) {
@@ -129,7 +129,7 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
         const std::vector<Box>& below = levels_.back();
         std::vector<Box> level((below.size() + arity - 1) / arity, empty_box());
         for (std::size_t i = 0; i < below.size(); ++i) {
-            if (i % check_every == 0) progress.check();
+            if (i % boxes_per_check == 0) progress.check();
             Box& box = level[i / arity];
             for (std::size_t k = 0; k < 3; ++k) {
                 box.lo[k] = std::min(box.lo[k], below[i].lo[k]);
