@@ -8,6 +8,7 @@
 #include "core/strategy/lathe/lathe_rough.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
+#include "tests/property/turned_part.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/test_runner.h"
 
@@ -22,38 +23,15 @@ namespace {
 
 constexpr double length = 9;
 
-/// A closed part along X whose radius is given by angle (0 at +Y) and place.
-template <class Radius>
-Mesh turned_part(int around, int along, Radius radius) {
-    Mesh m;
-    for (int i = 0; i <= along; ++i)
-        for (int k = 0; k < around; ++k) {
-            const double angle = 2 * pi * k / around, x = length * i / along, r = radius(angle, x);
-            m.vertices.emplace_back(x, r * std::cos(angle), r * std::sin(angle));
-        }
-    const auto at = [&](int i, int k) { return Index(i * around + k % around); };
-    for (int i = 0; i < along; ++i)
-        for (int k = 0; k < around; ++k) {
-            m.facets.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
-            m.facets.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
-        }
-    const auto low = Index(m.vertices.size()), high = low + 1;
-    m.vertices.emplace_back(0, 0, 0);
-    m.vertices.emplace_back(length, 0, 0);
-    for (int k = 0; k < around; ++k) {
-        m.facets.push_back({low, at(0, k + 1), at(0, k)});
-        m.facets.push_back({high, at(along, k), at(along, k + 1)});
-    }
-    return m;
-}
-
 Mesh part_named(const std::string& name) {
     // Hollows are wide enough for a ball of diameter 6.
     if (name == "lobes")
-        return turned_part(60, 18, [](double a, double x) { return 8 + 0.6 * std::cos(3 * a + 0.25 * x); });
+        return turned_part(60, 18, length,
+                           [](double a, double x) { return 8 + 0.6 * std::cos(3 * a + 0.25 * x); });
     if (name == "waist")
-        return turned_part(48, 24, [](double, double x) { return 7 + 0.6 * std::cos(2 * pi * x / length); });
-    return turned_part(4, 9, [](double, double) { return 9.0; }); // square
+        return turned_part(48, 24, length,
+                           [](double, double x) { return 7 + 0.6 * std::cos(2 * pi * x / length); });
+    return turned_part(4, 9, length, [](double, double) { return 9.0; }); // square
 }
 
 PlanContext turning(const Mesh& part, const Tool& tool) {

@@ -8,6 +8,7 @@
 #include "core/strategy/rough/rough.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
+#include "tests/property/turned_part.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
@@ -79,29 +80,7 @@ Mesh waves(double high, int columns = 60, const Vec2& corner = Vec2(9, 7)) {
 
 /// A closed part along X whose radius changes with angle and place.
 Mesh lobes() {
-    constexpr int around = 72, along = 16;
-    constexpr double length = 8;
-    Mesh m;
-    for (int i = 0; i <= along; ++i)
-        for (int k = 0; k < around; ++k) {
-            const double angle = 2 * pi * k / around, x = length * i / along;
-            const double r = 8 + 0.6 * std::cos(3 * angle + 0.25 * x);
-            m.vertices.emplace_back(x, r * std::cos(angle), r * std::sin(angle));
-        }
-    const auto at = [&](int i, int k) { return Index(i * around + k % around); };
-    for (int i = 0; i < along; ++i)
-        for (int k = 0; k < around; ++k) {
-            m.facets.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
-            m.facets.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
-        }
-    const auto low = Index(m.vertices.size()), high = low + 1;
-    m.vertices.emplace_back(0, 0, 0);
-    m.vertices.emplace_back(length, 0, 0);
-    for (int k = 0; k < around; ++k) {
-        m.facets.push_back({low, at(0, k + 1), at(0, k)});
-        m.facets.push_back({high, at(along, k), at(along, k + 1)});
-    }
-    return m;
+    return turned_part(72, 16, 8, [](double a, double x) { return 8 + 0.6 * std::cos(3 * a + 0.25 * x); });
 }
 
 PlanContext turning(const Mesh& part, const Tool& tool) {
