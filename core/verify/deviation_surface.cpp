@@ -1,6 +1,7 @@
 #include "core/verify/deviation_surface.h"
 
 #include "core/base/parallel.h"
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/geometry.h"
@@ -360,7 +361,7 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
             if (motions[i].kind == MotionKind::rapid) continue;
             const CutterLocation &to = motions[i].to, &from = motions[i > 0 ? i - 1 : 0].to;
             if (i > 0 && from.axis != to.axis) {
-                const double angle = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
+                const double angle = angle_between(from.axis, to.axis);
                 const int pieces = int(std::ceil(angle / merged));
                 for (int k = 0; k < pieces; ++k)
                     add(location_between(from, to, program.turning, double(k) / pieces).axis);

@@ -8,7 +8,8 @@ namespace facetmill {
 
 namespace {
 
-double angle_between(const Vec3& a, const Vec3& b) {
+/// Angle between unit vectors.
+double unit_angle(const Vec3& a, const Vec3& b) {
     return 2 * std::asin(std::min(1.0, 0.5 * (a - b).norm()));
 }
 
@@ -117,7 +118,7 @@ MotionTree::Node MotionTree::leaf(Index motion) const {
         node.axis = a.axis;
     } else {
         node.axis = location_between(a, b, program_->turning, 0.5).axis;
-        node.cone = std::max(angle_between(a.axis, node.axis), angle_between(b.axis, node.axis));
+        node.cone = std::max(unit_angle(a.axis, node.axis), unit_angle(b.axis, node.axis));
         if (program_->turning) { // arcs reach beyond their ends
             constexpr int pieces = 32;
             double sagitta = 0;
@@ -127,7 +128,7 @@ MotionTree::Node MotionTree::leaf(Index motion) const {
                 const Vec3 middle = location_between(a, b, program_->turning, (k - 0.5) / pieces).tip;
                 sagitta = std::max(sagitta, (middle - 0.5 * (before.tip + here.tip)).norm());
                 box.add(here.tip);
-                node.cone = std::max(node.cone, angle_between(here.axis, node.axis));
+                node.cone = std::max(node.cone, unit_angle(here.axis, node.axis));
                 before = here;
             }
             box.lo.array() -= 2 * sagitta;
@@ -175,8 +176,7 @@ Index MotionTree::build(std::size_t begin, std::size_t end, std::vector<Node>& l
     } else {
         const Vec3 sum = a.axis + b.axis;
         if (sum.norm() > tolerance::level_angle) node.axis = sum.normalized();
-        node.cone =
-            std::max(angle_between(a.axis, node.axis) + a.cone, angle_between(b.axis, node.axis) + b.cone);
+        node.cone = std::max(unit_angle(a.axis, node.axis) + a.cone, unit_angle(b.axis, node.axis) + b.cone);
     }
     return place;
 }

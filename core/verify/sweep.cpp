@@ -12,6 +12,7 @@
 #include "core/verify/sweep.h"
 
 #include "core/base/error.h"
+#include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
 #include "core/base/turn.h"
 
@@ -317,7 +318,7 @@ void straight_moves(const CutterLocation& from, const CutterLocation& to,
         moves.push_back({first.tip, last.tip, from.axis});
         return;
     }
-    double angle = std::atan2(first.axis.cross(last.axis).norm(), first.axis.dot(last.axis));
+    double angle = angle_between(first.axis, last.axis);
     double lever = 0; // of the tip about the turning axis
     if (turning) {
         const auto distance = [&](const Vec3& tip) {
@@ -329,7 +330,7 @@ void straight_moves(const CutterLocation& from, const CutterLocation& to,
             return Vec3(v - v.dot(turning->direction) * turning->direction);
         };
         const Vec3 a = radial(first.axis), b = radial(last.axis);
-        angle = std::max(angle, std::atan2(a.cross(b).norm(), a.dot(b)));
+        angle = std::max(angle, angle_between(a, b));
     }
     // With the axis of the middle a point at `reach` is off by reach * angle / 2 at the ends; the tip's arc
     // leaves its chord by lever * angle^2 / 8.
