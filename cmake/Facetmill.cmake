@@ -23,19 +23,24 @@ target_compile_options(facetmill_options INTERFACE
     $<$<BOOL:${CMAKE_UNITY_BUILD}>:$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>> # files compiled together keep what is their own
     -Werror
     -ffp-contract=off # the same bits whichever instruction set a kernel is compiled for
-    $<$<CONFIG:Release>:-O3>)
+    $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288> # kB: the compiler collects its garbage a third as often
+    # Tests call core, which is where the time goes: compiling them with less takes half as long.
+    $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>,-O1,$<IF:$<BOOL:$<TARGET_PROPERTY:FACETMILL_TEST>>,-O2,-O3>>>)
+
+# Null pointers and pointers beyond their object stop under the address sanitizer as well when they are used, and what is not
+# aligned does no harm here, but these checks, one for every use of a pointer, make compiling half as long again. What the tests
+# themselves do is checked for addresses alone.
+set(FACETMILL_SANITIZE_OPTIONS -fno-sanitize=null,alignment,object-size,pointer-overflow
+    $<$<BOOL:$<TARGET_PROPERTY:FACETMILL_TEST>>:-fno-sanitize=undefined> -fno-omit-frame-pointer -fno-sanitize-recover=all)
 if(FACETMILL_SANITIZE)
-    # Null pointers stop under the address sanitizer as well, and what is not aligned does no harm here, but both checks,
-    # one for every use of a pointer, make compiling half as long again. What the tests themselves do is checked for
-    # addresses alone.
-    if(FACETMILL_SANITIZE MATCHES "undefined")
-        set(FACETMILL_SANITIZE_LESS -fno-sanitize=null,alignment
-            $<$<BOOL:$<TARGET_PROPERTY:FACETMILL_TEST>>:-fno-sanitize=undefined>)
-    endif()
-    target_compile_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE} ${FACETMILL_SANITIZE_LESS}
-        -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_compile_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE} ${FACETMILL_SANITIZE_OPTIONS})
     target_link_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE})
 endif()
+# Targets with the property FACETMILL_CHECKED are compiled with sanitizers and assertions, in whichever configuration.
+target_compile_options(facetmill_options INTERFACE
+    "$<$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>:-g1;-UNDEBUG;-fsanitize=address,undefined;${FACETMILL_SANITIZE_OPTIONS}>")
+target_link_options(facetmill_options INTERFACE
+    "$<$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>:-fsanitize=address,undefined>")
 
 # Rooms of core, each below the ones before it: a room includes only rooms to its left. Strategy has a room for each of
 # its wings.
@@ -46,7 +51,7 @@ set(FACETMILL_ROOMS base mesh cutter setup gouge cspace
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
 # dropped from a static one. With FACETMILL_SHARED_ROOMS each is a shared library, and a change in it links it alone again
-# instead of all programs.
+# instead of all programs. With FACETMILL_CHECKED each is compiled once more, under sanitizers, as fm_NAME_checked.
 function(facetmill_room name)
     cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
     if(NOT ARG_SOURCES)
@@ -59,6 +64,15 @@ function(facetmill_room name)
     else()
         add_library(${target} OBJECT ${ARG_SOURCES})
     endif()
+    facetmill_compile_room(${name} ${target} "")
+    if(FACETMILL_CHECKED)
+        add_library(${target}_checked OBJECT EXCLUDE_FROM_ALL ${ARG_SOURCES})
+        set_target_properties(${target}_checked PROPERTIES FACETMILL_CHECKED TRUE)
+        facetmill_compile_room(${name} ${target}_checked _checked)
+    endif()
+endfunction()
+
+function(facetmill_compile_room name target variant)
     target_link_libraries(${target} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
     # All rooms are compiled alike: the first makes the header of them all.
@@ -66,12 +80,12 @@ function(facetmill_room name)
     if(name STREQUAL first)
         target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/core_pch.h)
     else()
-        target_precompile_headers(${target} REUSE_FROM fm_${first})
+        target_precompile_headers(${target} REUSE_FROM fm_${first}${variant})
     endif()
 endfunction()
 
-# facetmill_link_core(TARGET ROOM): links the room and all rooms before it; `strategy` means all of its wings.
-function(facetmill_link_core target upto)
+# facetmill_rooms_up_to(RESULT ROOM): the room and all rooms before it; `strategy` means all of its wings.
+function(facetmill_rooms_up_to result upto)
     set(found FALSE)
     set(rooms "")
     foreach(room IN LISTS FACETMILL_ROOMS)
@@ -86,15 +100,26 @@ function(facetmill_link_core target upto)
         list(APPEND rooms ${room})
     endforeach()
     if(NOT found)
-        message(FATAL_ERROR "${target}: there is no room ${upto}")
+        message(FATAL_ERROR "there is no room ${upto}")
     endif()
+    set(${result} ${rooms} PARENT_SCOPE)
+endfunction()
+
+# facetmill_link_core(TARGET ROOM): links the room and all rooms before it.
+function(facetmill_link_core target upto)
+    facetmill_rooms_up_to(rooms ${upto})
     facetmill_link_rooms(${target} ${rooms})
 endfunction()
 
 # facetmill_link_rooms(TARGET room ...): links these rooms and no others: what they need of another does not link.
 function(facetmill_link_rooms target)
+    facetmill_link_rooms_of("" ${target} ${ARGN})
+endfunction()
+
+# The same with the rooms' VARIANT: none, or _checked.
+function(facetmill_link_rooms_of variant target)
     foreach(room IN LISTS ARGN)
-        string(REPLACE "/" "_" library fm_${room})
+        string(REPLACE "/" "_" library fm_${room}${variant})
         if(TARGET ${library} AND FACETMILL_SHARED_ROOMS)
             # Needed even where nothing calls it: operations register themselves.
             target_link_libraries(${target} PRIVATE "-Wl,--push-state,--no-as-needed" ${library} "-Wl,--pop-state")
@@ -106,6 +131,14 @@ function(facetmill_link_rooms target)
     target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
         nlohmann_json::nlohmann_json Threads::Threads)
 endfunction()
+
+# Tests give way to those of the windows, which wait for what is drawn more than they compute.
+find_program(FACETMILL_NICE nice)
+if(FACETMILL_NICE)
+    set(FACETMILL_NICE ${FACETMILL_NICE} -n 10)
+else()
+    set(FACETMILL_NICE "")
+endif()
 
 # A slow machine is limited by the TIMEOUT of a test alone: QtTest would end every function that runs for 5 minutes.
 set(FACETMILL_TEST_TIMEOUT 1800)
@@ -127,31 +160,50 @@ endfunction()
 
 # facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] SOURCES ...): a QtTest program whose
 # classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all rooms before it
-# or with ROOMS alone. Those without a label are the target unit_tests. Programs of higher cost are run first, so that no
-# processor idles while the longest one ends.
+# or with ROOMS alone. Those without a label are the target unit_tests, and with FACETMILL_CHECKED each of them is linked
+# once more, with the rooms under sanitizers, as NAME_checked: the target checked_tests. Programs of higher cost are run
+# first, so that no processor idles while the longest one ends.
 function(facetmill_test name)
     cmake_parse_arguments(ARG "" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
-    add_executable(${name} ${ARG_SOURCES})
-    set_target_properties(${name} PROPERTIES FACETMILL_TEST TRUE)
-    facetmill_moc(${name} ${ARG_SOURCES})
-    if(ARG_ROOMS)
-        facetmill_link_rooms(${name} ${ARG_ROOMS})
-    else()
-        facetmill_link_core(${name} ${ARG_ROOM})
+    if(ARG_ROOM)
+        facetmill_rooms_up_to(ARG_ROOMS ${ARG_ROOM})
     endif()
-    target_link_libraries(${name} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
-    target_compile_definitions(${name} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
-    target_precompile_headers(${name} REUSE_FROM facetmill_test_header)
-    add_test(NAME ${name} COMMAND ${name})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT ${FACETMILL_TEST_TIMEOUT})
     endif()
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
-        ENVIRONMENT "${FACETMILL_TEST_ENVIRONMENT}")
-    if(ARG_COST)
-        set_tests_properties(${name} PROPERTIES COST ${ARG_COST})
+    if(NOT ARG_COST)
+        set(ARG_COST 0)
     endif()
+    add_library(${name}_objects OBJECT ${ARG_SOURCES})
+    set_target_properties(${name}_objects PROPERTIES FACETMILL_TEST TRUE)
+    facetmill_moc(${name}_objects ${ARG_SOURCES})
+    target_link_libraries(${name}_objects PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore
+        nlohmann_json::nlohmann_json Threads::Threads Qt6::Core Qt6::Test)
+    target_compile_definitions(${name}_objects PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
+    target_precompile_headers(${name}_objects REUSE_FROM facetmill_test_header)
+
+    set(checked "")
+    if(FACETMILL_CHECKED AND NOT ARG_LABELS)
+        set(checked _checked)
+    endif()
+    foreach(variant IN ITEMS "" ${checked})
+        set(program ${name}${variant})
+        # Rooms first: where both have an inlined function the linker takes that of the room, as it is compiled.
+        add_executable(${program})
+        facetmill_link_rooms_of("${variant}" ${program} ${ARG_ROOMS})
+        target_sources(${program} PRIVATE $<TARGET_OBJECTS:${name}_objects>)
+        target_link_libraries(${program} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
+        set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+        add_test(NAME ${program} COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${program}>)
+        set_tests_properties(${program} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} LABELS "${ARG_LABELS}"
+            ENVIRONMENT "${FACETMILL_TEST_ENVIRONMENT}")
+    endforeach()
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests ${name})
+    endif()
+    if(checked)
+        set_target_properties(${name}_checked PROPERTIES EXCLUDE_FROM_ALL TRUE FACETMILL_CHECKED TRUE)
+        set_tests_properties(${name}_checked PROPERTIES LABELS checked)
+        add_dependencies(checked_tests ${name}_checked)
     endif()
 endfunction()

@@ -26,10 +26,11 @@ install_missing() {
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET [TARGET ...]
+# build PRESET [TARGET ...]; the array build_options has what the configuration is told beyond its preset.
+build_options=()
 build() {
     local preset=$1
     shift
     say "Building ($preset)"
-    (cd "$facetmill_root" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"})
+    (cd "$facetmill_root" && cmake --preset "$preset" "${build_options[@]}" && cmake --build --preset "$preset" ${1:+--target "$@"})
 }

@@ -19,6 +19,11 @@ struct Piece {
     Vec3 from, to;
 };
 
+/// Not std::hypot, which took a fifth of the time for sizes that no part has.
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
 /// The cutter's lower boundary as a table-free function of the profile's pieces, endless upward.
 class Moved {
 public:
@@ -44,7 +49,7 @@ public:
         }
         const double dz = piece.to.z() - piece.from.z();
         const auto over = [&](double s) {
-            return piece.from.z() + s * dz + height(std::min(std::hypot(ex - s * dx, ey - s * dy), radius_));
+            return piece.from.z() + s * dz + height(std::min(length(ex - s * dx, ey - s * dy), radius_));
         };
         constexpr double golden = 0.6180339887498949;
         double x1 = hi - golden * (hi - lo), x2 = lo + golden * (hi - lo), f1 = over(x1), f2 = over(x2);
@@ -81,7 +86,7 @@ public:
 
     /// Lowers `best` to the t at which p + t n enters the moved cutter, if that is smaller.
     void lower(const Piece& piece, const Vec3& p, const Vec3& n, double reach, double& best) const {
-        if (bound(piece, p, best * std::hypot(n.x(), n.y())) > p.z() + std::max(best, 0.0) * n.z()) return;
+        if (bound(piece, p, best * length(n.x(), n.y())) > p.z() + std::max(best, 0.0) * n.z()) return;
         const auto gap = [&](double t) {
             const Vec3 q = p + t * n;
             return lowest_over(piece, q.x(), q.y()) - q.z();

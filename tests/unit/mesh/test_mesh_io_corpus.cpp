@@ -1,6 +1,7 @@
 // The corpus of odd and broken STL files, file by file.
 #include "core/mesh/mesh_format.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/mesh/mesh_io_support.h"
 
 #include <QTest>
@@ -101,15 +102,12 @@ private slots:
     }
 
     void memory_stays_small() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-        QSKIP("a sanitizer takes memory of its own");
-#else
+        if (test::under_sanitizer) QSKIP("a sanitizer takes memory of its own");
         // Runs after all files: none of their counts made the program ask for more than the manifest allows.
         struct ::rusage usage {};
         ::getrusage(RUSAGE_SELF, &usage);
         for (const auto& entry : manifest().at("files"))
             QVERIFY(double(usage.ru_maxrss) / 1024.0 < entry.at("max_mb").get<double>());
-#endif
     }
 };
 

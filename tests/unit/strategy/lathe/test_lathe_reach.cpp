@@ -4,6 +4,7 @@
 #include "core/strategy/lathe/lathe_reach.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -361,7 +362,7 @@ private slots:
     void the_distance_has_a_bound() {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> bump(0, 1);
-        for (int round = 0; round < 6; ++round) {
+        for (int round = 0; round < trials(6, 6); ++round) {
             const int around = 24, along = 10;
             Mesh part;
             for (int i = 0; i <= along; ++i)

@@ -1,0 +1,13 @@
+#include "tests/support/trials.h"
+
+// The start-up functions of the sanitizers' libraries, which are there only where something asked for them.
+extern "C" {
+[[gnu::weak]] void __asan_init();
+[[gnu::weak]] void __tsan_init();
+}
+
+namespace facetmill::test {
+
+const bool under_sanitizer = &__asan_init != nullptr || &__tsan_init != nullptr;
+
+} // namespace facetmill::test
