@@ -147,7 +147,7 @@ public:
     Vec3 normal() const {
         const double length = sum_.norm();
         if (!(length > 0)) return Vec3::Zero();
-        return (sum_ / length).cast<float>().cast<double>();
+        return rounded_to_float(sum_ / length);
     }
 
 private:

@@ -2,6 +2,7 @@
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/base/parameter.h"
+#include "core/base/vec.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
@@ -9,7 +10,10 @@
 #include <QTest>
 
 #include <array>
+#include <bit>
 #include <clocale>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <numeric>
@@ -94,6 +98,24 @@ const ParameterTable<Sample>& table() {
 class TestBase : public QObject {
     Q_OBJECT
 private slots:
+
+    /// In a row, as in loops over vertices, where the compiler converts two at once.
+    void vectors_are_rounded_to_floats() {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> number(-100, 100);
+        std::vector<Vec3> exact(300), rounded;
+        for (Vec3& v : exact)
+            v = Vec3(number(random), number(random), number(random));
+        rounded = exact;
+        for (Vec3& v : rounded)
+            v = rounded_to_float(v);
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double r = rounded[i][k];
+                QCOMPARE(std::bit_cast<std::uint64_t>(r) & ((std::uint64_t(1) << 29) - 1), std::uint64_t(0));
+                QVERIFY(std::abs(r - exact[i][k]) <= std::ldexp(std::abs(exact[i][k]), -24));
+            }
+    }
 
     void numbers_parse_strictly() {
         double v = 0;

@@ -627,7 +627,7 @@ private slots:
         const std::filesystem::path path = folder.filePath("a.stl").toStdString();
         Mesh torus = torus_mesh(60, 40);
         for (Vec3& v : torus.vertices)
-            v = v.cast<float>().cast<double>();
+            v = rounded_to_float(v);
         save_stl(torus, path, LengthUnit::mm, Progress());
         QVERIFY(std::filesystem::file_size(path) == 84 + 50 * torus.facets.size());
         const LoadedMesh loaded = load_mesh(path, LengthUnit::mm, Progress());
