@@ -78,6 +78,15 @@ Mesh waves(double high, int columns = 60, const Vec2& corner = Vec2(9, 7)) {
         -corner, corner, columns, columns * 3 / 4);
 }
 
+/// Round hollows of a radius along X, each as wide as twice `half`, and level between.
+Mesh hollows(double radius, double half) {
+    const auto high = [=](double, double y) {
+        const double off = std::min(std::abs(std::remainder(y, 5)), half);
+        return -std::sqrt(radius * radius - off * off);
+    };
+    return height_field(high, Vec2(-5, -7.5), Vec2(5, 7.5), 4, 150);
+}
+
 /// A closed part along X whose radius changes with angle and place.
 Mesh lobes() {
     return turned_part(72, 16, 8, [](double a, double x) { return 8 + 0.6 * std::cos(3 * a + 0.25 * x); });
@@ -124,19 +133,50 @@ private slots:
         const PlanContext context = context_of(waves(0.35, 90), ball_tool(4));
         Finish3Settings s;
         s.tolerance = 0.03;
-        const double usual = s.look_share;
+        const double usual = s.look.share;
         for (const double factor : factors) {
-            s.look_share = factor * usual;
+            s.look.share = factor * usual;
             const Judged j = judged(Finish3(s), context, 0.1);
             qInfo("%s", qPrintable(j.text(factor)));
             QVERIFY2(j.uncut == 0 && j.excess <= (factor > 1 ? 1.1 : 1.03) * s.tolerance,
                      qPrintable(j.text(factor)));
             QVERIFY2(j.gouge <= s.tolerance / 20, qPrintable(j.text(factor)));
         }
-        s.look_share = 32 * usual;
+        s.look.share = 32 * usual;
         const Judged j = judged(Finish3(s), context, 0.1);
         qInfo("%s", qPrintable(j.text(32)));
         QVERIFY2(j.excess > 1.1 * s.tolerance, qPrintable(j.text(32)));
+    }
+
+    void finishing_sees_jumps_and_edges_data() {
+        QTest::addColumn<bool>("jumps");
+        QTest::newRow("where the contact jumps") << true;
+        QTest::newRow("beside edges") << false;
+    }
+
+    /// Hollows hardly wider than the ball, whose rims are edges, cut along and aslant.
+    void finishing_sees_jumps_and_edges() {
+        QFETCH(bool, jumps);
+        const PlanContext context = context_of(hollows(2.2, 2), ball_tool(4));
+        Finish3Settings s;
+        s.tolerance = 0.03;
+        double& gap = jumps ? s.look.jump_gap : s.look.edge_gap;
+        const double usual = gap;
+        // Aslant contacts jump at every hollow, along a line ends beside edges.
+        s.direction = {jumps ? radians(35) : 0, ""};
+        double finest = 0;
+        for (const double factor : {0.5, 1.0, 2.0, 64.0}) {
+            gap = factor * usual;
+            const Judged j = judged(Finish3(s), context, 0.05);
+            qInfo("%s", qPrintable(j.text(factor)));
+            QVERIFY2(j.uncut == 0 && j.gouge <= s.tolerance / 20, qPrintable(j.text(factor)));
+            QVERIFY2(j.excess <= 1.1 * s.tolerance, qPrintable(j.text(factor)));
+            if (factor == 0.5) finest = j.excess;
+            if (factor < 64) continue;
+            // Far off it shows, in what is left or in what the plan finds it leaves.
+            QVERIFY2(jumps ? j.excess > 1.03 * finest : j.stated > 2 * s.tolerance,
+                     qPrintable(j.text(factor)));
+        }
     }
 
     void five_axes_keep_within_the_chord_tolerance_data() {
@@ -164,6 +204,28 @@ private slots:
             QVERIFY2(j.gouge <= (exceeds ? 1.5 : 1) * chord, qPrintable(j.text(factor)));
             QVERIFY2(!exceeds || j.gouge > chord, qPrintable(j.text(factor)));
             QVERIFY2(j.excess <= 1.03 * s.tolerance && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
+        }
+    }
+
+    /// Strips are as wide as the lines beside a pass say, however far apart they are.
+    void five_axes_leave_no_more_than_the_tolerance() {
+        PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), bull_tool(4, 1));
+        context.machine = find_machine("tarus-tpi-2000");
+        context.stock_box.hi.z() += 2;
+        Finish5Settings s;
+        s.tolerance = 0.05;
+        s.direction = {0, "x"};
+        const double usual = s.strip_look_share;
+        double shortest = infinity;
+        for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+            s.strip_look_share = factor * usual;
+            const Judged j = judged(Finish5(s), context, 0.2);
+            qInfo("%s", qPrintable(j.text(factor)));
+            QVERIFY2(j.gouge <= s.tolerance / 20 && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
+            QVERIFY2(j.uncut == 0 && j.excess <= 1.06 * s.tolerance, qPrintable(j.text(factor)));
+            // Far off, strips are taken for narrow ones: what it costs is time.
+            QVERIFY2(factor < 16 || j.length > 3 * shortest, qPrintable(j.text(factor)));
+            shortest = std::min(shortest, j.length);
         }
     }
 

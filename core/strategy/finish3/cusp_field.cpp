@@ -28,7 +28,7 @@ auto first_behind(const std::vector<LinePoint>& run, double u) {
 CuspField::CuspField(const StepOverInput& input)
     : in_(input), field_{input.lift, input.floor},
       surface_(input.contact, CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
-      grid_(input.look_share * input.cover->radius()), level_(level_step_of(input)),
+      grid_(input.look.share * input.cover->radius()), level_(level_step_of(input)),
       sharp_(input.cover->profile().cutter().r < sharp_share * input.cover->radius()) {}
 
 CuspField::Sample CuspField::sample(double u, double v) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/geometry.h"
+#include "core/strategy/finish3/finish3.h"
 #include "core/strategy/surface/contact_domain.h"
 #include "core/strategy/surface/lift_line.h"
 
@@ -27,11 +28,11 @@ struct StepOverInput {
     const CutterCover* cover = nullptr;
     const ContactDomain* domain = nullptr;
     DriveFrame frame;
-    double allowance = 0;     ///< all that is left along the normal, as in `lift`
-    double floor = 0;         ///< lowest height of the tip
-    double cusp = 0.05;       ///< largest allowed
-    double merge = 0;         ///< gaps of the domain up to this are passed over
-    double look_share = 0.08; ///< distance of places along a line, in radii of the cutter
+    double allowance = 0; ///< all that is left along the normal, as in `lift`
+    double floor = 0;     ///< lowest height of the tip
+    double cusp = 0.05;   ///< largest allowed
+    double merge = 0;     ///< gaps of the domain up to this are passed over
+    CuspLook look;
 };
 
 class CuspField {

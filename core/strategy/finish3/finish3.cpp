@@ -102,7 +102,7 @@ StrategyResult Planner::run() {
     input.floor = field_.floor;
     input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
     input.merge = fine_.spacing;
-    input.look_share = settings_.look_share;
+    input.look = settings_.look;
     stepover_.emplace(input);
     check_size();
 

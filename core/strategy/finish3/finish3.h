@@ -28,6 +28,15 @@
 
 namespace facetmill {
 
+/// How finely cusps between two lines are looked at.
+struct CuspLook {
+    double share = 0.08; ///< distance of places along a line, in radii of the cutter
+    /// Contacts are looked for between two that are farther apart than this share of the step on a level
+    /// plane: where the contact jumps from flank to flank in a hollow, and beside an edge, where what is left
+    /// rises steeply, finely.
+    double jump_gap = 0.4, edge_gap = 0.05;
+};
+
 struct Finish3Settings : OperationCommon {
     enum class Topology { parallel }; ///< course of the passes; another gets a case in the planner
     enum class Pattern { zigzag, oneway };
@@ -39,9 +48,8 @@ struct Finish3Settings : OperationCommon {
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     bool rest_only = false;
-    /// The distance of places along a line at which cusps are looked at, in radii of the cutter. No
-    /// parameter: step-overs rest on it, and tests halve and double it.
-    double look_share = 0.08;
+    /// How finely cusps are looked at. No parameters: step-overs rest on it, and tests halve and double it.
+    CuspLook look;
 };
 
 const ParameterTable<Finish3Settings>& finish3_parameters();

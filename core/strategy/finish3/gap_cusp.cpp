@@ -15,9 +15,6 @@ constexpr double wall_slope = 5;
 /// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
 /// or nearly.
 constexpr double still_share = 0.5;
-/// Contacts are looked for between two that are farther apart than this share of the step on a level plane;
-/// beside an edge, where what is left rises steeply, finely.
-constexpr double jump_gap = 0.4, edge_gap = 0.05;
 /// Share of the allowed cusp; more than a line leaves on one flank a quarter of the step beside it.
 constexpr double jump_share = 0.3;
 /// Beside the place where the contact jumps from flank to flank the part is to be cut as far into the hollow
@@ -132,7 +129,7 @@ void GapCusp::look_between_rows(const Found& found, double& worst) const {
     const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb) {
         // A sharp rim's contact jumps from side to side on any hollow surface.
         if (worst > in_.cusp || (field_.sharp() && !found.still)) return;
-        const double gap = (found.still ? edge_gap : jump_gap) * field_.level_step();
+        const double gap = (found.still ? in_.look.edge_gap : in_.look.jump_gap) * field_.level_step();
         worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between));
     };
     for (int i = 0; i + 1 < rows; ++i)

@@ -47,6 +47,13 @@ struct Finish5Settings : OperationCommon {
     /// Room that postures keep to the top, in chord tolerances: what motions between them may miss their
     /// strip by, and as much again. Motions between postures on the border of their spaces leave these.
     double room_chords = 3;
+    /// How far along the travel a contact point's own line is looked at, in radii of the cutter. Short, for
+    /// safety: a flat end lifted off a bend that is hollow along the travel may hold a far place of the line
+    /// with its heel at one pose and with its toe at the next, and what lies between is left.
+    double own_reach = 0.25;
+    /// Distance of the lines beside a pass by which the width of its strip is found, in radii of the cutter:
+    /// what stands between two of them is not seen.
+    double strip_look_share = 1.0 / 16;
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();

@@ -14,10 +14,6 @@ namespace {
 
 /// Lines of the surface lie on a lattice of this share of the cutter's radius.
 constexpr double lattice_share = 1.0 / 64;
-/// How far along the travel a contact point's own line is looked at, in radii of the cutter. Short, for
-/// safety: a flat end lifted off a bend that is hollow along the travel may hold a far place of the line with
-/// its heel at one pose and with its toe at the next, and what lies between is left.
-constexpr double own_reach = 0.25;
 /// How far lines are continued beyond the part's border, in radii: farther than a cutter reaches.
 constexpr double extension_share = 1.5;
 /// Largest distance of neighbouring contact points, in diameters.
@@ -107,7 +103,7 @@ bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCur
 }
 
 bool FiveAxisField::own_line(const ContactPlace& place, RaisedCurve& curve) const {
-    return raised_line(place, lines_->beyond(place.v, place.v), curve, own_reach);
+    return raised_line(place, lines_->beyond(place.v, place.v), curve, settings_.own_reach);
 }
 
 std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) const {
@@ -131,7 +127,7 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
         if (const long middle = own + (end - own) / 2; middle != own) planes.push_back(middle);
     }
     std::vector<RaisedCurve> curves;
-    // Every pose holds a place of its own line near its contact point (own_reach).
+    // Every pose holds a place of its own line near its contact point (Finish5Settings::own_reach).
     RaisedCurve curve;
     if (own_line(place, curve)) curves.push_back(curve);
     for (const long plane : planes)

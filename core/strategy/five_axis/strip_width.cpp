@@ -10,8 +10,6 @@ namespace {
 /// In radii of the cutter. Short of the whole of it: at its edge the cutter's surface rises steeply, and of
 /// two strips that met there a pass a hair beside its plane would leave a wall between.
 constexpr double max_width_share = 0.97;
-/// Distance of the lines that are looked at.
-constexpr double look_share = 1.0 / 16;
 
 } // namespace
 
@@ -20,7 +18,8 @@ double StripWidth::max_width(const FiveAxisField& field) {
 }
 
 long StripWidth::planes_apart(const FiveAxisField& field) {
-    return std::max(1L, std::lround(look_share * field.radius() / field.lines().spacing()));
+    return std::max(
+        1L, std::lround(field.settings().strip_look_share * field.radius() / field.lines().spacing()));
 }
 
 const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
