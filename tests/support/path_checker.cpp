@@ -32,8 +32,9 @@ public:
     double radius() const { return radius_; }
     double height(double rho) const { return rho > radius_ ? infinity : profile_.height_at(rho); }
 
-    /// Lowest height of the moved cutter over (x, y): convex along the piece.
-    double lowest_over(const Piece& piece, double x, double y) const {
+    /// Lowest height of the moved cutter over (x, y): convex along the piece. A height of at most `enough`
+    /// will do where there is one.
+    double lowest_over(const Piece& piece, double x, double y, double enough) const {
         const double dx = piece.to.x() - piece.from.x(), dy = piece.to.y() - piece.from.y();
         const double ex = x - piece.from.x(), ey = y - piece.from.y();
         const double a = dx * dx + dy * dy, b = dx * ex + dy * ey, c = ex * ex + ey * ey - radius_ * radius_;
@@ -55,7 +56,7 @@ public:
         double x1 = hi - golden * (hi - lo), x2 = lo + golden * (hi - lo), f1 = over(x1), f2 = over(x2);
         double least = std::min({over(lo), over(hi), f1, f2});
         // The minimum is flat: a place found to 1e-4 of a short piece gives the height to 1e-8 of it.
-        for (int i = 0; i < 40 && hi - lo > 1e-4; ++i) {
+        for (int i = 0; i < 40 && hi - lo > 1e-4 && least > enough; ++i) {
             if (f1 < f2) {
                 hi = x2;
                 x2 = x1;
@@ -89,7 +90,7 @@ public:
         if (bound(piece, p, best * length(n.x(), n.y())) > p.z() + std::max(best, 0.0) * n.z()) return;
         const auto gap = [&](double t) {
             const Vec3 q = p + t * n;
-            return lowest_over(piece, q.x(), q.y()) - q.z();
+            return lowest_over(piece, q.x(), q.y(), q.z()) - q.z(); // its sign counts
         };
         if (gap(best) > 0) return;
         // Inside at `best`: the line is inside from some smaller t on, and outside far enough below.
