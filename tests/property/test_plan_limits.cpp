@@ -78,6 +78,14 @@ Mesh waves(double high, int columns = 60, const Vec2& corner = Vec2(9, 7)) {
         -corner, corner, columns, columns * 3 / 4);
 }
 
+/// Waves in stock 2 mm higher, on a machine of five axes.
+PlanContext five_axis_waves(const Tool& tool) {
+    PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), tool);
+    context.machine = find_machine("tarus-tpi-2000");
+    context.stock_box.hi.z() += 2;
+    return context;
+}
+
 /// Round hollows of a radius along X, each as wide as twice `half`, and level between.
 Mesh hollows(double radius, double half) {
     const auto high = [=](double, double y) {
@@ -187,9 +195,7 @@ private slots:
 
     void five_axes_keep_within_the_chord_tolerance() {
         QFETCH(bool, motions);
-        PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), bull_tool(4, 1));
-        context.machine = find_machine("tarus-tpi-2000");
-        context.stock_box.hi.z() += 2;
+        const PlanContext context = five_axis_waves(bull_tool(4, 1));
         Finish5Settings s;
         s.tolerance = 0.1;
         s.direction = {0, "x"};
@@ -209,9 +215,7 @@ private slots:
 
     /// Strips are as wide as the lines beside a pass say, however far apart they are.
     void five_axes_leave_no_more_than_the_tolerance() {
-        PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), bull_tool(4, 1));
-        context.machine = find_machine("tarus-tpi-2000");
-        context.stock_box.hi.z() += 2;
+        const PlanContext context = five_axis_waves(bull_tool(4, 1));
         Finish5Settings s;
         s.tolerance = 0.05;
         s.direction = {0, "x"};
@@ -266,9 +270,7 @@ private slots:
 
     /// Passes on waves, joined from ridge to ridge.
     void five_axis_links_keep_within_the_chord_tolerance() {
-        PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), flat_tool(4));
-        context.machine = find_machine("tarus-tpi-2000");
-        context.stock_box.hi.z() += 2;
+        const PlanContext context = five_axis_waves(flat_tool(4));
         Finish5Settings s;
         s.tolerance = 0.1;
         s.direction = {0, "x"};
