@@ -38,8 +38,7 @@ struct Box3 {
 };
 
 /// Every number rounded to a float. Not cast<float>().cast<double>(): where g++ 12 converts two numbers at
-/// once
-/// (-O3, and -O2 in places) it takes one conversion for the inverse of the other and drops both.
+/// once (-O3, and -O2 in places) it takes one conversion for the inverse of the other and drops both.
 inline Vec3 rounded_to_float(const Vec3& v) {
     Vec3 rounded;
     for (int k = 0; k < 3; ++k) {
