@@ -136,6 +136,24 @@ private slots:
         }
     }
 
+    /// What stands is known from cell to cell: what must not be touched is never below a cell's top, however
+    /// large they are, and work that lies between their centres is done with its neighbours.
+    void roughing_knows_its_stock() {
+        PlanContext context = context_of(waves(0.5), ball_tool(4));
+        context.stock_box.hi.z() += 2;
+        RoughSettings s;
+        s.allowance = 0.2;
+        s.tolerance = 0.8;
+        const double usual = s.cell_share;
+        for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+            s.cell_share = factor * usual;
+            const Judged j = judged(Rough(s), context, 0.5);
+            qInfo("%s", qPrintable(j.text(factor)));
+            QVERIFY2(j.gouge <= 1e-6 && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
+            QVERIFY2(j.excess <= j.stated, qPrintable(j.text(factor)));
+        }
+    }
+
     /// Step-overs rest on cusps looked at from place to place.
     void finishing_finds_its_highest_cusps() {
         const PlanContext context = context_of(waves(0.35, 90), ball_tool(4));
@@ -230,6 +248,28 @@ private slots:
             // Far off, strips are taken for narrow ones: what it costs is time.
             QVERIFY2(factor < 16 || j.length > 3 * shortest, qPrintable(j.text(factor)));
             shortest = std::min(shortest, j.length);
+        }
+    }
+
+    /// In a hollow along the travel a flat end could bridge its own line from pose to pose: it does not,
+    /// however much of the line is looked at.
+    void five_axes_hold_their_own_line() {
+        PlanContext context = context_of(
+            height_field([](double x, double) { return 12 - std::sqrt(144 - x * x); }, Vec2(-7, -5),
+                         Vec2(7, 5), 56, 10),
+            flat_tool(4));
+        context.machine = find_machine("tarus-tpi-2000");
+        context.stock_box.hi.z() += 2;
+        Finish5Settings s;
+        s.tolerance = 0.05;
+        s.direction = {0, "x"};
+        const double usual = s.own_reach;
+        for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+            s.own_reach = factor * usual;
+            const Judged j = judged(Finish5(s), context, 0.2);
+            qInfo("%s", qPrintable(j.text(factor)));
+            QVERIFY2(j.gouge <= s.tolerance / 20 && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
+            QVERIFY2(j.uncut == 0 && j.excess <= j.stated, qPrintable(j.text(factor)));
         }
     }
 

@@ -41,6 +41,10 @@ struct RoughSettings : OperationCommon {
     /// close together that the cutter dips by less than this between them (RoughReach::spacing): a smaller
     /// one costs time, a larger one leaves more. No parameter: tests halve and double it.
     double margin_share = 2e-3;
+    /// The size of the stock's cells, in diameters of the cutter. What stands only between the centres of
+    /// cells is not seen as work: they are small beside the cutter. What must not be touched is never below a
+    /// cell's top. No parameter: tests halve and double it.
+    double cell_share = 0.02;
 };
 
 const ParameterTable<RoughSettings>& rough_parameters();

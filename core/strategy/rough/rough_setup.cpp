@@ -14,10 +14,6 @@ namespace {
 
 /// Lu's safety factor c of the step-over.
 constexpr double stepover_share = 0.95;
-/// The size of the stock's cells, in diameters of the cutter. What stands only between the centres of cells
-/// is not seen as work: they are small beside the cutter. What must not be touched is never below a cell's
-/// top.
-constexpr double cell_share = 0.02;
 /// What is too little to be cut, in diameters; where shank or holder come by, skins as thin are cut all the
 /// same.
 constexpr double min_share = 2e-3;
@@ -73,7 +69,7 @@ RoughMeasures::RoughMeasures(const RoughSettings& settings, const PlanContext& c
 
 StockField rough_stock(const RoughSettings& settings, const PlanContext& context,
                        const RoughMeasures& measures, const Progress& progress) {
-    StockField field = stock_before(context, cell_share * measures.diameter, progress);
+    StockField field = stock_before(context, settings.cell_share * measures.diameter, progress);
     const double top = field.highest(), low = lowest_tip(context, field);
     const PlanText text{context.unit};
     if (!(top > low))
