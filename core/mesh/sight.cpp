@@ -1,0 +1,52 @@
+#include "core/mesh/sight.h"
+
+namespace facetmill {
+
+namespace {
+
+/// Where rays begin, in extents of the mesh: above the rounding of coordinates, below any detail of a part.
+constexpr double start_share = 1e-7;
+
+} // namespace
+
+MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
+    : mesh_(mesh), start_(start_share * mesh.box().size().norm()) {
+    std::vector<Box3> boxes(mesh.facet_count());
+    for (std::size_t f = 0; f < boxes.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+            boxes[f].add(mesh.corner(f, k));
+    tree_ = BoxTree(boxes, progress);
+}
+
+bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
+    bool hit = false;
+    tree_.each([&](const Box3& box) { return !hit && meets(box, p, d); },
+               [&](std::size_t facet) { hit = hit || meets(facet, p, d); });
+    return !hit;
+}
+
+bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d) const {
+    double from = start_, to = infinity;
+    for (int k = 0; k < 3; ++k) {
+        const double a = box.lo[k] - start_ - p[k], b = box.hi[k] + start_ - p[k];
+        if (d[k] == 0) {
+            if (a > 0 || b < 0) return false;
+        } else {
+            from = std::max(from, std::min(a / d[k], b / d[k]));
+            to = std::min(to, std::max(a / d[k], b / d[k]));
+        }
+    }
+    return from <= to;
+}
+
+bool MeshSight::meets(std::size_t facet, const Vec3& p, const Vec3& d) const {
+    const Vec3 &a = mesh_.corner(facet, 0), e1 = mesh_.corner(facet, 1) - a, e2 = mesh_.corner(facet, 2) - a;
+    const Vec3 across = d.cross(e2);
+    const double steep = e1.dot(across);
+    if (steep == 0) return false;
+    const Vec3 from = p - a, turned = from.cross(e1);
+    const double v = from.dot(across) / steep, w = d.dot(turned) / steep;
+    return v >= 0 && w >= 0 && v + w <= 1 && e2.dot(turned) / steep > start_;
+}
+
+} // namespace facetmill

@@ -1,0 +1,28 @@
+// Lines of sight past a mesh.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/box_tree.h"
+#include "core/mesh/mesh.h"
+
+namespace facetmill {
+
+/// Rays against all facets of a mesh, whichever way these are wound.
+class MeshSight {
+public:
+    /// The mesh must outlive this.
+    MeshSight(const Mesh& mesh, const Progress& progress);
+    /// True where nothing of the mesh lies on the ray from p along d, from 1e-7 of the mesh's extent on: a
+    /// ray from a point of a facet leaves that facet and its doubles behind. d is a unit vector.
+    bool is_free(const Vec3& p, const Vec3& d) const;
+
+private:
+    bool meets(const Box3& box, const Vec3& p, const Vec3& d) const;
+    bool meets(std::size_t facet, const Vec3& p, const Vec3& d) const;
+
+    const Mesh& mesh_;
+    BoxTree tree_;
+    double start_ = 0; ///< mm
+};
+
+} // namespace facetmill
