@@ -77,7 +77,7 @@ void run_report(const Arguments& arguments, Session& session) {
     out["file"] = printable(target, 400);
     out["programs"] = plan->operations.size();
     out["pictures"] = drawn.size();
-    out["verdict"] = verification->passed() ? "verified" : "failed";
+    out["verdict"] = verdict_name(verification->verdict());
     const std::string findings = findings_line(project, programs, *verification);
     session.print(pretty_json(out));
     if (findings.empty()) return;

@@ -331,7 +331,8 @@ void ProjectTree::show_verdicts() {
         any |= verdict != Verdict::none;
         it->setIcon(badge_column, verdict == Verdict::verified ? icon(Icon::verified)
                                   : verdict == Verdict::failed ? icon(Icon::verify_failed)
-                                  : verdict == Verdict::stale  ? icon(Icon::verify_stale)
+                                  : verdict == Verdict::stale || verdict == Verdict::not_judged
+                                      ? icon(Icon::verify_stale)
                                                                : QIcon());
         it->setToolTip(badge_column, verdict == Verdict::none ? QString() : verification_->why(i));
         it->setData(badge_column, Qt::AccessibleTextRole, verdict_text(verdict));

@@ -28,6 +28,10 @@ QString shown_length(double mm, LengthUnit unit, int digits) {
     return text(format_number(mm / mm_per(unit), digits)) + QChar(0x00A0) + text(unit_name(unit));
 }
 
+QString shown_area(double mm2, LengthUnit unit, int digits) {
+    return shown_length(mm2 / mm_per(unit), unit, digits) + QChar(0x00B2);
+}
+
 QString size_text(const double (&mm)[3], LengthUnit unit, int digits) {
     const auto number = [&](double v) { return text(format_number(v / mm_per(unit), digits)); };
     return QStringLiteral("%1 × %2 × %3 %4")

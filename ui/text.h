@@ -26,6 +26,8 @@ QString mesh_patterns();
 
 /// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
 QString shown_length(double mm, LengthUnit unit, int digits = 5);
+/// "12.7 mm²".
+QString shown_area(double mm2, LengthUnit unit, int digits = 3);
 /// "10 × 8 × 2 in".
 QString size_text(const double (&mm)[3], LengthUnit unit, int digits = 5);
 /// "1 234 567" with narrow spaces.

@@ -142,6 +142,10 @@ void VerificationController::verify() {
             if (v.passed())
                 emit said(MessageBar::Kind::information,
                           tr("Verified in %1: no gouge, no collision.").arg(took), true);
+            else if (v.verdict() == facetmill::Verdict::not_judged)
+                emit said(MessageBar::Kind::warning,
+                          tr("Not verified (in %1), it cannot be judged: %2.").arg(took, model_.failure_text()),
+                          true);
             else
                 emit said(MessageBar::Kind::warning,
                           tr("Verification failed (in %1): %2.").arg(took, model_.failure_text()), true);
@@ -158,6 +162,8 @@ QString VerificationController::doubt() const {
         return {};
     case Verdict::failed:
         return tr("The path failed verification: %1.").arg(model_.failure_text());
+    case Verdict::not_judged:
+        return tr("The path cannot be judged: %1.").arg(model_.failure_text());
     case Verdict::stale:
         return tr("The path has not been verified since the project was changed.");
     case Verdict::none:

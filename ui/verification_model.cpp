@@ -18,6 +18,8 @@ QString verdict_text(Verdict verdict) {
         return VerificationModel::tr("Verified");
     case Verdict::failed:
         return VerificationModel::tr("Failed verification");
+    case Verdict::not_judged:
+        return VerificationModel::tr("Cannot be judged");
     case Verdict::stale:
         return VerificationModel::tr("Verification out of date");
     }
@@ -126,21 +128,38 @@ bool VerificationModel::gouges_are_cut_off() const {
 Verdict VerificationModel::verdict() const {
     if (!outcome_) return Verdict::none;
     if (!current_) return Verdict::stale;
-    return verification().passed() ? Verdict::verified : Verdict::failed;
+    switch (verification().verdict()) {
+    case facetmill::Verdict::verified:
+        return Verdict::verified;
+    case facetmill::Verdict::failed:
+        return Verdict::failed;
+    case facetmill::Verdict::not_judged:
+        break;
+    }
+    return Verdict::not_judged;
 }
 
 Verdict VerificationModel::verdict(std::size_t operation) const {
     const auto at = judged(operation);
     if (!at) return Verdict::none;
     if (!current_) return Verdict::stale;
-    if (verification().passed()) return Verdict::verified;
-    return found_in(*at) || gouges_are_cut_off() ? Verdict::failed : Verdict::verified;
+    const Verdict whole = verdict();
+    if (whole != Verdict::failed) return whole;
+    // What stays uncut is the fault of no single operation: it is told of all of them.
+    return found_in(*at) || gouges_are_cut_off() || uncut_fails() ? Verdict::failed : Verdict::verified;
+}
+
+bool VerificationModel::uncut_fails() const {
+    const Verification& v = verification();
+    return v.not_judged.empty() && v.left_uncut();
 }
 
 QString VerificationModel::why(std::size_t operation) const {
     const auto at = judged(operation);
     if (!at) return verdict_text(Verdict::none);
     if (!current_) return tr("Verification out of date: the project has changed since");
+    if (verdict(operation) == Verdict::not_judged)
+        return tr("Cannot be judged: %1").arg(with_lengths_in(text(verification().not_judged), document_.unit()));
     if (verdict(operation) == Verdict::verified) return tr("Verified: no gouge, no collision");
     double deepest = 0;
     std::size_t gouges = 0, collisions = 0;
@@ -157,6 +176,7 @@ QString VerificationModel::why(std::size_t operation) const {
     if (gouges > 0) parts << tr("gouges up to %1").arg(shown_length(deepest, document_.unit(), 3));
     if (collisions > 0)
         parts << (collisions == 1 ? tr("1 collision") : tr("%1 collisions").arg(count_text(collisions)));
+    if (uncut_fails()) parts << uncut_text();
     if (parts.isEmpty())
         return tr("Failed verification: the part is gouged at more places than are listed, "
                   "so this operation is not cleared");
@@ -168,9 +188,17 @@ QString VerificationModel::program_name(std::size_t program) const {
     return text(outcome_->plan->operations[program]->name);
 }
 
+QString VerificationModel::uncut_text() const {
+    const Verification& v = verification();
+    return tr("%1 of what is to be cut is left uncut (allowed %2)")
+        .arg(percent_text(v.uncut_share), percent_text(v.used.uncut_limit));
+}
+
 QString VerificationModel::failure_text() const {
     if (!outcome_ || verification().passed()) return {};
     const Verification& v = verification();
+    if (v.verdict() == facetmill::Verdict::not_judged)
+        return with_lengths_in(text(v.not_judged), document_.unit());
     QStringList parts;
     if (v.gouged())
         parts << tr("gouges up to %1")
@@ -179,6 +207,7 @@ QString VerificationModel::failure_text() const {
     if (!v.collisions.empty())
         parts << (v.collisions.size() == 1 ? tr("1 collision")
                                            : tr("%1 collisions").arg(count_text(v.collisions.size())));
+    if (uncut_fails()) parts << uncut_text();
     return parts.join(QStringLiteral(", "));
 }
 

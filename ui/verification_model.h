@@ -11,7 +11,7 @@
 
 namespace facetmill::ui {
 
-enum class Verdict { none, verified, failed, stale };
+enum class Verdict { none, verified, failed, not_judged, stale };
 /// "Verified", "Failed verification", ...
 QString verdict_text(Verdict verdict);
 
@@ -76,6 +76,9 @@ private:
     /// By a program of the operation judged at this place.
     bool by(const Finding& finding, std::size_t judged) const;
     bool found_in(std::size_t judged) const;
+    /// More stays uncut than may; and that as a text.
+    bool uncut_fails() const;
+    QString uncut_text() const;
     /// The list of gouges is full: there may be more, of any operation.
     bool gouges_are_cut_off() const;
 

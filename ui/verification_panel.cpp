@@ -1,5 +1,6 @@
 #include "ui/verification_panel.h"
 
+#include "core/job/verification.h"
 #include "ui/icons.h"
 #include "ui/sorted_item.h"
 #include "ui/text.h"
@@ -185,14 +186,20 @@ void VerificationPanel::show_verdict() {
         which = Icon::verified;
         color = signal.good;
         line = tr("Verified: no gouge, no collision");
-        const double uncut = model_.verification().figures.uncut_fraction;
-        if (uncut > 0) note = tr("Material is left on %1 of the area.").arg(percent_text(uncut));
+        const double uncut = model_.verification().uncut_share;
+        if (uncut > 0) note = tr("Material is left on %1 of the area to be cut.").arg(percent_text(uncut));
         break;
     }
     case Verdict::failed:
         which = Icon::verify_failed;
         color = signal.bad;
         line = tr("Failed: %1").arg(model_.failure_text());
+        break;
+    case Verdict::not_judged:
+        which = Icon::verify_stale;
+        color = signal.attention;
+        line = tr("Cannot be judged");
+        note = sentence(model_.failure_text());
         break;
     case Verdict::stale:
         which = Icon::verify_stale;
@@ -243,8 +250,13 @@ QString VerificationPanel::figures_html() const {
     html += row(tr("… largest"), length(f.excess_max));
     if (v.used.tolerance > 0) {
         html += row(tr("Over the tolerance %1").arg(length(v.used.tolerance)), percent_text(f.over_fraction));
-        html += row(tr("Uncut"), percent_text(f.uncut_fraction),
-                    f.uncut_fraction > 0 ? signal.attention.name() : QString());
+        html += row(tr("Uncut, allowed %1").arg(percent_text(v.used.uncut_limit)), percent_text(v.uncut_share),
+                    v.left_uncut()        ? signal.bad.name()
+                    : v.uncut_share > 0 ? signal.attention.name()
+                                          : QString());
+        for (const UncutReason& r : v.uncut)
+            html += row(tr("… %1").arg(text(uncut_reason_text(r.why))),
+                        tr("%1, up to %2").arg(shown_area(r.area, unit), length(r.excess_max)));
     }
     html += row(tr("Collisions"), count_text(v.collisions.size()),
                 v.collisions.empty() ? QString() : signal.bad.name());

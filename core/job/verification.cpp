@@ -14,6 +14,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double min_gouge_limit = 1e-4; // mm
+/// What is called a gouge, in chord tolerances: paths use up one of them, and the numbers of a machine's
+/// program, scales and thermal growth as much again.
+constexpr double gouge_chords = 2;
 
 const char* kind_name(Collision::Kind kind) {
     switch (kind) {
@@ -23,6 +26,20 @@ const char* kind_name(Collision::Kind kind) {
         return "holder";
     case Collision::Kind::rapid:
         return "rapid";
+    }
+    return "";
+}
+
+const char* uncut_word(UncutReason::Why why) {
+    switch (why) {
+    case UncutReason::Why::not_cut:
+        return "not_cut";
+    case UncutReason::Why::no_tool:
+        return "no_tool_reaches";
+    case UncutReason::Why::outside_stock:
+        return "outside_stock";
+    case UncutReason::Why::not_seen:
+        return "no_axis_sees";
     }
     return "";
 }
@@ -85,6 +102,24 @@ std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> pro
     return "'" + printable(programs[at.program].name) + "', GOTO " + std::to_string(at.motion + 1);
 }
 
+/// "12 % of what is to be cut is left uncut, up to 3.1 mm (no tool fits: 11 %; ...), limit 2 %".
+std::string uncut_text(const Verification& v, LengthUnit unit) {
+    const auto percent = [](double share) { return format_number(100 * share, 3) + " %"; };
+    double area = 0, highest = 0;
+    for (const UncutReason& r : v.uncut)
+        if (r.counts()) {
+            area += r.area;
+            highest = std::max(highest, r.excess_max);
+        }
+    std::string reasons;
+    for (const UncutReason& r : v.uncut)
+        if (r.counts())
+            reasons += (reasons.empty() ? "" : ", ") + uncut_reason_text(r.why) + ": "
+                       + percent(area > 0 ? v.uncut_share * r.area / area : 0);
+    return percent(v.uncut_share) + " of what is to be cut is left uncut, up to " + length_text(highest, unit)
+           + " (" + reasons + "), limit " + percent(v.used.uncut_limit);
+}
+
 /// But for the length of the flutes, to what a CL file's digits say.
 bool same_shape(const AptCutter& a, const AptCutter& b) {
     const double least = tolerance::same_shape * std::max(a.d, b.d);
@@ -94,6 +129,32 @@ bool same_shape(const AptCutter& a, const AptCutter& b) {
 }
 
 } // namespace
+
+std::string verdict_name(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::verified:
+        return "verified";
+    case Verdict::failed:
+        return "failed";
+    case Verdict::not_judged:
+        return "not_judged";
+    }
+    return "";
+}
+
+std::string uncut_reason_text(UncutReason::Why why) {
+    switch (why) {
+    case UncutReason::Why::not_cut:
+        return "a tool fits but does not go there";
+    case UncutReason::Why::no_tool:
+        return "no tool fits";
+    case UncutReason::Why::outside_stock:
+        return "the stock does not reach there";
+    case UncutReason::Why::not_seen:
+        return "no tool axis sees it";
+    }
+    return {};
+}
 
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan) {
@@ -164,6 +225,13 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
     return result;
 }
 
+/// True where an operation of the project is meant to leave more than `allowance`.
+static bool operation_leaves_more(const Project& project, const std::string& name, double allowance) {
+    return std::any_of(project.operations.begin(), project.operations.end(), [&](const auto& o) {
+        return o->common().name == name && o->left_on_purpose() > allowance;
+    });
+}
+
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     VerifySettings settings;
     const Operation* last = nullptr;
@@ -182,10 +250,13 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     }
     if (plan && !plan->operations.empty()) {
         settings.gouge_limit = 0;
-        for (const auto& o : plan->operations)
-            settings.gouge_limit = std::max(settings.gouge_limit, o->path.chord_tolerance);
+        for (const auto& o : plan->operations) {
+            // What leaves more on purpose is coarser, and has no claim to be so on the part itself.
+            const bool roughs = operation_leaves_more(project, o->name, settings.allowance);
+            if (!roughs) settings.gouge_limit = std::max(settings.gouge_limit, o->path.chord_tolerance);
+        }
     }
-    settings.gouge_limit = std::max(settings.gouge_limit, min_gouge_limit);
+    settings.gouge_limit = std::max(gouge_chords * settings.gouge_limit, min_gouge_limit);
     return settings;
 }
 
@@ -194,12 +265,25 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
     const Numbers n(project);
     Json out;
     out["units"] = std::string(unit_name(project.unit));
-    out["verdict"] = v.passed() ? "verified" : "failed";
+    out["verdict"] = verdict_name(v.verdict());
     DeviationFigures all = v.figures;
     all.gouge_max = std::max(all.gouge_max, v.border.gouge_max);
     n.put(out, all);
     out["samples"] = v.surface->points.size();
     out["samples_judged"] = v.figures.samples;
+    Json reasons = Json::array();
+    for (const UncutReason& r : v.uncut) {
+        Json one;
+        one["why"] = uncut_word(r.why);
+        one["area"] = n.area(r.area);
+        one["excess_max"] = n.length(r.excess_max);
+        one["place"] = n.point(r.place);
+        reasons.push_back(std::move(one));
+    }
+    out["uncut_reasons"] = std::move(reasons);
+    out["uncut_share"] = n.plain(v.uncut_share);
+    out["not_judged_fraction"] = n.plain(v.not_judged_share);
+    if (!v.not_judged.empty()) out["not_judged"] = v.not_judged;
 
     Json collisions = Json::array();
     for (const Collision& c : v.collisions) {
@@ -224,7 +308,10 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
         one["motions"] = programs[i].motions->motions.size();
         one["gouge_max"] = n.length(v.program_gouges[i]);
         one["collisions"] = count;
-        one["verdict"] = count == 0 && !(v.program_gouges[i] > v.used.gouge_limit) ? "verified" : "failed";
+        const bool found = count > 0 || v.program_gouges[i] > v.used.gouge_limit;
+        one["verdict"] = verdict_name(found                    ? Verdict::failed
+                                      : v.not_judged.empty() ? Verdict::verified
+                                                             : Verdict::not_judged);
         operations.push_back(std::move(one));
     }
     out["operations"] = std::move(operations);
@@ -244,6 +331,7 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
     Json used;
     used["tolerance"] = n.length(v.used.tolerance);
     used["gouge_limit"] = n.length(v.used.gouge_limit);
+    used["uncut_limit"] = n.plain(v.used.uncut_limit);
     used["allowance"] = n.length(v.used.allowance);
     used["resolution"] = n.length(v.used.resolution);
     used["sample_spacing"] = n.length(v.used.sample_spacing);
@@ -279,7 +367,12 @@ std::string findings_line(const Project& project, std::span<const VerifyProgram>
                 + " in the " + (worst->with_part ? "part" : "stock") + " (" + place_text(worst->at, programs)
                 + ")";
     }
-    if (!line.empty()) line += "; excess " + length_text(v.figures.excess_max, project.unit);
+    const auto join = [&](const std::string& more) { line += (line.empty() ? "" : "; ") + more; };
+    if (v.not_judged.empty() && v.left_uncut())
+        join(uncut_text(v, project.unit));
+    else if (!line.empty())
+        join("excess " + length_text(v.figures.excess_max, project.unit));
+    if (!v.not_judged.empty()) join("it cannot be judged: " + v.not_judged);
     return line;
 }
 

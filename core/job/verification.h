@@ -35,7 +35,13 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan);
 std::string verify_json(const Project& project, std::span<const VerifyProgram> programs,
                         const Verification& result);
 
-/// One line: the deepest gouge and the first collision, with operation and GOTO. Empty where all is well.
+/// "verified", "failed", "not_judged".
+std::string verdict_name(Verdict verdict);
+/// "no tool fits": why surface stays uncut.
+std::string uncut_reason_text(UncutReason::Why why);
+
+/// One line: the deepest gouge and the first collision, with operation and GOTO, what is uncut and why, or
+/// why nothing can be said. Empty where all is well.
 std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,
                           const Verification& result);
 

@@ -90,6 +90,87 @@ void keep_deepest(CollisionMap& map, const Collision& c) {
 
 } // namespace
 
+namespace {
+
+/// What thread-blocks of probes leave besides their samples' own values.
+struct BlockFindings {
+    std::vector<Collision> collisions;
+    std::vector<double> program_gouges;
+};
+
+/// Asks the programs at single samples. Not for two threads at once: what cut the neighbour most likely cuts
+/// here, so each thread remembers it.
+class SampleProbe {
+public:
+    SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, double allowance,
+                double gouge_limit)
+        : bodies_(bodies), exit_of_(exit_of), allowance_(allowance), gouge_limit_(gouge_limit),
+          collision_limit_(std::max(gouge_limit, tolerance::collision_depth)),
+          deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index) {
+        findings_.program_gouges.assign(bodies.size(), 0);
+    }
+    BlockFindings take() { return std::move(findings_); }
+
+    /// How deep the sample's point comes to lie inside a cutter, as a deviation below 0; where it never does,
+    /// what is left on it. Sets the flag `bare`.
+    double operator()(const Vec3& surface, const Vec3& normal, std::uint8_t& flags, MotionPlace& by) {
+        const Vec3 p = surface + allowance_ * normal;
+        double value = exit_of_(p, normal);
+        if (value < 0) {
+            flags |= DeviationSurface::bare;
+            value = 0;
+        }
+        collide(surface);
+        const double depth = gouge(surface, by);
+        return depth > 0 ? -depth : left(p, normal, value, by);
+    }
+
+private:
+    /// The deepest gouge of the part grown by the allowance. A point that is inside the cutter by d asks for
+    /// no direction: whatever the facet's winding, material that was to stay is gone.
+    double gouge(const Vec3& surface, MotionPlace& by) {
+        double deepest = 0;
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            DepthProbe probe{-allowance_, no_index};
+            if (!bodies_[b].cutting.deepen(surface, deep_hints_[b], probe)) continue;
+            deep_hints_[b] = probe.motion;
+            const double depth = probe.depth + allowance_;
+            findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
+            if (!(depth > deepest)) continue;
+            deepest = depth;
+            by = {b, depth > gouge_limit_ ? bodies_[b].cutting.first_as_deep(surface, probe) : probe.motion};
+        }
+        return deepest;
+    }
+    double left(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
+        for (std::size_t b = bodies_.size(); b-- > 0 && value > 0;) { // the last to cut likely cuts lowest
+            LineProbe probe{value, no_index};
+            if (!bodies_[b].cutting.lower(p, normal, hints_[b], probe)) continue;
+            value = std::max(probe.value, 0.0);
+            by = {b, probe.motion};
+            hints_[b] = probe.motion;
+        }
+        return value;
+    }
+    void collide(const Vec3& surface) {
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            for (const auto& watch : bodies_[b].watched) {
+                DepthProbe probe{collision_limit_, no_index};
+                if (!watch.probes.deepen(surface, no_index, probe)) continue;
+                const Index motion = watch.probes.first_as_deep(surface, probe);
+                findings_.collisions.push_back({watch.kind, true, {b, motion}, surface, probe.depth});
+            }
+    }
+
+    const std::vector<ProgramProbes>& bodies_;
+    const StockExit& exit_of_;
+    double allowance_, gouge_limit_, collision_limit_;
+    std::vector<Index> deep_hints_, hints_;
+    BlockFindings findings_;
+};
+
+} // namespace
+
 Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
                      std::span<const VerifyProgram> programs, double allowance, double gouge_limit,
                      double bound, const Progress& progress) {
@@ -99,57 +180,28 @@ Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
     const StockExit exit_of(stock, progress);
     const std::size_t n = samples.points.size();
     const std::vector<std::uint32_t> order = neighbors_together(samples.points, progress);
-    const double collision_limit = std::max(gouge_limit, tolerance::collision_depth);
 
     Probed probed;
     probed.deviation.assign(n, 0);
     probed.by.assign(n, {});
-    std::vector<std::vector<Collision>> found((n + probes_per_block - 1) / probes_per_block);
+    probed.program_gouges.assign(bodies.size(), 0);
+    std::vector<BlockFindings> found((n + probes_per_block - 1) / probes_per_block);
     parallel_blocks(n, probes_per_block, progress.part(0.05, 1.0), [&](std::size_t begin, std::size_t end) {
-        // What cut the neighbour most likely cuts here.
-        std::vector<Index> hints(bodies.size(), no_index);
+        SampleProbe probe(bodies, exit_of, allowance, gouge_limit);
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t i = order[k];
-            const Vec3& normal = samples.normals[i];
-            const Vec3 surface = samples.places[i], p = surface + allowance * normal;
-            double value = exit_of(p, normal);
-            if (value < 0) {
-                samples.flags[i] |= DeviationSurface::bare;
-                value = 0;
-            }
-            MotionPlace by;
-            for (bool again = true; again;) {
-                again = false;
-                for (std::size_t b = bodies.size();
-                     b-- > 0;) { // the last to cut is the likeliest to cut lowest
-                    LineProbe probe{value, no_index};
-                    const bool lowered = bodies[b].cutting.lower(p, normal, hints[b], probe);
-                    if (!lowered) continue;
-                    // Where material is missing, stretches below may join.
-                    again = again || probe.value < -tolerance::contact_distance;
-                    value = probe.value;
-                    by = {b, probe.motion};
-                    hints[b] = probe.motion;
-                }
-            }
-            if (value < -gouge_limit && by.known())
-                by.motion = bodies[by.program].cutting.first_as_low(p, normal, {value, Index(by.motion)});
-            probed.deviation[i] = value;
-            probed.by[i] = by;
-            for (std::size_t b = 0; b < bodies.size(); ++b)
-                for (const auto& watch : bodies[b].watched) {
-                    LineProbe probe{-collision_limit, no_index};
-                    if (!watch.probes.lower(surface, normal, no_index, probe)) continue;
-                    const Index motion = watch.probes.first_as_low(surface, normal, probe);
-                    found[begin / probes_per_block].push_back(
-                        {watch.kind, true, {b, motion}, surface, -probe.value});
-                }
+            probed.deviation[i] =
+                probe(samples.points[i], samples.normals[i], samples.flags[i], probed.by[i]);
         }
+        found[begin / probes_per_block] = probe.take();
     });
     CollisionMap map;
-    for (const auto& block : found)
-        for (const Collision& c : block)
+    for (const BlockFindings& block : found) {
+        for (const Collision& c : block.collisions)
             keep_deepest(map, c);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            probed.program_gouges[b] = std::max(probed.program_gouges[b], block.program_gouges[b]);
+    }
     for (const auto& [key, collision] : map)
         probed.collisions.push_back(collision);
     return probed;
@@ -219,6 +271,7 @@ std::vector<DeviationExtreme> extremes(const std::vector<std::size_t>& candidate
 
 void fill_figures(Verification& v, const SurfaceSamples& samples, const Probed& probed, double apart,
                   const Progress& progress) {
+    v.program_gouges = probed.program_gouges;
     Gathered all, border;
     std::array<Gathered, band_count> bands;
     std::vector<std::size_t> gouges, excess;
@@ -227,18 +280,14 @@ void fill_figures(Verification& v, const SurfaceSamples& samples, const Probed& 
         if (i % 65536 == 0) progress.check();
         const double d = probed.deviation[i], weight = samples.weights[i];
         const std::uint8_t flags = samples.flags[i];
-        if (d < 0 && probed.by[i].known()) {
-            double& deepest = v.program_gouges[probed.by[i].program];
-            deepest = std::max(deepest, -d);
-        }
-        const bool gouges_only = (flags & (DeviationSurface::away | DeviationSurface::bare)) != 0;
+        const bool gouges_only = (flags & DeviationSurface::gouges_only) != 0;
         if (d < -v.used.gouge_limit) gouges.push_back(i);
         if (flags & DeviationSurface::border) {
             border.add(d, weight, gouges_only);
             continue;
         }
         all.add(d, weight, gouges_only);
-        if (flags & DeviationSurface::away) continue;
+        if (flags & (DeviationSurface::away | DeviationSurface::hidden)) continue;
         const auto k = std::size_t(std::clamp(int(samples.slopes[i] / band), 0, band_count - 1));
         bands[k].add(d, weight, gouges_only);
         if (!gouges_only && v.used.tolerance > 0 && d > v.used.tolerance) excess.push_back(i);

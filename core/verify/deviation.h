@@ -13,6 +13,7 @@ namespace facetmill {
 struct Probed {
     std::vector<double> deviation; ///< per sample, mm, as in DeviationSurface
     std::vector<MotionPlace> by;   ///< per sample: the motion that cut deepest there; unknown where none did
+    std::vector<double> program_gouges; ///< the deepest gouge of each program, >= 0
     /// Shanks, holders and rapids in the part: at each sample the motion that goes deepest, and of those with
     /// the same motion and kind the deepest.
     std::vector<Collision> collisions;

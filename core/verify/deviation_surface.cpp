@@ -5,7 +5,8 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/geometry.h"
-#include "core/verify/box_tree.h"
+#include "core/mesh/sight.h"
+#include "core/mesh/box_tree.h"
 #include "core/verify/sweep.h"
 
 #include <cmath>
@@ -391,12 +392,24 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, double cutter_radius, con
         for (Index v : open[i])
             boxes[i].add(part.vertices[v]);
     const BoxTree tree(boxes, progress);
+    const MeshSight sight(part, progress);
+    const auto seen_along = [&](std::size_t i, const Vec3& axis) {
+        return axis.dot(s.normals[i]) > tolerance::vertical_normal_z && sight.is_free(s.places[i], axis);
+    };
     parallel_for(s.points.size(), samples_per_block, progress, [&](std::size_t i) {
         double steepest = -1;
+        const Vec3* best = nullptr;
         for (const Vec3& a : axes)
-            steepest = std::max(steepest, a.dot(s.normals[i]));
+            if (const double along = a.dot(s.normals[i]); along > steepest) {
+                steepest = along;
+                best = &a;
+            }
         s.slopes[i] = std::acos(std::clamp(steepest, -1.0, 1.0));
-        if (steepest <= tolerance::vertical_normal_z) s.flags[i] |= DeviationSurface::away;
+        if (steepest <= tolerance::vertical_normal_z)
+            s.flags[i] |= DeviationSurface::away;
+        else if (!seen_along(i, *best)
+                 && std::none_of(axes.begin(), axes.end(), [&](const Vec3& a) { return seen_along(i, a); }))
+            s.flags[i] |= DeviationSurface::hidden;
         const Vec3& p = s.points[i];
         bool near = false;
         tree.each(

@@ -10,7 +10,7 @@ namespace facetmill {
 /// Points and unit normals on the part's facets, each standing for some area, joined by triangles.
 struct SurfaceSamples {
     std::vector<Vec3> points, normals;
-    std::vector<Vec3> places; ///< where the probes start: the points, moved off sharp edges by `edge_inset`
+    std::vector<Vec3> places; ///< where lines of sight start: the points, moved off sharp edges
     std::vector<double> weights; ///< mm^2: a third of the triangles round the point; they add up to the area
     std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
     std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
@@ -26,10 +26,9 @@ struct SurfaceSamples {
 /// be more than `most`, `spacing` grows; the mesh's own vertices are never thinned out. Facets without area
 /// have no points.
 ///
-/// A probe on a sharp edge would run in the plane of the facet beyond it, where a tool that is flush with
-/// that facet, or too deep by a rounding, is met over its whole width; one on an open border may run along a
-/// tool that touches the border alone. So probes start `edge_inset` from the edges of facets at creases and
-/// at open borders, or a quarter of the facet's height where that is less.
+/// A line of sight from a sharp edge would run in the plane of the facet beyond it. So they start
+/// `edge_inset` from the edges of facets at creases and at open borders, or a quarter of the facet's height
+/// where that is less.
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset = 0);
 
@@ -37,8 +36,9 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
 /// the order in which they come.
 std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Progress& progress);
 
-/// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet) and `away`
-/// (steeper than any of `axes` reaches).
+/// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet), `away`
+/// (steeper than any of `axes` reaches) and `hidden` (faces some of `axes`, and the part is in the way of
+/// them all).
 void flag_samples(SurfaceSamples& samples, const Mesh& part, double cutter_radius,
                   const std::vector<Vec3>& axes, const Progress& progress);
 

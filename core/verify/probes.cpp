@@ -84,6 +84,26 @@ BodySupport::Plane BodySupport::nearest(const Vec3& point, const Vec3& axis) con
     return {-most, n};
 }
 
+Vec3 BodySupport::support(const Vec3& direction, const Vec3& axis) const {
+    const double up = direction.dot(axis);
+    const Vec3 across = direction - up * axis;
+    const double aside = across.norm();
+    const Vec2 u(aside, up);
+    double most = -infinity;
+    Vec2 farthest(0, 0);
+    for (const Feature& f : features_) {
+        const bool round = cross(f.first, u) > 0 && cross(u, f.last) > 0;
+        const Vec2 at = round ? Vec2(f.center + f.r * u)
+                              : Vec2(f.center + f.r * (f.first.dot(u) >= f.last.dot(u) ? f.first : f.last));
+        if (const double h = at.dot(u); h > most) {
+            most = h;
+            farthest = at;
+        }
+    }
+    const Vec3 out = aside > 0 ? Vec3(across / aside) : axis.unitOrthogonal();
+    return farthest.x() * out + farthest.y() * axis;
+}
+
 // ---- MotionTree ----
 
 MotionTree::MotionTree(const VerifyProgram& program, const std::function<bool(MotionKind)>& counts,
@@ -300,6 +320,42 @@ bool MotionProbes::ask(Index motion, Line& line, LineProbe& probe) const {
     return true;
 }
 
+/// How a motion's part changes the pose at its middle. At share 1/2 + sigma of the part the tip has moved by
+/// sigma `route` and the axis turned by 2 sigma `half` about `about`; both to within an error of second
+/// order, which is measured at the middle.
+class MotionProbes::TurnedPart {
+public:
+    TurnedPart(const Pose& part, const CutterLocation& middle, const Vec3& x)
+        : middle_(middle), route_(part.last.tip - part.first.tip) {
+        const Vec3 sum = part.first.axis + part.last.axis, turn = part.first.axis.cross(part.last.axis);
+        const double sine = turn.norm();
+        half_ = 0.5 * std::atan2(sine, part.first.axis.dot(part.last.axis));
+        about_ = sine > 0 ? Vec3(turn / sine) : Vec3(Vec3::Zero());
+        bulge_ = 1.1 * (middle.tip - 0.5 * (part.first.tip + part.last.tip)).norm();
+        lever_ = (middle.tip - x).norm() + 0.5 * route_.norm() + bulge_;
+        wobble_ = small() ? 1.1 * (middle.axis - sum.normalized()).norm() : pi;
+    }
+    /// Few degrees: then `swing` and `rest` say how far a plane comes.
+    bool small() const { return half_ < 0.4; }
+    double travel() const { return 0.5 * route_.norm() + bulge_; }
+    /// No point within `more` of x moves farther against the body.
+    double size(double more) const { return travel() + (half_ + wobble_) * (lever_ + more); }
+    /// By first order, how far a plane through the pose comes towards a point.
+    double swing(const Vec3& normal, const Vec3& point) const {
+        return std::abs(0.5 * normal.dot(route_) + half_ * about_.cross(normal).dot(middle_.tip - point));
+    }
+    /// What is left beyond first order, for points within `more` of x.
+    double rest(double more) const {
+        const double lever = lever_ + more;
+        return 0.5 * half_ * half_ * lever + 0.5 * half_ * route_.norm() + bulge_ + wobble_ * lever;
+    }
+
+private:
+    const CutterLocation& middle_;
+    Vec3 route_, about_;
+    double half_ = 0, bulge_ = 0, lever_ = 0, wobble_ = 0;
+};
+
 bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const {
     const auto at = [&](double s) {
         return location_between(tree_->from(motion), tree_->to(motion), tree_->program().turning, s);
@@ -316,31 +372,15 @@ bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const
         const BodySupport::Plane plane = between(middle, line, t);
         const Vec3 x = line.at(t);
 
-        // Pose at share 1/2 + sigma: tip moved by sigma `way`, turned by 2 sigma `half` about `about`; both
-        // to within an error of second order, which is measured at the middle.
-        const Vec3 route = part.last.tip - part.first.tip, sum = part.first.axis + part.last.axis;
-        const Vec3 turn = part.first.axis.cross(part.last.axis);
-        const double sine = turn.norm();
-        const double half = 0.5 * std::atan2(sine, part.first.axis.dot(part.last.axis));
-        const double bulge = 1.1 * (middle.tip - 0.5 * (part.first.tip + part.last.tip)).norm();
-        const double lever = (middle.tip - x).norm() + 0.5 * route.norm() + bulge + (line.far - line.near);
-        const bool small = half < 0.4;
-        const double wobble = small ? 1.1 * (middle.axis - sum.normalized()).norm() : pi;
-        const double size = 0.5 * route.norm() + bulge + (half + wobble) * lever;
-
-        if (small) {
-            const Vec3 about = sine > 0 ? Vec3(turn / sine) : Vec3(Vec3::Zero());
-            const Vec3 side = half * about.cross(plane.normal);
-            const double tip = 0.5 * plane.normal.dot(route), slope = plane.normal.dot(line.n);
-            const double rest =
-                0.5 * half * half * lever + 0.5 * half * route.norm() + bulge + wobble * lever;
+        const TurnedPart turned(part, middle, x);
+        const double stretch = line.far - line.near;
+        if (turned.small()) {
+            const double slope = plane.normal.dot(line.n);
             double most = -infinity;
             for (double end : {line.near, line.far})
-                most = std::max(most, plane.inside - slope * (end - t)
-                                          + std::abs(tip + side.dot(middle.tip - line.at(end))));
-            if (!(most + rest > 0)) continue;
-        } else if ((x - middle.tip).norm() - (line.far - line.near)
-                   > support_.reach() + 0.5 * route.norm() + bulge) {
+                most = std::max(most, plane.inside - slope * (end - t) + turned.swing(plane.normal, line.at(end)));
+            if (!(most + turned.rest(stretch) > 0)) continue;
+        } else if ((x - middle.tip).norm() - stretch > support_.reach() + turned.travel()) {
             continue;
         }
         if (line.max_inside(plane, t) > 0) {
@@ -350,25 +390,11 @@ bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const
                 lowered = true;
             }
         }
-        if (size <= bound_ || n + 2 > open.size()) continue;
+        if (turned.size(line.far - line.near) <= bound_ || n + 2 > open.size()) continue;
         open[n++] = {part.s0, s, part.first, middle};
         open[n++] = {s, part.s1, middle, part.last};
     }
     return lowered;
-}
-
-Index MotionProbes::first_as_low(const Vec3& p, const Vec3& n, const LineProbe& probe) const {
-    const auto& motions = tree_->program().motions->motions;
-    Index first = probe.motion;
-    while (first > 0
-           && (motions[first - 1].kind == MotionKind::rapid) == (motions[first].kind == MotionKind::rapid)) {
-        LineProbe before{probe.value + 2 * slack_ + tolerance::probe_rounding, no_index};
-        Line line{p, n};
-        line.set(before.value, slack_);
-        if (!ask(first - 1, line, before)) break;
-        --first;
-    }
-    return first;
 }
 
 bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const {
@@ -401,6 +427,137 @@ bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& pr
         if (b.reach > 0) open[count++] = b;
     }
     return lowered;
+}
+
+// ---- depths of points ----
+
+/// The most that p can lie inside the body in any motion of a node.
+double MotionProbes::max_depth(const MotionTree::Node& node, const Vec3& p) const {
+    const Vec3 up = support_.middle() * node.axis;
+    const Vec3 tip = (p - up).cwiseMax(node.lo).cwiseMin(node.hi);
+    const BodySupport::Plane plane = support_.nearest(p - tip, node.axis);
+    double most = plane.inside;
+    for (int k = 0; k < 3; ++k)
+        most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
+    if (node.cone > 0)
+        most += std::min(node.cone, 2.0) * ((p - tip).norm() + (node.hi - node.lo).norm());
+    return most;
+}
+
+/// Along a straight motion the depth is a concave function of the share s, and the supporting plane at a
+/// share gives its tangent: the largest depth lies below where two tangents meet.
+bool MotionProbes::ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const {
+    const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
+    if (a.axis != b.axis) return ask_depth_turning(motion, p, probe);
+    const Vec3 route = b.tip - a.tip, from = p - a.tip;
+    const double square = route.squaredNorm();
+    struct Tangent {
+        double s, depth, slope;
+        double at(double share) const { return depth + slope * (share - s); }
+    };
+    const auto look = [&](double s) {
+        const BodySupport::Plane plane = support_.nearest(from - s * route, b.axis);
+        return Tangent{s, plane.inside, plane.normal.dot(route)};
+    };
+    bool deeper = false;
+    const auto take = [&](const Tangent& t) {
+        if (!(t.depth > probe.depth)) return;
+        probe = {t.depth, motion};
+        deeper = true;
+    };
+    double s = square > 0
+                   ? std::clamp((from - support_.middle() * b.axis).dot(route) / square, 0.0, 1.0)
+                   : 0.0;
+    Tangent here = look(s);
+    if (std::max(here.at(0), here.at(1)) <= probe.depth) return false;
+    take(here);
+    std::optional<Tangent> rising, falling;
+    constexpr int max_looks = 100; // halves at least every second time
+    for (int look_count = 0; look_count < max_looks && here.slope != 0; ++look_count) {
+        (here.slope > 0 ? rising : falling) = here;
+        const double lo = rising ? rising->s : 0, hi = falling ? falling->s : 1;
+        double bound = rising ? rising->at(hi) : falling->at(lo);
+        double next = rising ? hi : lo; // the end of the motion, not yet looked at
+        if (rising && falling) {
+            next = (falling->at(0) - rising->at(0)) / (rising->slope - falling->slope);
+            bound = rising->at(next);
+            if (look_count % 2 == 1 || !(next > lo && next < hi)) next = 0.5 * (lo + hi);
+        }
+        if (bound <= probe.depth + tolerance::probe_rounding || !(hi > lo)) break;
+        here = look(next);
+        take(here);
+        if (next == 0 && here.slope <= 0) break;
+        if (next == 1 && here.slope >= 0) break;
+    }
+    return deeper;
+}
+
+bool MotionProbes::ask_depth_turning(Index motion, const Vec3& p, DepthProbe& probe) const {
+    const auto at = [&](double s) {
+        return location_between(tree_->from(motion), tree_->to(motion), tree_->program().turning, s);
+    };
+    std::array<Pose, 64> open; // halving ends long before that depth
+    std::size_t n = 0;
+    open[n++] = {0, 1, tree_->from(motion), tree_->to(motion)};
+    bool deeper = false;
+    while (n > 0) {
+        const Pose part = open[--n];
+        const double s = 0.5 * (part.s0 + part.s1);
+        const CutterLocation middle = at(s);
+        const BodySupport::Plane plane = support_.nearest(p - middle.tip, middle.axis);
+        const TurnedPart turned(part, middle, p);
+        const double comes =
+            turned.small() ? turned.swing(plane.normal, p) + turned.rest(0) : turned.size(0);
+        if (!(plane.inside + comes > probe.depth)) continue;
+        if (plane.inside > probe.depth) {
+            probe = {plane.inside, motion};
+            deeper = true;
+        }
+        if (turned.size(0) <= bound_ || n + 2 > open.size()) continue;
+        open[n++] = {part.s0, s, part.first, middle};
+        open[n++] = {s, part.s1, middle, part.last};
+    }
+    return deeper;
+}
+
+Index MotionProbes::first_as_deep(const Vec3& p, const DepthProbe& probe) const {
+    const auto& motions = tree_->program().motions->motions;
+    Index first = probe.motion;
+    while (first > 0
+           && (motions[first - 1].kind == MotionKind::rapid) == (motions[first].kind == MotionKind::rapid)) {
+        DepthProbe before{probe.depth - 2 * slack_ - tolerance::probe_rounding, no_index};
+        if (!ask_depth(first - 1, p, before)) break;
+        --first;
+    }
+    return first;
+}
+
+bool MotionProbes::deepen(const Vec3& p, Index hint, DepthProbe& probe) const {
+    const auto& nodes = tree_->nodes_;
+    if (nodes.empty()) return false;
+    bool deeper = hint != no_index && ask_depth(hint, p, probe);
+    struct Open {
+        Index node;
+        double most;
+    };
+    std::array<Open, 128> open; // two a level, and the tree halves
+    std::size_t count = 0;
+    open[count++] = {0, max_depth(nodes[0], p)};
+    while (count > 0) {
+        const Open top = open[--count];
+        if (!(top.most > probe.depth)) continue;
+        const MotionTree::Node& node = nodes[top.node];
+        if (node.right == 0) {
+            if (node.motion != hint) deeper = ask_depth(node.motion, p, probe) || deeper;
+            continue;
+        }
+        Open a{top.node + 1, max_depth(nodes[top.node + 1], p)},
+            b{node.right, max_depth(nodes[node.right], p)};
+        if (a.most > b.most) std::swap(a, b);
+        if (a.most > probe.depth) open[count++] = a;
+        if (b.most > probe.depth) open[count++] = b;
+    }
+    return deeper;
 }
 
 } // namespace facetmill

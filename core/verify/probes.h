@@ -1,5 +1,5 @@
-// Lines against one body that moves along the motions of a program: where, of all motions, it reaches lowest
-// on the line.
+// Points and lines against one body that moves along the motions of a program: how deep, of all motions, a
+// point comes to lie inside it, and where it reaches lowest on a line.
 //
 // A tree of boxes over the motions says which to ask. A pose is passed over by a supporting plane: the body
 // at one pose lies on one side of it, and how far the plane can come when the pose changes within a box, or
@@ -30,6 +30,8 @@ public:
     };
     /// The supporting plane nearest to a point; the body has its tip at 0 and this unit axis.
     Plane nearest(const Vec3& point, const Vec3& axis) const;
+    /// The point of the body, from the tip, that lies farthest in a unit direction.
+    Vec3 support(const Vec3& direction, const Vec3& axis) const;
     /// Height on the axis of a point well inside, near the lower end.
     double middle() const { return middle_; }
     double reach() const { return reach_; } ///< no point of the body is farther from the tip
@@ -48,6 +50,12 @@ private:
 /// What is known of a line so far.
 struct LineProbe {
     double value = 0;        ///< the lowest end of a stretch
+    Index motion = no_index; ///< that has it
+};
+
+/// How deep inside a moving body a point has been found so far.
+struct DepthProbe {
+    double depth = 0;        ///< mm; below 0: so far from it
     Index motion = no_index; ///< that has it
 };
 
@@ -93,18 +101,26 @@ public:
     /// that is wholly below 0 only where it joins what is missing above it. `hint`: a motion to ask first, or
     /// no_index; it does not change the value.
     bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const;
-    /// The first of an unbroken run of motions, up to `probe.motion`, that all reach as low as it does: where
-    /// a motion ends the next one begins, and both have that place.
-    Index first_as_low(const Vec3& p, const Vec3& n, const LineProbe& probe) const;
+    /// Raises `probe.depth` to the largest depth of the point p inside the moving body, and says whether it
+    /// did: the depth is the distance to the body's surface, which needs to know nothing of the part but the
+    /// point. `hint`: as above.
+    bool deepen(const Vec3& p, Index hint, DepthProbe& probe) const;
+    /// The first of an unbroken run of motions, up to `probe.motion`, in which p lies as deep: where a motion
+    /// ends the next one begins, and both have that place.
+    Index first_as_deep(const Vec3& p, const DepthProbe& probe) const;
 
 private:
     struct Line;
     struct Pose;
+    class TurnedPart;
     double reaches(const MotionTree::Node& node, const Line& line) const;
     BodySupport::Plane between(const CutterLocation& pose, const Line& line, double& t) const;
     double reaches_straight(Index motion, const Line& line) const;
     bool ask(Index motion, Line& line, LineProbe& probe) const;
     bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
+    double max_depth(const MotionTree::Node& node, const Vec3& p) const;
+    bool ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const;
+    bool ask_depth_turning(Index motion, const Vec3& p, DepthProbe& probe) const;
 
     TurnedBody body_;
     BodySupport support_;

@@ -2,9 +2,11 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/mesh/outward.h"
 #include "core/verify/deviation.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_tiles.h"
+#include "core/verify/uncut_reasons.h"
 
 #include <chrono>
 #include <cmath>
@@ -25,8 +27,8 @@ constexpr double touch_share = 0.02;
 constexpr double probe_share = 0.01;
 /// Samples at most: a minute or two of probing. Where axes turn, each takes some times as long.
 constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
-/// Probes keep off sharp edges: farther than a depth beside them that is no gouge yet.
-constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm
+/// Lines of sight keep off sharp edges by so much, mm: above rounding, and no detail of a part.
+constexpr double sight_inset = 1e-3;
 constexpr double finest_probe = 1e-4;                // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -133,11 +135,12 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
 /// `asked`: the spacing wanted was asked for, not the resolution.
 std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool asked,
                                     std::size_t max_samples, bool border) {
-    double area = 0, away = 0, bare = 0, counted = 0;
+    double area = 0, away = 0, bare = 0, hidden = 0, counted = 0;
     for (std::size_t i = 0; i < samples.weights.size(); ++i) {
         area += samples.weights[i];
         if (samples.flags[i] & DeviationSurface::away) away += samples.weights[i];
         if (samples.flags[i] & DeviationSurface::bare) bare += samples.weights[i];
+        if (samples.flags[i] & DeviationSurface::hidden) hidden += samples.weights[i];
         if (samples.flags[i] == DeviationSurface::counted) counted += samples.weights[i];
     }
     std::vector<std::string> remarks;
@@ -150,6 +153,10 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
             percent(away / area)
             + " of the part's area faces no tool axis of the programs (walls, undersides): there only "
               "gouges count.");
+    if (hidden > 0)
+        remarks.push_back(percent(hidden / area)
+                          + " of the part's area is hidden from all tool axes by other parts of it: there "
+                            "only gouges count.");
     if (bare > 0)
         remarks.push_back("The stock does not reach " + percent(bare / area)
                           + " of the part's area: there only gouges count.");
@@ -163,6 +170,97 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
                           + ": else there would be more than " + std::to_string(max_samples)
                           + ". What is narrower may be missed.");
     return remarks;
+}
+
+/// Winding number of a closed part about a point: 1 inside, 0 outside; of an open one a share of it
+/// (Jacobson, Kavan, Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers",
+/// 2013).
+double winding_number(const Mesh& part, const Vec3& p, const Progress& progress) {
+    double sum = 0;
+    for (std::size_t f = 0; f < part.facet_count(); ++f) {
+        if (f % 65536 == 0) progress.check();
+        const Vec3 a = part.corner(f, 0) - p, b = part.corner(f, 1) - p, c = part.corner(f, 2) - p;
+        const double x = a.norm(), y = b.norm(), z = c.norm();
+        sum += std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+    }
+    return sum / (2 * pi);
+}
+
+/// Programs whose first location is within the part. Motions that begin in there may never meet the surface,
+/// on which all other findings rest.
+void find_starts_inside(Verification& v, const Mesh& part, const SurfaceSamples& samples,
+                        std::span<const VerifyProgram> programs, const Progress& progress) {
+    constexpr double inside = 0.75; // below a large sheet it is a half
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const Vec3& tip = programs[i].motions->motions.front().to.tip;
+        if (!(winding_number(part, tip, progress) > inside)) continue;
+        std::size_t nearest = 0;
+        double distance = infinity;
+        for (std::size_t k = 0; k < samples.points.size(); ++k)
+            if (const double d = (samples.points[k] - tip).squaredNorm(); d < distance) {
+                distance = d;
+                nearest = k;
+            }
+        distance = std::sqrt(distance);
+        if (!(distance > v.used.gouge_limit)) continue;
+        v.program_gouges[i] = std::max(v.program_gouges[i], distance);
+        v.figures.gouge_max = std::max(v.figures.gouge_max, distance);
+        v.gouges.insert(v.gouges.begin(), {tip, samples.normals[nearest], -distance, {i, 0}});
+        v.remarks.push_back("'" + printable(programs[i].name) + "' begins inside the part.");
+    }
+}
+
+/// Why what was looked at says nothing of the whole; empty where it does.
+std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double least_radius) {
+    // A hollow, or a cutter's mark, is some times as wide as places looked at are apart.
+    constexpr double coarsest = 0.5;
+    const double spacing = std::max(samples.spacing, v.used.resolution);
+    if (spacing > coarsest * least_radius)
+        return "places looked at are " + length_text(spacing, LengthUnit::mm, 3)
+               + " apart, and a cutter has a radius of " + length_text(least_radius, LengthUnit::mm, 3)
+               + ": ask for a resolution and a spacing of at most "
+               + length_text(coarsest * least_radius, LengthUnit::mm, 3);
+    if (v.used.tolerance > 0
+        && std::find(samples.flags.begin(), samples.flags.end(), DeviationSurface::counted)
+               == samples.flags.end())
+        return "nowhere on the part, away from its open borders, is what the programs leave held against "
+               "the tolerance";
+    return {};
+}
+
+/// Looks at the part's surface: all of `v` that does not come from the stock.
+void compare(Verification& v, const Mesh& given, const StockSolid& stock,
+             std::span<const VerifyProgram> programs, const Radii& radii, bool spacing_asked,
+             const Progress& progress) {
+    const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04));
+    // Borrowed: it lives as long as this call.
+    const MeshPtr outward =
+        wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
+    const Mesh& part = *outward;
+    SurfaceSamples samples = sample_surface(part, v.used.sample_spacing, v.used.max_samples,
+                                            progress.part(0.04, 0.08), sight_inset);
+    const std::vector<Vec3> axes = cutting_axes(programs, progress);
+    flag_samples(samples, part, radii.largest, axes, progress.part(0.08, 0.15));
+    double bound = finest_probe;
+    if (v.used.tolerance > 0)
+        bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
+    const Probed probed = probe_samples(samples, stock, programs, v.used.allowance, v.used.gouge_limit, bound,
+                                        progress.part(0.15, 0.95));
+    merge(v.collisions, probed.collisions);
+    fill_figures(v, samples, probed, radii.least, progress);
+    find_uncut_reasons(v, samples, probed, programs, axes, progress.part(0.95, 0.99));
+    v.remarks = remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples,
+                           v.border.samples > 0);
+    if (sides.turned_facets > 0)
+        v.remarks.push_back(std::to_string(sides.turned_facets)
+                            + " facets are wound inward and were judged from the side that is outside.");
+    find_starts_inside(v, part, samples, programs, progress);
+    v.not_judged = not_judged_why(v, samples, radii.least);
+    v.not_judged_share = !v.not_judged.empty() ? 1
+                         : v.border.area > 0   ? v.border.area / (v.border.area + v.figures.area)
+                                               : 0;
+    v.used.sample_spacing = samples.spacing;
+    v.surface = published(std::move(samples), probed.deviation);
 }
 
 } // namespace
@@ -211,24 +309,9 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    const Progress probing = progress.part(0.6, 1.0, "Comparing with the part");
-    SurfaceSamples samples =
-        sample_surface(part, v.used.sample_spacing, v.used.max_samples, probing.part(0.0, 0.05),
-                       std::max(inset_limits * v.used.gouge_limit, min_inset));
-    flag_samples(samples, part, radii.largest, cutting_axes(programs, probing), probing.part(0.05, 0.1));
-    double bound = finest_probe;
-    if (v.used.tolerance > 0)
-        bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
-    const Probed probed = probe_samples(samples, stock, programs, v.used.allowance, v.used.gouge_limit, bound,
-                                        probing.part(0.1, 0.98));
-    merge(v.collisions, probed.collisions);
-    v.program_gouges.assign(programs.size(), 0);
-    fill_figures(v, samples, probed, radii.least, probing);
-    v.remarks = remarks_on(samples, v.used.sample_spacing, settings.sample_spacing > 0, v.used.max_samples,
-                           v.border.samples > 0);
+    compare(v, part, stock, programs, radii, settings.sample_spacing > 0,
+            progress.part(0.6, 1.0, "Comparing with the part"));
     v.remarks.insert(v.remarks.end(), outside.begin(), outside.end());
-    v.used.sample_spacing = samples.spacing;
-    v.surface = published(std::move(samples), probed.deviation);
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);
     return v;

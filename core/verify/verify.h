@@ -33,7 +33,9 @@ struct VerifySettings {
         0; ///< of the probes; 0: as the resolution. Coarser where they would be more than `max_samples`
     double motion_bound = 0; ///< 0: half the resolution
     double tolerance = 0; ///< what may be left: more counts as over, more than twice as uncut; 0: not judged
-    double gouge_limit = 0; ///< what is missing more deeply is a gouge
+    double gouge_limit = 0; ///< surface that came deeper inside a cutter is gouged
+    /// The share of the area to be cut (seen by a tool axis, away from open borders) that may stay uncut.
+    double uncut_limit = 0.02;
     double allowance = 0;   ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
@@ -41,8 +43,8 @@ struct VerifySettings {
     std::size_t max_stock_bytes = 2'500'000'000;
 };
 
-/// Signed distance along the part's normal from the surface to what is left: positive, material stands;
-/// negative, material is missing.
+/// What became of the part's surface. Positive: so much stands on it, along its outward normal. Negative: so
+/// deep (the distance to the cutter's surface) it came to lie inside a cutter.
 struct DeviationSurface {
     enum Flag : std::uint8_t {
         counted = 0, ///< in all figures
@@ -50,6 +52,8 @@ struct DeviationSurface {
             1,    ///< within a cutter's radius of the part's open border, where no path goes on: gouges only
         away = 2, ///< faces no tool axis of the programs (walls, undersides): gouges only
         bare = 4, ///< the stock itself does not reach the surface here
+        hidden = 8, ///< no tool axis of the programs comes here past the part: gouges only
+        gouges_only = away | bare | hidden,
     };
     std::vector<std::array<float, 3>> points, normals;
     std::vector<float> deviation;
@@ -79,6 +83,23 @@ struct DeviationExtreme {
     MotionPlace by; ///< the motion that cut deepest there; unknown where none did
 };
 
+/// Why surface that a tool axis sees stays uncut.
+struct UncutReason {
+    enum class Why : std::uint8_t {
+        not_cut,       ///< a tool fits in there, and no motion goes
+        no_tool,       ///< no tool of the programs fits in there
+        outside_stock, ///< the stock does not reach it
+        not_seen,      ///< no tool axis sees it: told, and no part of the verdict
+    };
+    Why why = Why::not_cut;
+    double area = 0;                          ///< mm^2
+    double excess_max = 0;                    ///< mm
+    Vec3 place = Vec3::Zero();                ///< of the largest excess
+    bool counts() const { return why != Why::not_seen; }
+};
+
+enum class Verdict : std::uint8_t { verified, failed, not_judged };
+
 struct Verification {
     std::shared_ptr<const StockModel> stock;
     std::shared_ptr<const DeviationSurface> surface;
@@ -89,6 +110,10 @@ struct Verification {
         gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise
     std::vector<Collision> collisions;    ///< in the order of motions; the deepest of each motion and kind
+    std::vector<UncutReason> uncut;       ///< by reason, the largest area first
+    double uncut_share = 0;               ///< of the area to be cut, in [0, 1]
+    double not_judged_share = 0; ///< of the area that tool axes see: near open borders; 1: see `not_judged`
+    std::string not_judged;      ///< why nothing can be said of the whole; empty where it can
     std::vector<std::string> remarks;     ///< one sentence each: what was not judged and why
     VerifySettings used;                  ///< with what 0 stood for
     double seconds_cutting = 0, seconds_probing = 0;
@@ -96,7 +121,13 @@ struct Verification {
     bool gouged() const {
         return figures.gouge_max > used.gouge_limit || border.gouge_max > used.gouge_limit;
     }
-    bool passed() const { return !gouged() && collisions.empty(); }
+    bool left_uncut() const { return uncut_share > used.uncut_limit; }
+    /// What was found stands, however coarsely it was looked for; that nothing was found may mean nothing.
+    Verdict verdict() const {
+        if (gouged() || !collisions.empty() || (not_judged.empty() && left_uncut())) return Verdict::failed;
+        return not_judged.empty() ? Verdict::verified : Verdict::not_judged;
+    }
+    bool passed() const { return verdict() == Verdict::verified; }
 };
 
 /// Cuts `stock` with the programs, in order, and compares what is left with `part`. Throws

@@ -462,8 +462,8 @@ private slots:
         const VerificationModel& model = w().verification().model();
         QVERIFY(model.any());
         QCOMPARE(model.outcome().plan->operations.size(), std::size_t(2));
-        QVERIFY2(model.verdict() == Verdict::verified, qPrintable(model.failure_text()));
-        QCOMPARE(model.verdict(0), Verdict::verified);
+        QVERIFY2(model.verdict() == ui::Verdict::verified, qPrintable(model.failure_text()));
+        QCOMPARE(model.verdict(0), ui::Verdict::verified);
         QCOMPARE(model.verification().figures.uncut_fraction, 0.0);
         QVERIFY(model.current());
         // Drawn and picked: the strips of the plan, both paths, each with its tool.
@@ -491,7 +491,7 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         w().verify();
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(model.verdict(0), Verdict::failed);
+        QCOMPARE(model.verdict(0), ui::Verdict::failed);
         QVERIFY(model.why(0).contains(QStringLiteral("gouges")));
         d.take({{d.operation_id(0), result, {}, Document::fingerprint(d.project(), 0)}});
         QVERIFY(wait_until_settled(w()));

@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(w().document().state(0), OperationState::planned);
         const VerificationModel& model = controller().model();
         QVERIFY(model.current());
-        QCOMPARE(model.verdict(), Verdict::verified);
+        QCOMPARE(model.verdict(), ui::Verdict::verified);
         QCOMPARE(badge(), QStringLiteral("Verified"));
         QVERIFY(!w().tree().tree()->isColumnHidden(1));
         QVERIFY(!badge_row()->icon(1).isNull());
@@ -128,7 +128,7 @@ private slots:
         plant_gouge(1.5);
         QVERIFY(verify());
         const VerificationModel& model = controller().model();
-        QCOMPARE(model.verdict(), Verdict::failed);
+        QCOMPARE(model.verdict(), ui::Verdict::failed);
         QVERIFY(std::abs(model.verification().figures.gouge_max - 1.5) < 0.5);
         QCOMPARE(badge(), QStringLiteral("Failed verification"));
         QVERIFY(controller().panel()->verdict_line().startsWith(QStringLiteral("Failed: gouges up to 0.0")));
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(controller().model().current());
         enter(w(), "feed", QStringLiteral("77"));
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(controller().model().verdict(), Verdict::stale);
+        QCOMPARE(controller().model().verdict(), ui::Verdict::stale);
         QCOMPARE(badge(), QStringLiteral("Verification out of date"));
         QCOMPARE(controller().panel()->verdict_line(), QStringLiteral("Out of date"));
         QVERIFY(controller().doubt().contains(QStringLiteral("since the project was changed")));
@@ -204,7 +204,7 @@ private slots:
         QTest::keyClick(&w(), Qt::Key_Escape);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(!controller().model().any());
-        QCOMPARE(controller().model().verdict(), Verdict::none);
+        QCOMPARE(controller().model().verdict(), ui::Verdict::none);
         QVERIFY(w().last_failure().isEmpty());
         QVERIFY(verify());
         w().verify();

@@ -1,0 +1,185 @@
+#include "core/verify/uncut_reasons.h"
+
+#include "core/base/parallel.h"
+#include "core/base/tolerances.h"
+#include "core/mesh/box_tree.h"
+#include "core/verify/probes.h"
+
+#include <algorithm>
+#include <map>
+
+namespace facetmill {
+
+namespace {
+
+/// Uncut samples that are asked why: enough to share out the area by reasons to a percent or two.
+constexpr std::size_t max_asked = 4000;
+/// Axes that are tried at a sample, the nearest to its normal: a tool that fits fits with one of them.
+constexpr std::size_t max_axes_tried = 12;
+/// Samples in a box of the tree.
+constexpr std::size_t samples_per_box = 32;
+
+/// Whether bodies can stand somewhere without having samples of the part inside.
+class Room {
+public:
+    Room(const SurfaceSamples& samples, const Progress& progress) : samples_(samples) {
+        const std::size_t n = samples.points.size();
+        std::vector<Box3> boxes((n + samples_per_box - 1) / samples_per_box);
+        for (std::size_t i = 0; i < n; ++i)
+            boxes[i / samples_per_box].add(samples.points[i]);
+        tree_ = BoxTree(boxes, progress);
+    }
+    /// No sample lies deeper than `slack` in a body whose tip is here.
+    bool has(const BodySupport& body, const CutterLocation& at, double slack) const {
+        const Vec3 middle = at.tip + body.middle() * at.axis;
+        bool free = true;
+        tree_.each(
+            [&](const Box3& box) {
+                if (!free) return false;
+                const Vec3 nearest = middle.cwiseMax(box.lo).cwiseMin(box.hi);
+                const BodySupport::Plane plane = body.nearest(nearest - at.tip, at.axis);
+                double most = plane.inside;
+                for (int k = 0; k < 3; ++k)
+                    most -= plane.normal[k]
+                            * ((plane.normal[k] > 0 ? box.lo[k] : box.hi[k]) - nearest[k]);
+                return most > slack;
+            },
+            [&](std::size_t box) {
+                const std::size_t end =
+                    std::min(samples_.points.size(), (box + 1) * samples_per_box);
+                for (std::size_t i = box * samples_per_box; free && i < end; ++i)
+                    free = !(body.nearest(samples_.points[i] - at.tip, at.axis).inside > slack);
+            });
+        return free;
+    }
+
+private:
+    const SurfaceSamples& samples_;
+    BoxTree tree_;
+};
+
+struct FitTool {
+    BodySupport cutter;
+    std::vector<BodySupport> sections;
+};
+
+class Fit {
+public:
+    Fit(const SurfaceSamples& samples, std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
+        double allowance, double slack, const Progress& progress)
+        : room_(samples, progress), axes_(axes), allowance_(allowance), slack_(slack) {
+        for (const VerifyProgram& p : programs) {
+            FitTool tool{BodySupport(p.tool.cutter), {}};
+            for (const ToolSection& s : p.tool.sections)
+                tool.sections.emplace_back(s);
+            tools_.push_back(std::move(tool));
+        }
+    }
+    bool fits(const Vec3& point, const Vec3& normal) const {
+        std::vector<std::pair<double, const Vec3*>> near;
+        for (const Vec3& a : axes_)
+            if (const double along = a.dot(normal); along > tolerance::vertical_normal_z)
+                near.push_back({-along, &a});
+        std::sort(near.begin(), near.end());
+        if (near.size() > max_axes_tried) near.resize(max_axes_tried);
+        const Vec3 start = point + (allowance_ + 0.5 * slack_) * normal;
+        for (const auto& [along, axis] : near)
+            for (const FitTool& tool : tools_)
+                for (const Vec3& touch : touching_places(tool.cutter, normal, *axis))
+                    if (stands({start - touch, *axis}, tool)) return true;
+        return false;
+    }
+
+private:
+    /// Places of a cutter, from its tip, with which it may touch a surface of this normal. A flat end touches
+    /// a level floor with any place of it: some rings of them are tried.
+    static std::vector<Vec3> touching_places(const BodySupport& cutter, const Vec3& normal, const Vec3& axis) {
+        std::vector<Vec3> places{cutter.support(-normal, axis)};
+        constexpr double level_cosine = 0.9998, lean = 1e-3; // a degree
+        constexpr int round = 8, rings = 4;
+        if (normal.dot(axis) < level_cosine) return places;
+        const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
+        for (int k = 0; k < round; ++k) {
+            // A direction that leans a little finds the rim.
+            const double turn = 2 * pi * k / round;
+            const Vec3 aside = std::cos(turn) * x + std::sin(turn) * y;
+            const Vec3 rim = cutter.support((lean * aside - axis).normalized(), axis);
+            for (int ring = 1; ring <= rings; ++ring)
+                places.push_back(double(ring) / rings * rim);
+        }
+        return places;
+    }
+    bool stands(const CutterLocation& at, const FitTool& tool) const {
+        return room_.has(tool.cutter, at, slack_)
+               && std::all_of(tool.sections.begin(), tool.sections.end(),
+                              [&](const BodySupport& s) { return room_.has(s, at, slack_); });
+    }
+    Room room_;
+    const std::vector<Vec3>& axes_;
+    std::vector<FitTool> tools_;
+    double allowance_, slack_;
+};
+
+} // namespace
+
+void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Probed& probed,
+                        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
+                        const Progress& progress) {
+    using Why = UncutReason::Why;
+    v.uncut.clear();
+    v.uncut_share = 0;
+    if (!(v.used.tolerance > 0)) return;
+    std::map<Why, UncutReason> reasons;
+    const auto add = [&](Why why, std::size_t i, double area, double excess) {
+        UncutReason& reason = reasons[why];
+        if (reason.area == 0 || excess > reason.excess_max) {
+            reason.excess_max = std::max(reason.excess_max, excess);
+            reason.place = samples.points[i];
+        }
+        reason.why = why;
+        reason.area += area;
+    };
+    const double limit = 2 * v.used.tolerance;
+    double to_cut = 0;
+    std::vector<std::size_t> standing;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        if (i % 65536 == 0) progress.check();
+        const std::uint8_t flags = samples.flags[i];
+        const double excess = std::max(probed.deviation[i], 0.0);
+        if (flags == DeviationSurface::hidden) {
+            if (excess > limit) add(Why::not_seen, i, samples.weights[i], excess);
+            continue;
+        }
+        if ((flags & ~DeviationSurface::bare) != 0) continue;
+        to_cut += samples.weights[i];
+        if (flags & DeviationSurface::bare)
+            add(Why::outside_stock, i, samples.weights[i], 0);
+        else if (excess > limit)
+            standing.push_back(i);
+    }
+    const std::size_t groups = std::min(standing.size(), max_asked);
+    const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
+    std::vector<char> fits(groups, 0);
+    if (groups > 0) {
+        const Fit fit(samples, programs, axes, v.used.allowance, limit, progress);
+        parallel_for(groups, 4, progress, [&](std::size_t g) {
+            const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
+            fits[g] = fit.fits(samples.points[i], samples.normals[i]);
+        });
+    }
+    for (std::size_t g = 0; g < groups; ++g)
+        for (std::size_t k = first_of(g); k < first_of(g + 1); ++k) {
+            const std::size_t i = standing[k];
+            add(fits[g] ? Why::not_cut : Why::no_tool, i, samples.weights[i], probed.deviation[i]);
+        }
+    double area = 0;
+    for (const auto& [why, reason] : reasons) {
+        v.uncut.push_back(reason);
+        if (reason.counts()) area += reason.area;
+    }
+    std::stable_sort(v.uncut.begin(), v.uncut.end(),
+                     [](const UncutReason& a, const UncutReason& b) { return a.area > b.area; });
+    v.uncut_share = to_cut > 0 ? area / to_cut : 0;
+}
+
+} // namespace facetmill

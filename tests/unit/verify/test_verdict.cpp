@@ -1,0 +1,231 @@
+// What the judge says of the whole: verified, failed or not to be judged, on jobs whose answer is known, also
+// where the mesh is dirty.
+#include "core/verify/verify.h"
+#include "tests/support/part_meshes.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+StockSolid stock_of(const Box3& box) {
+    StockSolid stock;
+    stock.box = box;
+    return stock;
+}
+
+/// Lines along X over a rectangle, at one height, `step` apart, with an end 2 mm beyond it.
+VerifyProgram lines(const Tool& tool, const Vec2& lo, const Vec2& hi, double z, double step) {
+    auto motions = std::make_shared<ToolMotions>();
+    const auto to = [&](MotionKind kind, const Vec3& tip) {
+        motions->motions.push_back({kind, {tip, Vec3::UnitZ()}, no_index, no_index});
+    };
+    to(MotionKind::rapid, Vec3(lo.x() - 20, lo.y(), z + 40));
+    bool back = false;
+    for (double y = lo.y(); y <= hi.y() + 1e-9; y += step, back = !back) {
+        const double from = back ? hi.x() + 2 : lo.x() - 2, end = back ? lo.x() - 2 : hi.x() + 2;
+        to(MotionKind::cut, Vec3(from, y, z));
+        to(MotionKind::cut, Vec3(end, y, z));
+    }
+    return {"Lines", VerifyTool(tool), motions, std::nullopt};
+}
+
+VerifySettings asked(double tolerance = 0.05) {
+    VerifySettings s;
+    s.resolution = s.sample_spacing = 0.5;
+    s.tolerance = tolerance;
+    s.gouge_limit = 0.005;
+    return s;
+}
+
+Verification judged(const Mesh& part, const StockSolid& stock, const VerifyProgram& program,
+                    const VerifySettings& settings = asked()) {
+    return verify(part, stock, {&program, 1}, settings, Progress());
+}
+
+const UncutReason* reason(const Verification& v, UncutReason::Why why) {
+    for (const UncutReason& r : v.uncut)
+        if (r.why == why) return &r;
+    return nullptr;
+}
+
+/// A block with a groove along X of width `wide` and depth `deep` in its top, closed.
+Mesh grooved(double wide, double deep) {
+    const double w = 0.5 * wide;
+    const std::vector<Vec2> outline{{-20, -10}, {20, -10}, {20, 0}, {w, 0}, {w, -deep}, {-w, -deep}, {-w, 0}, {-20, 0}};
+    Mesh mesh;
+    const auto n = Index(outline.size());
+    for (double x : {-30.0, 30.0})
+        for (const Vec2& p : outline)
+            mesh.vertices.push_back(Vec3(x, p.x(), p.y()));
+    for (Index i = 0; i < n; ++i) {
+        const Index j = (i + 1) % n;
+        mesh.facets.push_back({i, i + n, j});
+        mesh.facets.push_back({j, i + n, j + n});
+    }
+    // Ends as fans of their three boxes.
+    for (const auto& quad : {std::array<Index, 4>{0, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 3, 4}}) {
+        mesh.facets.push_back({quad[0], quad[1], quad[2]});
+        mesh.facets.push_back({quad[0], quad[2], quad[3]});
+        mesh.facets.push_back({quad[0] + n, quad[2] + n, quad[1] + n});
+        mesh.facets.push_back({quad[0] + n, quad[3] + n, quad[2] + n});
+    }
+    return mesh;
+}
+
+} // namespace
+
+class TestVerdict : public QObject {
+    Q_OBJECT
+private slots:
+    void a_finished_block() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        const Verification v =
+            judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
+        QCOMPARE(int(v.verdict()), int(Verdict::verified));
+        QCOMPARE(v.uncut_share, 0.0);
+        QVERIFY(v.uncut.empty());
+        QVERIFY(v.figures.gouge_max < 1e-9);
+    }
+
+    /// A channel half a millimetre deep over the rim of a block is a gouge of that depth: how long a probe on
+    /// its wall runs along it says nothing.
+    void depth_is_penetration() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        for (const Tool& tool : {flat_tool(8), ball_tool(8), bull_tool(8, 1)}) {
+            const Verification v =
+                judged(part, stock_of(part.box()), lines(tool, Vec2(-20, 0), Vec2(20, 0), -0.5, 1));
+            QCOMPARE(int(v.verdict()), int(Verdict::failed));
+            QVERIFY2(std::abs(v.figures.gouge_max - 0.5) < 0.01,
+                     qPrintable(QString::number(v.figures.gouge_max)));
+            QCOMPARE(v.program_gouges[0], v.figures.gouge_max);
+            QVERIFY(std::abs(v.gouges.front().deviation + v.figures.gouge_max) < 1e-12);
+        }
+    }
+
+    /// Flipping, doubling and loosening facets changes nothing of what a path does to them.
+    void dirty_facets_change_nothing() {
+        const Mesh clean = dome(12, 10);
+        StockSolid stock = stock_of(clean.box());
+        stock.box.hi.z() += 1;
+        std::mt19937 random(4);
+        for (const double z : {12.0, 11.7}) { // on the top of the dome, and into it
+            const VerifyProgram program = lines(ball_tool(6), Vec2(-12, 0), Vec2(12, 0), z, 1);
+            const Verification right = judged(clean, stock, program);
+            QCOMPARE(right.gouged(), z < 12);
+            for (int round = 0; round < 8; ++round) {
+                Mesh dirty;
+                std::size_t turned_ones = 0;
+                for (std::size_t f = 0; f < clean.facet_count(); ++f)
+                    for (std::size_t copies = 1 + (random() % 5 == 0); copies > 0; --copies) {
+                        const auto at = Index(dirty.vertices.size());
+                        for (int k = 0; k < 3; ++k)
+                            dirty.vertices.push_back(clean.corner(f, k));
+                        const bool turn = random() % 3 == 0;
+                        turned_ones += turn;
+                        dirty.facets.push_back(turn ? Facet{at, at + 2, at + 1} : Facet{at, at + 1, at + 2});
+                    }
+                QVERIFY(turned_ones > 10);
+                const Verification v = judged(dirty, stock, program);
+                QCOMPARE(v.gouged(), right.gouged());
+                const auto deepest = [](const Verification& w) {
+                    return std::max(w.figures.gouge_max, w.border.gouge_max);
+                };
+                QVERIFY(std::abs(deepest(v) - deepest(right)) < 0.02);
+            }
+        }
+    }
+
+    void a_tool_too_large_for_the_hollows() {
+        const Mesh part = grooved(6, 5);
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 1;
+        // Over the top a flat end of 12 mm leaves the whole groove; one of 5 mm would fit.
+        const VerifyProgram large = lines(flat_tool(12), Vec2(-30, -20), Vec2(30, 20), 0, 8);
+        Verification v = judged(part, stock, large);
+        QCOMPARE(int(v.verdict()), int(Verdict::failed));
+        QVERIFY(!v.gouged() && v.collisions.empty());
+        const UncutReason* no_tool = reason(v, UncutReason::Why::no_tool);
+        QVERIFY(no_tool);
+        // At its open ends the tool's rim could stand on the groove's floor.
+        const UncutReason* ends = reason(v, UncutReason::Why::not_cut);
+        QVERIFY(!ends || ends->area < 0.1 * no_tool->area);
+        QVERIFY2(std::abs(no_tool->area - 6 * 60) < 60, qPrintable(QString::number(no_tool->area)));
+        QVERIFY(std::abs(no_tool->excess_max - 5) < 1e-6);
+        QVERIFY(std::abs(v.uncut_share - 0.15) < 0.03);
+        // With as much allowed it passes.
+        VerifySettings lax = asked();
+        lax.uncut_limit = 0.2;
+        QCOMPARE(int(judged(part, stock, large, lax).verdict()), int(Verdict::verified));
+        const VerifyProgram small = lines(flat_tool(5), Vec2(-30, -20), Vec2(30, 20), 0, 4);
+        v = judged(part, stock, small);
+        QCOMPARE(int(v.verdict()), int(Verdict::failed));
+        QVERIFY(reason(v, UncutReason::Why::not_cut) && !reason(v, UncutReason::Why::no_tool));
+    }
+
+    void a_stock_smaller_than_the_part() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi = Vec3(10, 15, 2);
+        const Verification v =
+            judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
+        QCOMPARE(int(v.verdict()), int(Verdict::failed));
+        const UncutReason* outside = reason(v, UncutReason::Why::outside_stock);
+        QVERIFY(outside && std::abs(outside->area - 300) < 60);
+    }
+
+    /// Under a roof nothing is asked for, and that is told.
+    void what_no_axis_sees_is_told() {
+        Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        const Mesh roof = box(Vec3(-5, -5, 6), Vec3(5, 5, 8));
+        const auto first = Index(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), roof.vertices.begin(), roof.vertices.end());
+        for (const Facet& f : roof.facets)
+            part.facets.push_back({f[0] + first, f[1] + first, f[2] + first});
+        StockSolid stock = stock_of(part.box());
+        VerifyProgram around = lines(flat_tool(4), Vec2(-20, -15), Vec2(20, -7.001), 0, 2);
+        const VerifyProgram other = lines(flat_tool(4), Vec2(-20, 7.001), Vec2(20, 15), 0, 2);
+        const std::array<VerifyProgram, 2> both{around, other};
+        const Verification v = verify(part, stock, both, asked(), Progress());
+        const UncutReason* hidden = reason(v, UncutReason::Why::not_seen);
+        QVERIFY(hidden && std::abs(hidden->area - 100) < 25);
+        QVERIFY(!hidden->counts());
+    }
+
+    /// Looked at too coarsely, nothing is verified; what is found all the same stands.
+    void a_coarse_look_judges_nothing() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        VerifySettings coarse = asked();
+        coarse.resolution = coarse.sample_spacing = 6;
+        const VerifyProgram good = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        const Verification v = judged(part, stock, good, coarse);
+        QCOMPARE(int(v.verdict()), int(Verdict::not_judged));
+        QVERIFY(!v.passed() && v.not_judged_share == 1 && v.not_judged.find("resolution") != std::string::npos);
+        const VerifyProgram deep = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), -1, 6);
+        QCOMPARE(int(judged(part, stock, deep, coarse).verdict()), int(Verdict::failed));
+    }
+
+    /// Motions that begin within the part and stay there meet none of its surface.
+    void a_start_inside() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 10));
+        auto motions = std::make_shared<ToolMotions>();
+        for (double x : {-3.0, 3.0})
+            motions->motions.push_back({MotionKind::cut, {Vec3(x, 0, 0), Vec3::UnitZ()}, no_index, no_index});
+        const VerifyProgram program{"Inside", VerifyTool(AptCutter::flat(2, 3)), motions, std::nullopt};
+        const Verification v = judged(part, stock_of(part.box()), program);
+        QCOMPARE(int(v.verdict()), int(Verdict::failed));
+        QVERIFY(v.gouged() && v.gouges.front().by.program == 0 && v.figures.gouge_max > 9);
+    }
+};
+
+FACETMILL_TEST(TestVerdict)
+#include "test_verdict.moc"
