@@ -7,6 +7,7 @@
 #include "core/job/verification.h"
 #include "core/link/link.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/outward.h"
 #include "core/output/turning_table.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/global_local/rework_plan.h"
@@ -324,12 +325,16 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
             c.load_key = load_key.text();
         }
         auto part = std::make_shared<PreparedPart>();
-        part->mesh = placed(c.loaded->mesh, project.part, reading.part(0.6, 0.65));
+        part->mesh = placed(c.loaded->mesh, project.part, reading.part(0.6, 0.62));
+        // What the part is has one answer, for planners and verifier alike.
+        const OutwardSides sides = outward_sides(*part->mesh, reading.part(0.62, 0.68));
+        part->mesh = wound_outward(part->mesh, sides);
+        part->turned_facets = sides.turned_facets;
         part->report = c.loaded->report;
         part->box = part->mesh->box();
         check_coordinates(part->box, "part");
         part->reach = reach_about_middle(*part->mesh, part->box);
-        part->geometry = compute_geometry(*part->mesh, reading.part(0.65, 1.0, "Measuring the part"));
+        part->geometry = compute_geometry(*part->mesh, reading.part(0.68, 1.0, "Measuring the part"));
         ++c.work.placements;
         c.part = std::move(part);
         c.part_key = part_key;

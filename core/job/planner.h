@@ -19,8 +19,9 @@ namespace facetmill {
 
 /// The part in place: read, transformed, measured. Published whole.
 struct PreparedPart {
-    MeshPtr mesh;
+    MeshPtr mesh; ///< wound outward (core/mesh/outward.h)
     MeshReport report;
+    std::size_t turned_facets = 0; ///< that were wound inward in the file
     std::shared_ptr<const MeshGeometry> geometry;
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
