@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/body_clearance.h"
+#include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/cleanup_job.h"
 #include "core/strategy/cleanup/strip_search.h"
 #include "core/strategy/cleanup/touch_up.h"
@@ -91,6 +92,8 @@ private:
         touch_up(with, touched, progress.part(0.7, 1));
         if (result_.stepover_min == infinity) result_.stepover_min = result_.stepover_max;
         result_.passes = in_order(std::move(cuts));
+        // Whatever made a pass, and however it was joined or shortened: no move is left unchecked.
+        clear_passes(with, result_.passes, progress.part(1, 1));
     }
 
     StripCut cut_around_places(const FoundStrip& f, const Progress& progress) const {

@@ -8,9 +8,11 @@ namespace facetmill {
 namespace {
 
 /// A move is divided so often, and no further once it is shorter than this share of the chord tolerance:
-/// what is left then is an upright move.
+/// what still runs into the part then goes over it.
 constexpr int max_clearing_divisions = 30;
 constexpr double shortest_share = 0.1;
+/// Moved aside are places of the first divisions only: beside a ridge, each of them would ask for the next.
+constexpr int max_divisions_aside = 10;
 /// A point is moved out of what it would cut sideways, along the normal, by so many chord tolerances,
 /// doubled from the first to the last; if none is enough, up.
 constexpr double first_aside = 0.25, last_aside = 4;
@@ -54,13 +56,18 @@ private:
                 where = k;
             }
         }
-        if (where == 0 || depth > max_clearing_divisions || length < shortest_share * with_.chord) return;
+        if (where == 0) return;
+        if (depth > max_clearing_divisions || length < shortest_share * with_.chord) {
+            over(a, b, worst, cc, out);
+            return;
+        }
         Vec3 mid = a + (double(where) / double(parts)) * (b - a);
         // Away from what it would cut: a little sideways is enough on steep flanks.
         Vec3 out_of = cc.normal;
         out_of.z() = std::max(out_of.z(), 0.0);
         bool free = false;
-        for (double x = first_aside * with_.chord; x <= last_aside * with_.chord && !free; x *= 2) {
+        for (double x = first_aside * with_.chord;
+             x <= last_aside * with_.chord && !free && depth < max_divisions_aside; x *= 2) {
             const Vec3 aside = mid + x * out_of;
             if (below(aside, hint) > 0) continue;
             mid = aside;
@@ -71,6 +78,15 @@ private:
         out.cl.push_back({mid, Vec3::UnitZ()});
         out.cc.push_back(cc);
         between(mid, b, cc, out, hint, depth + 1);
+    }
+
+    /// Up beside a, level over what a move would run into by `deep`, and down on b: both stand free.
+    static void over(const Vec3& a, const Vec3& b, double deep, const CutterContact& cc, Pass& out) {
+        const double high = std::max(a.z(), b.z()) + deep;
+        for (const Vec3& end : {a, b}) {
+            out.cl.push_back({Vec3(end.x(), end.y(), high), Vec3::UnitZ()});
+            out.cc.push_back(cc);
+        }
     }
 
     const StripCutting& with_;
