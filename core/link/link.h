@@ -40,11 +40,11 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 
 /// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one
 /// plane, lifted along the tool axis wherever cutter, shank or holder would touch, where the next pass is
-/// near and that way is free, or is shorter than up to the clearance and down while the axis turns by 45
+/// near and that way is free, or is shorter than out of the stock and in again while the axis turns by 45
 /// degrees at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis,
-/// a level rapid that turns the axis at clearance_z, in along the next axis. At clearance_z the tip stands so
-/// high that no tool of the path, however tilted, reaches below the clearance. `clearance` is what cutter,
-/// shank and holder keep from the part, mm. Throws Error(out_of_range).
+/// at feed until the tool is out of the stock, in rapids above or round part and stock (envelope.h), and in
+/// along the next axis. In no motion of a link does the axis turn by more than 5 degrees. `clearance` is what
+/// cutter, shank and holder keep from the part, mm. Throws Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress);

@@ -1,4 +1,5 @@
 #include "core/base/tolerances.h"
+#include "core/link/envelope.h"
 #include "core/link/link.h"
 #include "core/strategy/five_axis/posture_path.h"
 
@@ -75,36 +76,22 @@ private:
     ToolLift::Hint hint_;
 };
 
-/// How far below the tip's level a tilted tool reaches: its lower rims, cutter, shank and holder.
-double reach_below(const Tool& tool, double cutter_radius, const Vec3& axis) {
-    const double tilt = std::hypot(axis.x(), axis.y());
-    double below = std::max(cutter_radius, 0.5 * tool.diameter) * tilt;
-    double height = tool.flute_length;
-    const auto body = [&](double diameter, double length) {
-        below = std::max(below, 0.5 * diameter * tilt - height * axis.z());
-        height += length;
-    };
-    body(tool.shank_diameter, tool.shank_length);
-    for (const HolderSection& section : tool.holder)
-        body(section.diameter, section.length);
-    return below;
-}
-
 /// Joins the passes of one path one after the other.
 class FiveAxisLinker {
 public:
-    FiveAxisLinker(const PlanContext& context, const ToolClearance& clearance, const LinkOptions& options,
-                   const Progress& progress)
-        : context_(context), clearance_(clearance), options_(options), progress_(progress),
+    FiveAxisLinker(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
+                   const LinkOptions& options, const Progress& progress)
+        : options_(options), progress_(progress),
           lift_(context.contact, context.tool, clearance), radius_(lift_.cutter().max_radius()),
           chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
           apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
           clear_lift_(context.contact, context.tool,
                       {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),
-          over_surface_(clear_lift_, chord_, progress) {}
+          over_surface_(clear_lift_, chord_, progress),
+          envelope_(kept_clear_of(path, context, radius_, options, clearance)) {}
 
     ToolMotions link(const StrategyResult& path) {
-        result_.clearance_z = clear_level(path);
+        result_.clearance_z = envelope_.level();
         const Pass* before = nullptr;
         for (std::size_t i = 0; i < path.passes.size(); ++i) {
             progress_.set(double(i) / double(path.passes.size()));
@@ -115,7 +102,10 @@ public:
                 result_.motions.push_back({MotionKind::cut, pass.cl[k], Index(i), Index(k)});
             before = &pass;
         }
-        if (before) between_passes(MotionKind::retract, at_clearance(before->cl.back()));
+        if (before) {
+            const CutterLocation& last = before->cl.back();
+            come_out(last, envelope_.out(last));
+        }
         progress_.set(1);
         return std::move(result_);
     }
@@ -123,26 +113,37 @@ public:
 private:
     using Route = std::vector<CutterLocation>;
 
-    /// A level at which the tool may turn from any axis of the path to any other: between two axes an arc of
-    /// axes is never flatter than the flatter of the two.
-    double clear_level(const StrategyResult& path) const {
-        double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + clearance_.cutter,
-               below = 0;
+    static EnvelopeInput kept_clear_of(const StrategyResult& path, const PlanContext& context, double radius,
+                                       const LinkOptions& options, const ToolClearance& clearance) {
+        EnvelopeInput in;
+        in.part = context.part_box;
+        in.stock = context.stock_box;
+        in.tool = &context.tool;
+        in.cutter_radius = radius;
+        in.clearance = options.clearance + clearance.cutter;
         for (const Pass& pass : path.passes)
             for (const CutterLocation& c : pass.cl) {
-                top = std::max(top, c.tip.z());
-                below = std::max(below, reach_below(context_.tool, radius_, c.axis));
+                in.highest_tip = std::max(in.highest_tip, c.tip.z());
+                in.lowest_axis_z = std::min(in.lowest_axis_z, c.axis.z());
                 if (!(c.axis.z() >= tolerance::lowest_axis_z * (1 - tolerance::level_angle)))
                     throw Error(ErrorCode::internal, "link", "a tool axis lies down", "report this");
             }
-        return top + below + options_.clearance;
+        return in;
     }
 
-    CutterLocation at_clearance(const CutterLocation& c) const {
-        const double up = (result_.clearance_z - c.tip.z()) / c.axis.z();
-        CutterLocation above{c.tip + up * c.axis, c.axis};
-        above.tip.z() = result_.clearance_z; // to the last digit: rapids are level
-        return above;
+    /// Out along the axis: at feed until the tool is out of the stock, then fast.
+    void come_out(const CutterLocation& at, const CutterLocation& out) {
+        const CutterLocation clear = envelope_.out_of_stock(at);
+        const double far = (out.tip - at.tip).norm(), slow = (clear.tip - at.tip).norm();
+        if (slow > 0) between_passes(MotionKind::retract, slow < far ? clear : out);
+        if (slow < far) between_passes(MotionKind::rapid, out);
+    }
+    /// In along the axis: fast until the tool comes to the stock, then at feed.
+    void go_in(const CutterLocation& out, const CutterLocation& start, Index pass_index) {
+        const CutterLocation clear = envelope_.out_of_stock(start);
+        if ((clear.tip - start.tip).norm() < (out.tip - start.tip).norm())
+            between_passes(MotionKind::rapid, clear);
+        result_.motions.push_back({MotionKind::approach, start, pass_index, 0});
     }
 
     /// The place beside a pass's end where the tool may turn over.
@@ -164,9 +165,18 @@ private:
             result_.motions.push_back({MotionKind::link, start, pass_index, 0});
             return;
         }
-        if (before) between_passes(MotionKind::retract, at_clearance(before->cl.back()));
-        between_passes(MotionKind::rapid, at_clearance(start));
-        result_.motions.push_back({MotionKind::approach, start, pass_index, 0});
+        if (!before) {
+            const CutterLocation out = envelope_.out(start);
+            between_passes(MotionKind::rapid, out);
+            go_in(out, start, pass_index);
+            return;
+        }
+        const CutterLocation& last = before->cl.back();
+        const Route round = envelope_.route(last, start);
+        come_out(last, round.front());
+        for (std::size_t k = 1; k < round.size(); ++k)
+            between_passes(MotionKind::rapid, round[k]);
+        go_in(round.back(), start, pass_index);
     }
 
     /// The places between two passes, on the way that suits how far they are from each other; false where
@@ -174,7 +184,7 @@ private:
     bool find_link(const Pass& from, const Pass& to, Route& route) {
         const CutterLocation &last = from.cl.back(), &start = to.cl.front();
         const bool near = (start.tip - last.tip).norm() <= options_.link_distance;
-        if (near ? on_surface_.between(last, start, {max_lift_}, route) : turn_over(from, to, route))
+        if (near ? on_surface_.between(last, start, {max_lift_, turn_at_once}, route) : turn_over(from, to, route))
             return true;
         return go_over(last, start, route);
     }
@@ -186,14 +196,14 @@ private:
         if (from.cc.empty() || to.cc.empty()
             || (to.cc.front().point - from.cc.back().point).norm() > options_.link_distance)
             return false;
-        return clear_route(from.cl.back(), to.cl.front(), {max_lift_}, route);
+        return clear_route(from.cl.back(), to.cl.front(), {max_lift_, turn_at_once}, route);
     }
 
     /// Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
     /// stands there of the stock it cuts as passes do.
     bool go_over(const CutterLocation& from, const CutterLocation& to, Route& route) {
-        const double detour =
-            (at_clearance(from).tip - from.tip).norm() + (at_clearance(to).tip - to.tip).norm();
+        const double detour = (envelope_.out_of_stock(from).tip - from.tip).norm()
+                              + (envelope_.out_of_stock(to).tip - to.tip).norm();
         if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(max_turn))
             return false;
         if (!clear_route(from, to, {0.5 * detour, turn_at_once}, route)) return false;
@@ -216,8 +226,6 @@ private:
         return true;
     }
 
-    const PlanContext& context_;
-    const ToolClearance& clearance_;
     const LinkOptions& options_;
     const Progress& progress_;
     ToolLift lift_;
@@ -227,6 +235,7 @@ private:
     /// Keeps clear by `apart_` more: the rim of an inclined tool sweeps over borders of the part.
     ToolLift clear_lift_;
     SurfaceLink over_surface_;
+    Envelope envelope_;
     ToolMotions result_;
 };
 
@@ -236,7 +245,7 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress) {
     check_link_options(options);
-    return FiveAxisLinker(context, clearance, options, progress).link(path);
+    return FiveAxisLinker(path, context, clearance, options, progress).link(path);
 }
 
 } // namespace facetmill

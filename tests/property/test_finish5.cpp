@@ -223,11 +223,16 @@ private slots:
                 QVERIFY(clear(on_route(motions.motions[i - 1].to, motions.motions[i].to, k / 8.0)));
         QVERIFY(count > 300);
 
-        // Rapids are level, above everything, however the tool is tilted.
-        for (std::size_t i = 0; i < motions.motions.size(); ++i)
-            if (motions.motions[i].kind == MotionKind::rapid)
-                QVERIFY(motions.motions[i].to.tip.z() == motions.clearance_z
-                        && motions.clearance_z >= context.stock_box.hi.z() + op.common().clearance);
+        // Rapids end clear of part and stock, and turn the axis little at once.
+        for (std::size_t i = 0; i < motions.motions.size(); ++i) {
+            if (motions.motions[i].kind != MotionKind::rapid) continue;
+            const CutterLocation& to = motions.motions[i].to;
+            Box3 both = context.stock_box;
+            both.add(context.part_box);
+            QVERIFY((to.tip - to.tip.cwiseMax(both.lo).cwiseMin(both.hi)).norm()
+                    > op.common().clearance - 1e-9);
+            if (i > 0) QVERIFY(to.axis.dot(motions.motions[i - 1].to.axis) > std::cos(radians(5.001)));
+        }
 
         const Verification v = judged(part, context, motions, tolerance, chord);
         QVERIFY(v.figures.samples > 500);

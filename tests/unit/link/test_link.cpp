@@ -1,11 +1,15 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
+#include "core/link/envelope.h"
 #include "core/link/link.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "tests/property/shapes.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
+
+#include <random>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -26,6 +30,12 @@ std::string kinds_of(const ToolMotions& m) {
     for (const Motion& motion : m.motions)
         text += "racl^"[int(motion.kind)];
     return text;
+}
+
+/// Between two passes the tool goes up and moves fast; at the end it does anyway.
+bool travels_fast(const ToolMotions& m) {
+    const std::string kinds = kinds_of(m);
+    return kinds.find("^r") < kinds.rfind('a');
 }
 
 LinkOptions near_options(double distance) {
@@ -125,11 +135,69 @@ private slots:
         }
         const PlanContext context = context_of(level(), flat_tool(2 * radius));
         const ToolMotions m = link_five_axis(path, context, {}, near_options(2), Progress());
-        QVERIFY2(kinds_of(m).find("cl") != std::string::npos && kinds_of(m).find("^r") == std::string::npos,
+        QVERIFY2(kinds_of(m).find("cl") != std::string::npos && !travels_fast(m),
                  kinds_of(m).c_str());
         path.passes[1].cc.front().point.y() = path.passes[1].cl.front().tip.y() = 15;
-        QVERIFY(kinds_of(link_five_axis(path, context, {}, near_options(2), Progress())).find("^r")
-                != std::string::npos);
+        QVERIFY(travels_fast(link_five_axis(path, context, {}, near_options(2), Progress())));
+    }
+
+    /// Rapids above or round part and stock: no body of the tool comes nearer to them than the clearance, and
+    /// the tips stay near the part however far the axes lean.
+    void rapids_stay_near_the_part_and_clear_of_it() {
+        std::mt19937 random(6);
+        std::uniform_real_distribution<double> share(-1, 1);
+        Tool tool = flat_tool(10);
+        tool.holder = {{40, 50}};
+        EnvelopeInput in;
+        in.part = {Vec3(-60, -50, 0), Vec3(60, 50, 80)};
+        in.stock = {Vec3(-62, -52, 0), Vec3(62, 52, 85)};
+        in.tool = &tool;
+        in.cutter_radius = 5;
+        in.highest_tip = 80;
+        in.lowest_axis_z = 0.15;
+        in.clearance = 4;
+        const Envelope envelope(in);
+        std::vector<std::pair<double, double>> bodies{{5, 0}, {5, tool.flute_length}}; // radius, height
+        double height = tool.flute_length + tool.shank_length;
+        bodies.push_back({0.5 * tool.shank_diameter, height});
+        bodies.push_back({20, height});
+        bodies.push_back({20, height + 50});
+        const auto location = [&] {
+            Vec3 axis;
+            do
+                axis = Vec3(share(random), share(random), std::abs(share(random))).normalized();
+            while (axis.z() < 0.15);
+            return CutterLocation{
+                Vec3(60 * share(random), 50 * share(random), 40 + 40 * share(random)), axis};
+        };
+        for (int round = 0; round < trials(400); ++round) {
+            const CutterLocation from = location(), to = location();
+            const auto route = envelope.route(from, to);
+            QVERIFY((route.front().tip - from.tip).cross(from.axis).norm() < 1e-9);
+            QVERIFY((route.back().tip - to.tip).cross(to.axis).norm() < 1e-9);
+            QVERIFY(route.front().axis == from.axis && route.back().axis == to.axis);
+            for (std::size_t i = 1; i < route.size(); ++i) {
+                QVERIFY(route[i].axis.dot(route[i - 1].axis) > std::cos(radians(5.001)));
+                QVERIFY(route[i].tip.norm() < 330);
+                for (int k = 0; k <= 6; ++k) {
+                    const CutterLocation at = location_on_route(route[i - 1], route[i], k / 6.0);
+                    const Vec3 x = at.axis.unitOrthogonal(), y = at.axis.cross(x);
+                    for (const auto& [radius, up] : bodies)
+                        for (int turn = 0; turn < 24; ++turn) {
+                            const double a = 2 * pi * turn / 24;
+                            const Vec3 p =
+                                at.tip + up * at.axis + radius * (std::cos(a) * x + std::sin(a) * y);
+                            const double away =
+                                (p - p.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi)).norm();
+                            QVERIFY2(away > 4 - 1e-6, qPrintable(QString::number(away)));
+                        }
+                }
+            }
+            // Out of the stock by the clearance at least, and there no more than it takes.
+            const CutterLocation out = envelope.out_of_stock(from);
+            const Vec3 off = out.tip - out.tip.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi);
+            QVERIFY(off.norm() > 4 - 1e-9 && off.norm() < 30);
+        }
     }
 
     /// Deep in a block the way over the part is less than up and down again.
@@ -155,7 +223,7 @@ private slots:
             return link_five_axis(passes, context, {}, near_options(2), Progress());
         };
         const auto goes_up = [&](const StrategyResult& passes) {
-            return kinds_of(linked(passes)).find("^r") != std::string::npos;
+            return travels_fast(linked(passes));
         };
         // Hardly any way up: up.
         QVERIFY(goes_up(path(0, 20, radians(20))));
@@ -163,7 +231,7 @@ private slots:
         QVERIFY(goes_up(path(-20, 80, radians(20)))); // far
         QVERIFY(goes_up(path(0, 20, radians(60))));   // the axes would turn far
         const ToolMotions over = linked(path(0, 20, radians(20)));
-        QVERIFY2(kinds_of(over).find("^r") == std::string::npos, kinds_of(over).c_str());
+        QVERIFY2(!travels_fast(over), kinds_of(over).c_str());
         const ToolLift lift(context.contact, context.tool, ToolClearance{});
         ToolLift::Hint hint;
         double deepest = -infinity, highest = 0;
@@ -214,7 +282,7 @@ private slots:
             path.passes.push_back(std::move(p));
         }
         const ToolMotions over = link_five_axis(path, context, {}, near_options(2), Progress());
-        QVERIFY2(kinds_of(over).find("^r") == std::string::npos, kinds_of(over).c_str());
+        QVERIFY2(!travels_fast(over), kinds_of(over).c_str());
         const ToolLift lift(context.contact, context.tool, ToolClearance{});
         ToolLift::Hint hint;
         double deepest = -infinity;
