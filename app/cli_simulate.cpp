@@ -31,6 +31,15 @@ double positive_length(const Arguments& arguments, const char* option, double pe
     return v;
 }
 
+double uncut_limit(const Arguments& arguments) {
+    const double share = arguments.number("--uncut-limit", 0);
+    if (!(share >= 0 && share <= 1))
+        throw Error(ErrorCode::usage, "--uncut-limit",
+                    "'" + printable(arguments.value("--uncut-limit")) + "' is no share",
+                    "give a number from 0 to 1: 0.02 is 2 %");
+    return share;
+}
+
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
@@ -38,6 +47,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
     const double per = mm_per(project.unit);
     const double resolution = positive_length(arguments, "--resolution", per);
     const double spacing = positive_length(arguments, "--spacing", per);
+    const double gouge_limit = positive_length(arguments, "--gouge-limit", per);
     const std::vector<std::string> cl_files = arguments.values("--cl");
     if (!cl_files.empty() && arguments.has("--op"))
         throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
@@ -77,6 +87,8 @@ void run_simulate(const Arguments& arguments, Session& session) {
         part = planner.prepare(project, progress.part(0.2, 0.3));
         settings = verify_settings(project, nullptr);
     }
+    if (arguments.has("--gouge-limit")) settings.gouge_limit = gouge_limit;
+    if (arguments.has("--uncut-limit")) settings.uncut_limit = uncut_limit(arguments);
     settings.resolution = resolution;
     settings.sample_spacing = spacing;
     if (spacing > 0) settings.max_samples = max_samples_asked_for;
@@ -107,9 +119,9 @@ Command simulate_command() {
             "Plans the project first, or takes CL files (" + apt_writer().label
             + ") instead. Prints verify.json. Either all files "
               "appear or none.\n"
-              "Exit status 1 also when a gouge or collision is found: the files are written then, and the "
-              "figures are on\n"
-              "stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
+              "Exit status 1 also when a gouge or collision is found, more stays uncut than may, or nothing can "
+            "be said of\n"
+            "the whole: the files are written then, and the figures are on stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
               "file without\n"
               "LOADTL those of tool 1 where it has the same cutter.",
         .options = {{.name = "--cl",
@@ -123,6 +135,12 @@ Command simulate_command() {
                     {.name = "--spacing",
                      .value = "S",
                      .help = "of the places compared, in the project's units (default: the resolution)"},
+                    {.name = "--gouge-limit",
+                     .value = "G",
+                     .help = "what is a gouge, in the project's units (default: the project's)"},
+                    {.name = "--uncut-limit",
+                     .value = "U",
+                     .help = "the share of the surface to be cut that may stay uncut (default: the project's)"},
                     threads_option(),
                     {.name = "-o",
                      .value = "DIR",

@@ -253,6 +253,7 @@ void ProjectTree::rebuild() {
         for (const Machine& m : machines())
             if (m.name == project.machine) machine = text(m.label);
         add(nullptr, {TreeNode::Kind::machine, 0}, Icon::machine, machine);
+        add(nullptr, {TreeNode::Kind::limits, 0}, Icon::verify, tr("Verification limits"));
         auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tool, tr("Tools"));
         for (std::size_t i = 0; i < project.tools.size(); ++i) {
             const Tool& t = project.tools[i];

@@ -19,7 +19,7 @@ namespace facetmill::ui {
 
 struct TreeNode {
     /// stock_after: what an operation leaves, below it in the tree.
-    enum class Kind { part, stock, machine, tools, tool, operations, operation, stock_after };
+    enum class Kind { part, stock, machine, limits, tools, tool, operations, operation, stock_after };
     Kind kind = Kind::part;
     std::size_t index = 0; ///< which tool or operation
     bool operator==(const TreeNode&) const = default;

@@ -186,6 +186,10 @@ void PropertiesPanel::refresh() {
             if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
         show(view, {}, hidden);
         mesh_stock = copy.kind == StockSpec::Kind::mesh;
+    } else if (node_->kind == Kind::limits) {
+        title = tr("Verification limits");
+        VerifyLimits copy = project.limits;
+        show(ParameterView<VerifyLimits>(copy, verify_limit_parameters()));
     } else if (node_->kind == Kind::machine) {
         title = tr("Machine");
         std::vector<FormChoice> choices;
@@ -282,6 +286,8 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                 ParameterView<PartSpec>(p.part, part_parameters()).set(key, value);
             else if (node.kind == Kind::stock)
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
+            else if (node.kind == Kind::limits)
+                ParameterView<VerifyLimits>(p.limits, verify_limit_parameters()).set(key, value);
             else if (node.kind == Kind::machine)
                 p.machine = std::get<std::string>(value);
             else if (node.kind == Kind::operation)

@@ -108,6 +108,7 @@ void VerificationController::verify() {
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->plan = plan_as_it_stands();
     outcome->part_key = Document::part_key(document_.project());
+    outcome->limits = document_.project().limits;
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         outcome->ids.push_back(document_.operation_id(i));
         outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));

@@ -79,7 +79,7 @@ void VerificationModel::clear() {
 bool VerificationModel::is_current() const {
     if (!outcome_ || !document_.part_is_current()
         || outcome_->part_key != Document::part_key(document_.project())
-        || outcome_->ids.size() != document_.operation_count())
+        || outcome_->limits != document_.project().limits || outcome_->ids.size() != document_.operation_count())
         return false;
     for (std::size_t i = 0; i < outcome_->ids.size(); ++i)
         if (document_.operation_id(i) != outcome_->ids[i] || document_.state(i) != OperationState::planned

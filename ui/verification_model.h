@@ -23,6 +23,7 @@ struct VerificationOutcome {
     /// For each of the plan's programs, the place of its operation in `ids`.
     std::vector<std::size_t> program_operations;
     std::string part_key;
+    VerifyLimits limits;
     std::shared_ptr<const Verification> verification;
     DeviationDisplayPtr display;
 };

@@ -58,7 +58,7 @@ const ParameterTable<PartSpec>& part_parameters() {
 
 Project::Project(const Project& other)
     : path(other.path), unit(other.unit), part(other.part), stock(other.stock), machine(other.machine),
-      tools(other.tools) {
+      limits(other.limits), tools(other.tools) {
     operations.reserve(other.operations.size());
     for (const auto& o : other.operations)
         operations.push_back(o->clone());
@@ -245,6 +245,7 @@ void check_operations(const Project& p) {
 void check_project(const Project& project) {
     check_part(project);
     check_stock(project);
+    check_struct(project.limits, verify_limit_parameters(), "verification", project.unit);
     // Until the project has a place, nobody knows where a relative file is.
     if (!is_machine_file(project.machine) || !project.path.empty()) project_machine(project);
     check_tools(project);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/parameter.h"
+#include "core/job/verify_limits.h"
 #include "core/setup/stock.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/operation.h"
@@ -32,6 +33,7 @@ struct Project {
     PartSpec part;
     StockSpec stock;
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
+    VerifyLimits limits;                  ///< key "verification"
     std::vector<Tool> tools;
     std::vector<std::unique_ptr<Operation>> operations;
 

@@ -59,8 +59,8 @@ void read_stock(const Json& object, StockSpec& stock, LengthUnit unit) {
 Project read_project(Json file) {
     if (!file.is_object()) wrong_type("", file, "an object with the key \"facetmill\"");
     migrate_project(file);
-    static const std::vector<std::string> known = {"facetmill", "units", "part",      "stock",
-                                                   "machine",   "tools", "operations"};
+    static const std::vector<std::string> known = {"facetmill", "units", "part",       "stock",
+                                                   "machine",   "tools", "operations", "verification"};
     for (auto it = file.begin(); it != file.end(); ++it)
         if (std::find(known.begin(), known.end(), it.key()) == known.end()) unknown_key(it.key(), "", known);
     Project project;
@@ -73,6 +73,10 @@ Project read_project(Json file) {
     read_parameters(part, "part", part_view, unit);
     project.stock.unit = unit;
     if (file.contains("stock")) read_stock(file["stock"], project.stock, unit);
+    if (file.contains("verification")) {
+        ParameterView<VerifyLimits> limits(project.limits, verify_limit_parameters());
+        read_parameters(file["verification"], "verification", limits, unit);
+    }
     if (file.contains("machine")) project.machine = read_text(file["machine"], "machine");
     if (file.contains("tools")) {
         const Json& tools = expect_list(file["tools"], "tools");
@@ -127,6 +131,7 @@ std::string project_to_json(const Project& project) {
     for (const std::string& key : stock_keys(stock.kind))
         write_parameter(file["stock"], "stock", view, view.parameter(key), unit);
     file["machine"] = project.machine;
+    file["verification"] = write_struct(project.limits, verify_limit_parameters(), "verification", unit);
     file["tools"] = Json::array();
     for (std::size_t i = 0; i < project.tools.size(); ++i)
         file["tools"].push_back(write_struct(project.tools[i], tool_parameters(), element("tools", i), unit));

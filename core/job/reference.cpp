@@ -121,6 +121,7 @@ std::string reference_page() {
           "name ends with `.json`, a relative one starts at the project file. Default: `"
         + Project().machine
         + "`. |\n"
+          "| `verification` | What may happen to the part, see below. |\n"
           "| `tools` | List of tools, see below. |\n"
           "| `operations` | List of operations in machining order; each has a `kind` and the keys of that "
           "kind. |\n\n"
@@ -138,6 +139,8 @@ std::string reference_page() {
     }
     page += "\n";
     table(page, stock_parameters().infos(), "###");
+    page += "## Verification\n\n";
+    table(page, verify_limit_parameters().infos(), "###");
     machine_tables(page);
     page += "\n## Tools\n\n`shank_diameter` is the tool's diameter where it is not given.\n\n";
     table(page, tool_parameters().infos(), "###");

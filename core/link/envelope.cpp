@@ -34,6 +34,21 @@ double widest(const Tool& tool, double cutter_radius) {
     return radius;
 }
 
+/// No body of the tool is narrower than one below it: going out along its axis, each comes where a wider or
+/// equal one was.
+bool widens_upward(const Tool& tool, double cutter_radius) {
+    double radius = cutter_radius;
+    const auto as_wide = [&](double diameter, double length) {
+        const bool wide = !(length > 0) || 0.5 * diameter >= radius - tolerance::contact_distance;
+        if (length > 0) radius = std::max(radius, 0.5 * diameter);
+        return wide;
+    };
+    bool wide = as_wide(tool.shank_diameter, tool.shank_length);
+    for (const HolderSection& section : tool.holder)
+        wide = as_wide(section.diameter, section.length) && wide;
+    return wide;
+}
+
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -76,6 +91,7 @@ Envelope::Envelope(const EnvelopeInput& in) {
     // Chords between places of the sphere run within it.
     radius_ = (0.5 * box_.size().norm() + wide + in.clearance) / std::cos(0.5 * rapid_turn);
     clearance_ = in.clearance;
+    free_behind_ = widens_upward(*in.tool, in.cutter_radius);
     cutter_radius_ = in.cutter_radius;
 }
 
@@ -91,6 +107,12 @@ CutterLocation Envelope::out_of_stock(const CutterLocation& at) const {
         if (at.axis[k] < 0) exit = std::min(exit, (low - at.tip[k]) / at.axis[k]);
     }
     return {at.tip + exit * at.axis, at.axis};
+}
+
+CutterLocation Envelope::off_part(const CutterLocation& at) const {
+    CutterLocation out = out_of_stock(at);
+    if (free_behind_ && (out.tip - at.tip).norm() > clearance_) out.tip = at.tip + clearance_ * at.axis;
+    return out;
 }
 
 CutterLocation Envelope::on_level(const CutterLocation& at) const {

@@ -33,8 +33,11 @@ public:
     double level() const { return level_; } ///< height of the tip on the level surface
     double radius() const { return radius_; }
     /// Where the tool, coming out along its axis, is clear of the stock by the clearance; `at` itself where
-    /// it is there already. From there on it may move fast.
+    /// it is there already. Up to there it may come in fast.
     CutterLocation out_of_stock(const CutterLocation& at) const;
+    /// Where the tool, coming out along its axis, may begin to move fast: off the part by the clearance where
+    /// its bodies only come where wider ones were, else out of the stock.
+    CutterLocation off_part(const CutterLocation& at) const;
     /// Where it comes out to, the nearer one of the two surfaces.
     CutterLocation out(const CutterLocation& at) const;
     /// All places of a rapid from where the tool comes out of one location to where it goes in to another:
@@ -49,6 +52,7 @@ private:
 
     Box3 box_; ///< round part and stock
     double clearance_ = 0, cutter_radius_ = 0;
+    bool free_behind_ = false;
     Vec3 center_ = Vec3::Zero();
     double level_ = 0, radius_ = 0;
 };

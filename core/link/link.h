@@ -42,7 +42,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// plane, lifted along the tool axis wherever cutter, shank or holder would touch, where the next pass is
 /// near and that way is free, or is shorter than out of the stock and in again while the axis turns by 45
 /// degrees at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis,
-/// at feed until the tool is out of the stock, in rapids above or round part and stock (envelope.h), and in
+/// at feed until it may move fast, in rapids above or round part and stock (envelope.h), and in
 /// along the next axis. In no motion of a link does the axis turn by more than 5 degrees. `clearance` is what
 /// cutter, shank and holder keep from the part, mm. Throws Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,

@@ -131,9 +131,9 @@ private:
         return in;
     }
 
-    /// Out along the axis: at feed until the tool is out of the stock, then fast.
+    /// Out along the axis: at feed until the tool may move fast.
     void come_out(const CutterLocation& at, const CutterLocation& out) {
-        const CutterLocation clear = envelope_.out_of_stock(at);
+        const CutterLocation clear = envelope_.off_part(at);
         const double far = (out.tip - at.tip).norm(), slow = (clear.tip - at.tip).norm();
         if (slow > 0) between_passes(MotionKind::retract, slow < far ? clear : out);
         if (slow < far) between_passes(MotionKind::rapid, out);

@@ -16,8 +16,11 @@ constexpr std::size_t facets_per_check = 8192;
 /// patches fewer, so that all together take a second or two.
 constexpr std::size_t max_rays = 256, min_rays = 8;
 constexpr std::size_t rays_altogether = 1'000'000;
-/// Of the rays that reach the open, the share by which one side has to have more to be out.
-constexpr double clear_vote = 0.15;
+/// One side is out where the other has at most this share of its rays that reach the open. A sheet is seen from
+/// both: from above a deep valley less than from below.
+constexpr double clear_vote = 0.2;
+/// A sheet whose area seen from above and that seen from below differ by less than this share stands upright.
+constexpr double upright_share = 0.1;
 
 /// Facets that belong together.
 class Groups {
@@ -119,10 +122,10 @@ OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight
     }
     if (front + back == 0) return OutwardSides::buried;
     if (patch.closed) return patch.volume < 0 ? OutwardSides::turned : OutwardSides::as_wound;
-    const double vote = (double(front) - double(back)) / double(front + back);
-    if (vote < -clear_vote) return OutwardSides::turned;
-    if (vote > clear_vote) return OutwardSides::as_wound;
-    return patch.up < 0 ? OutwardSides::turned : OutwardSides::as_wound;
+    if (double(front) <= clear_vote * double(back)) return OutwardSides::turned;
+    if (double(back) <= clear_vote * double(front)) return OutwardSides::as_wound;
+    const bool down = std::abs(patch.up) > upright_share * patch.areas.back() ? patch.up < 0 : front < back;
+    return down ? OutwardSides::turned : OutwardSides::as_wound;
 }
 
 } // namespace

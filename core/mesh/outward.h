@@ -3,10 +3,10 @@
 // as a whole:
 //
 //   closed patch   out is where its volume is positive
-//   open patch     out is the side from which more of the open can be seen (Takayama, Jacobson, Kavan,
+//   open patch     out is the side that sees the open where the other hardly does (Takayama, Jacobson, Kavan,
 //                  Sorkine-Hornung, "A simple method for correcting facet orientations in polygon meshes
 //                  based on ray casting", JCGT 3 (4), 2014): rays go from both sides of it in all directions
-//   sheet          seen as well from both sides: up (+Z) is out, and of an upright one what its winding says
+//   sheet          sees it from both sides: up (+Z) is out, and of an upright one the side that sees more
 //
 // A patch that sees the open from neither side is buried: it bounds nothing that a tool could cut.
 #pragma once

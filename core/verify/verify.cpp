@@ -40,13 +40,13 @@ std::string percent(double share) {
 }
 
 struct Radii {
-    double least = infinity, largest = 0;
+    double min = infinity, max = 0;
 };
 
 VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii, bool turns) {
     if (s.max_samples == 0) s.max_samples = turns ? samples_turning : samples_fixed;
     if (!(s.resolution > 0)) {
-        s.resolution = resolution_share * radii.least;
+        s.resolution = resolution_share * radii.min;
         for (int round = 0; round < 100; ++round) {
             const double rays = StockLattice::rays_over(stock.box, s.resolution);
             if (rays <= double(s.usual_rays)) break;
@@ -211,15 +211,15 @@ void find_starts_inside(Verification& v, const Mesh& part, const SurfaceSamples&
 }
 
 /// Why what was looked at says nothing of the whole; empty where it does.
-std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double least_radius) {
+std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double min_radius) {
     // A hollow, or a cutter's mark, is some times as wide as places looked at are apart.
     constexpr double coarsest = 0.5;
     const double spacing = std::max(samples.spacing, v.used.resolution);
-    if (spacing > coarsest * least_radius)
+    if (spacing > coarsest * min_radius)
         return "places looked at are " + length_text(spacing, LengthUnit::mm, 3)
-               + " apart, and a cutter has a radius of " + length_text(least_radius, LengthUnit::mm, 3)
+               + " apart, and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
                + ": ask for a resolution and a spacing of at most "
-               + length_text(coarsest * least_radius, LengthUnit::mm, 3);
+               + length_text(coarsest * min_radius, LengthUnit::mm, 3);
     if (v.used.tolerance > 0
         && std::find(samples.flags.begin(), samples.flags.end(), DeviationSurface::counted)
                == samples.flags.end())
@@ -240,14 +240,14 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     SurfaceSamples samples = sample_surface(part, v.used.sample_spacing, v.used.max_samples,
                                             progress.part(0.04, 0.08), sight_inset);
     const std::vector<Vec3> axes = cutting_axes(programs, progress);
-    flag_samples(samples, part, radii.largest, axes, progress.part(0.08, 0.15));
+    flag_samples(samples, part, radii.max, axes, progress.part(0.08, 0.15));
     double bound = finest_probe;
     if (v.used.tolerance > 0)
         bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
     const Probed probed = probe_samples(samples, stock, programs, v.used.allowance, v.used.gouge_limit, bound,
                                         progress.part(0.15, 0.95));
     merge(v.collisions, probed.collisions);
-    fill_figures(v, samples, probed, radii.least, progress);
+    fill_figures(v, samples, probed, radii.min, progress);
     find_uncut_reasons(v, samples, probed, programs, axes, progress.part(0.95, 0.99));
     v.remarks = remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples,
                            v.border.samples > 0);
@@ -255,7 +255,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
         v.remarks.push_back(std::to_string(sides.turned_facets)
                             + " facets are wound inward and were judged from the side that is outside.");
     find_starts_inside(v, part, samples, programs, progress);
-    v.not_judged = not_judged_why(v, samples, radii.least);
+    v.not_judged = not_judged_why(v, samples, radii.min);
     v.not_judged_share = !v.not_judged.empty() ? 1
                          : v.border.area > 0   ? v.border.area / (v.border.area + v.figures.area)
                                                : 0;
@@ -274,8 +274,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     std::size_t cuts = 0, misses = 0;
     bool turns = false;
     for (const VerifyProgram& p : programs) {
-        radii.least = std::min(radii.least, p.tool.cutter.max_radius());
-        radii.largest = std::max(radii.largest, p.tool.cutter.max_radius());
+        radii.min = std::min(radii.min, p.tool.cutter.max_radius());
+        radii.max = std::max(radii.max, p.tool.cutter.max_radius());
         const Reach reach = reach_of(p, stock.box, progress);
         turns = turns || reach.turns;
         cuts += reach.cuts;

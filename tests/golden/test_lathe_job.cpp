@@ -58,7 +58,7 @@ private slots:
         QVERIFY2(run.status == 0, run.err);
         const QString job = part + ".facetmill";
         sandbox_.write(job, QByteArray(lathe_project).replace("PART", part.toUtf8()));
-        run = run_cli({"simulate", job, "--resolution", "1", "--spacing", "1.2", "-o", "verified"},
+        run = run_cli({"simulate", job, "--resolution", "0.79", "--spacing", "0.79", "-o", "verified"},
                       sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
         const QJsonObject v = json(run.out);

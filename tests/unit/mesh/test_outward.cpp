@@ -107,6 +107,13 @@ private slots:
         QCOMPARE(outward_sides(sheet, Progress()).turned_facets, sheet.facet_count());
     }
 
+    /// Seen from below a sheet with a deep valley is convex, and has more of the open about it.
+    void valleys_face_up() {
+        const Mesh valley = height_field([](double x, double) { return -4 * std::max(0.0, 5 - std::abs(x)); },
+                                         Vec2(-16, -10), Vec2(16, 10), 64, 4);
+        QCOMPARE(outward_sides(valley, Progress()).turned_facets, std::size_t(0));
+    }
+
     /// The same facets twice, the second time the other way round: each finds the same outside.
     void doubled_facets() {
         const Mesh right = dome(10, 8);
