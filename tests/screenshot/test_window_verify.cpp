@@ -167,6 +167,41 @@ private slots:
         shot(*controller().panel(), QStringLiteral("verify-panel"));
     }
 
+    /// A path that ends half-way leaves half of the part: failed with the reason, until the user allows it.
+    void what_stays_uncut_fails_until_it_is_allowed() {
+        QVERIFY(open_and_plan());
+        auto& d = w().document();
+        auto half = std::make_shared<OperationResult>(*d.result(0));
+        auto& motions = half->program.motions.motions;
+        motions.resize(motions.size() / 2);
+        const auto take_half = [&] {
+            d.take({{d.operation_id(0), half, {}, Document::fingerprint(d.project(), 0)}});
+            return verify();
+        };
+        QVERIFY(take_half());
+        const VerificationModel& model = controller().model();
+        QCOMPARE(model.verdict(), ui::Verdict::failed);
+        QVERIFY(!model.verification().gouged() && model.verification().uncut_share > 0.3);
+        QVERIFY2(controller().panel()->verdict_line().contains(QStringLiteral("left uncut")),
+                 qPrintable(controller().panel()->verdict_line()));
+        QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("a tool fits but does not go there")));
+        QVERIFY(badge_row()->toolTip(1).contains(QStringLiteral("left uncut")));
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        shot(w(), QStringLiteral("verify-uncut"));
+        // The limit is a node of the project, undone as any edit.
+        w().tree().select({TreeNode::Kind::limits, 0});
+        shot(w(), QStringLiteral("verify-limits"));
+        enter(w(), "uncut_limit", QStringLiteral("0.9"));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(d.project().limits.uncut_limit, 0.9);
+        QCOMPARE(model.verdict(), ui::Verdict::stale);
+        QVERIFY(verify());
+        QCOMPARE(model.verdict(), ui::Verdict::verified);
+        d.undo_stack().undo();
+        QCOMPARE(d.project().limits.uncut_limit, 0.02);
+        QCOMPARE(model.verdict(), ui::Verdict::stale);
+    }
+
     void an_edit_makes_it_stale() {
         QVERIFY(open_and_plan());
         QVERIFY(verify());
