@@ -4,6 +4,7 @@
 #include "app/cli_session.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/output/apt.h"
 
 #ifdef FACETMILL_HAS_PICTURES
 #include "core/base/parallel.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <iterator>
 #endif
 
 namespace facetmill::cli {
@@ -117,8 +119,61 @@ void run_cspace(const Arguments& arguments, Session& session) {
     print_picture(render_cspace(request), arguments, session);
 }
 
+/// What a picture of a project shows: planned, or of CL files, and verified where its layers ask for that.
+PlanResult shown_project(const Arguments& arguments, const Project& project, RenderRequest& request,
+                         const Progress& progress) {
+    Planner planner;
+    PlanResult result;
+    const auto wants = [&](std::initializer_list<Layer> layers) {
+        return std::find_first_of(request.layers.begin(), request.layers.end(), layers.begin(), layers.end())
+               != request.layers.end();
+    };
+    const bool verifies = wants({Layer::deviation, Layer::findings});
+    const std::vector<std::string> cl_files = arguments.values("--cl");
+    if (cl_files.empty() && !verifies && !wants({Layer::cc, Layer::cl, Layer::strips, Layer::tool})) {
+        result.part = planner.prepare(project, progress);
+        result.stock = stock_solid(project.stock, *result.part);
+        return result;
+    }
+    const Progress planning = progress.part(0.0, verifies ? 0.5 : 1.0);
+    std::vector<VerifyProgram> programs;
+    VerifySettings settings;
+    if (cl_files.empty()) {
+        const auto plan = planner.plan(project, arguments.value("--op"), planning);
+        result = *plan;
+        programs = verify_programs(project, plan);
+        settings = verify_settings(project, plan.get());
+    } else {
+        result.part = planner.prepare(project, planning.part(0.0, 0.5));
+        result.stock = stock_solid(project.stock, *result.part);
+        for (const std::string& file : cl_files) {
+            ClFilePrograms cl = read_verify_programs(project, file, planning.part(0.5, 1.0, "Reading CL"));
+            for (const auto& section : cl.sections) {
+                auto operation = std::make_shared<OperationResult>();
+                operation->name = std::filesystem::path(file).filename().string();
+                operation->program = *section;
+                result.operations.push_back(std::move(operation));
+            }
+            std::move(cl.programs.begin(), cl.programs.end(), std::back_inserter(programs));
+        }
+        settings = verify_settings(project, nullptr);
+    }
+    if (!verifies) return result;
+    const Progress verifying = progress.part(0.5, 1.0);
+    settings.max_samples = 400'000; // a picture shows no more
+    request.verification = std::make_shared<const Verification>(
+        verify(*result.part->mesh, result.stock, programs, settings, verifying.part(0.0, 0.9)));
+    // It would hide the colours.
+    if (wants({Layer::stock}) && !wants({Layer::deviation}))
+        request.cut_stock = cut_stock(result.stock, programs, *request.verification,
+                                      verifying.part(0.9, 1.0, "Making the stock's surface"));
+    return result;
+}
+
 void run_render(const Arguments& arguments, Session& session) {
     if (arguments.value("--show") == "cspace") return run_cspace(arguments, session);
+    if (arguments.has("--cl") && arguments.has("--op"))
+        throw Error(ErrorCode::usage, "--op", "CL files are shown instead of a plan", "give --cl or --op");
     if (arguments.has("--point"))
         throw Error(ErrorCode::usage, "--point", "is for --show cspace", "leave it out");
     const std::string input = arguments.operand(0);
@@ -142,38 +197,14 @@ void run_render(const Arguments& arguments, Session& session) {
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
         const Project project = load_project(input);
         keep_inputs(project, input, arguments.value("-o"));
-        Planner planner;
-        PlanResult result;
-        const auto wants = [&](std::initializer_list<Layer> layers) {
-            return std::find_first_of(request.layers.begin(), request.layers.end(), layers.begin(),
-                                      layers.end())
-                   != request.layers.end();
-        };
-        const bool verifies = wants({Layer::deviation, Layer::findings});
-        if (verifies || wants({Layer::cc, Layer::cl, Layer::strips, Layer::tool})) {
-            const double planned = verifies ? 0.3 : 0.6;
-            const auto plan = planner.plan(project, arguments.value("--op"), progress.part(0.0, planned));
-            result = *plan;
-            if (verifies) {
-                const Progress verifying = progress.part(planned, 0.55);
-                const auto programs = verify_programs(project, plan);
-                VerifySettings settings = verify_settings(project, plan.get());
-                settings.max_samples = 400'000; // a picture shows no more
-                request.verification = std::make_shared<const Verification>(
-                    verify(*plan->part->mesh, plan->stock, programs, settings, verifying));
-                // It would hide the colours.
-                if (wants({Layer::stock}) && !wants({Layer::deviation}))
-                    request.cut_stock = cut_stock(plan->stock, programs, *request.verification,
-                                                  progress.part(0.55, 0.6, "Making the stock's surface"));
-            }
-        } else {
-            result.part = planner.prepare(project, progress.part(0.0, 0.6));
-            result.stock = stock_solid(project.stock, *result.part);
-        }
+        for (const std::string& file : arguments.values("--cl"))
+            refuse_to_overwrite(file, arguments.value("-o"));
+        const PlanResult result = shown_project(arguments, project, request, progress.part(0.0, 0.6));
         take_plan(request, project, result);
     } else {
-        if (arguments.has("--op"))
-            throw Error(ErrorCode::usage, "--op", "a mesh has no operations", "give a project");
+        for (const char* option : {"--op", "--cl"})
+            if (arguments.has(option))
+                throw Error(ErrorCode::usage, option, "a mesh has no operations", "give a project");
         request.part = load_mesh(input, unit, progress.part(0.0, 0.5, "Reading the part")).mesh;
         request.unit = unit;
         request.title = std::filesystem::path(input).filename().string();
@@ -215,6 +246,10 @@ Command render_command() {
                      .help = "what to draw (default: part, of a project part,stock,cl)"},
                     {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
                     {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
+                    {.name = "--cl",
+                     .value = "FILE" + apt_writer().extension,
+                     .help = "shows this file instead of a plan, without planning; more than one in order",
+                     .repeated = true},
                     {.name = "--point",
                      .value = "I",
                      .help = "with --show cspace: number of the contact point, from 0"},

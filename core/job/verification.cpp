@@ -221,6 +221,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
         VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
         result.programs.push_back(
             {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt});
+        result.sections.push_back(section);
     }
     return result;
 }

@@ -18,6 +18,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
 /// A CL file as programs to verify: one per operation and tool in it.
 struct ClFilePrograms {
     std::vector<VerifyProgram> programs;
+    std::vector<std::shared_ptr<const ClSection>> sections; ///< one for each program
     std::vector<std::string> ignored; ///< statements that were read over
     std::vector<std::string> remarks; ///< one sentence each: shank and holder are not known, or were guessed
 };

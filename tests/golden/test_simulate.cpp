@@ -472,6 +472,32 @@ private slots:
 
 #ifdef FACETMILL_HAS_PICTURES
     /// Beside findings the stock is drawn as it is left.
+    /// A program is drawn as it is, also in a project that could not be planned.
+    void pictures_show_programs_that_are_there() {
+        Sandbox s;
+        QByteArray text = plate_project;
+        const auto operations = text.indexOf("\"operations\"");
+        text = text.left(operations) + "\"operations\": [] }";
+        prepared_plate(s, cl(), text);
+        const auto render = [&](const QStringList& words) {
+            return run_cli(QStringList{"render", "job.facetmill", "--size", "200x150", "-o", "p.png"} + words,
+                           s.path());
+        };
+        QCOMPARE(render({"--show", "cl"}).status, 1); // nothing is planned
+        const CliRun drawn = render({"--show", "part,cl", "--cl", "path.apt"});
+        QVERIFY2(drawn.status == 0, drawn.err.constData());
+        QFile file(s.path() + "/p.png");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray with = file.readAll();
+        file.close();
+        QCOMPARE(render({"--show", "part"}).status, 0);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(with.startsWith("\x89PNG") && with != file.readAll());
+        QCOMPARE(render({"--cl", "path.apt", "--op", "Finish"}).status, 2);
+        QCOMPARE(render({"--cl", "none.apt"}).status, 1);
+        QCOMPARE(run_cli({"render", "part.stl", "--cl", "path.apt", "-o", "q.png"}, s.path()).status, 2);
+    }
+
     void pictures_show_what_is_left_of_the_stock() {
         Sandbox s;
         QByteArray text = plate_project;
