@@ -19,14 +19,21 @@ MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
 }
 
 bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
-    bool hit = false;
-    tree_.each([&](const Box3& box) { return !hit && meets(box, p, d); },
-               [&](std::size_t facet) { hit = hit || meets(facet, p, d); });
-    return !hit;
+    bool blocked = false;
+    tree_.each([&](const Box3& box) { return !blocked && meets(box, p, d, infinity); },
+               [&](std::size_t facet) { blocked = blocked || hit(facet, p, d) < infinity; });
+    return !blocked;
 }
 
-bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d) const {
-    double from = start_, to = infinity;
+double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
+    double nearest = infinity;
+    tree_.each([&](const Box3& box) { return meets(box, p, d, nearest); },
+               [&](std::size_t facet) { nearest = std::min(nearest, hit(facet, p, d)); });
+    return nearest;
+}
+
+bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const {
+    double from = start_, to = before;
     for (int k = 0; k < 3; ++k) {
         const double a = box.lo[k] - start_ - p[k], b = box.hi[k] + start_ - p[k];
         if (d[k] == 0) {
@@ -39,14 +46,15 @@ bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d) const {
     return from <= to;
 }
 
-bool MeshSight::meets(std::size_t facet, const Vec3& p, const Vec3& d) const {
+/// How far the ray goes to the facet; infinity where it passes it by.
+double MeshSight::hit(std::size_t facet, const Vec3& p, const Vec3& d) const {
     const Vec3 &a = mesh_.corner(facet, 0), e1 = mesh_.corner(facet, 1) - a, e2 = mesh_.corner(facet, 2) - a;
     const Vec3 across = d.cross(e2);
     const double steep = e1.dot(across);
-    if (steep == 0) return false;
+    if (steep == 0) return infinity;
     const Vec3 from = p - a, turned = from.cross(e1);
-    const double v = from.dot(across) / steep, w = d.dot(turned) / steep;
-    return v >= 0 && w >= 0 && v + w <= 1 && e2.dot(turned) / steep > start_;
+    const double v = from.dot(across) / steep, w = d.dot(turned) / steep, t = e2.dot(turned) / steep;
+    return v >= 0 && w >= 0 && v + w <= 1 && t > start_ ? t : infinity;
 }
 
 } // namespace facetmill

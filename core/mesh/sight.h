@@ -16,9 +16,12 @@ public:
     /// ray from a point of a facet leaves that facet and its doubles behind. d is a unit vector.
     bool is_free(const Vec3& p, const Vec3& d) const;
 
+    /// How far it is along such a ray to the first facet; infinity where there is none.
+    double first_hit(const Vec3& p, const Vec3& d) const;
+
 private:
-    bool meets(const Box3& box, const Vec3& p, const Vec3& d) const;
-    bool meets(std::size_t facet, const Vec3& p, const Vec3& d) const;
+    bool meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const;
+    double hit(std::size_t facet, const Vec3& p, const Vec3& d) const;
 
     const Mesh& mesh_;
     BoxTree tree_;

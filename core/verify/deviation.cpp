@@ -102,10 +102,10 @@ struct BlockFindings {
 /// here, so each thread remembers it.
 class SampleProbe {
 public:
-    SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, double allowance,
-                double gouge_limit)
-        : bodies_(bodies), exit_of_(exit_of), allowance_(allowance), gouge_limit_(gouge_limit),
-          collision_limit_(std::max(gouge_limit, tolerance::collision_depth)),
+    SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, const MeshSight& sight,
+                const ProbeAims& aims)
+        : bodies_(bodies), exit_of_(exit_of), sight_(sight), aims_(aims),
+          collision_limit_(std::max(aims.gouge_limit, tolerance::collision_depth)),
           deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index) {
         findings_.program_gouges.assign(bodies.size(), 0);
     }
@@ -114,7 +114,7 @@ public:
     /// How deep the sample's point comes to lie inside a cutter, as a deviation below 0; where it never does,
     /// what is left on it. Sets the flag `bare`.
     double operator()(const Vec3& surface, const Vec3& normal, std::uint8_t& flags, MotionPlace& by) {
-        const Vec3 p = surface + allowance_ * normal;
+        const Vec3 p = surface + aims_.allowance * normal;
         double value = exit_of_(p, normal);
         if (value < 0) {
             flags |= DeviationSurface::bare;
@@ -122,7 +122,9 @@ public:
         }
         collide(surface);
         const double depth = gouge(surface, by);
-        return depth > 0 ? -depth : left(p, normal, value, by);
+        if (depth > 0) return -depth;
+        value = left(p, normal, value, by);
+        return value > aims_.far ? std::min(value, sight_.first_hit(p, normal)) : value;
     }
 
 private:
@@ -131,14 +133,14 @@ private:
     double gouge(const Vec3& surface, MotionPlace& by) {
         double deepest = 0;
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            DepthProbe probe{-allowance_, no_index};
+            DepthProbe probe{-aims_.allowance, no_index};
             if (!bodies_[b].cutting.deepen(surface, deep_hints_[b], probe)) continue;
             deep_hints_[b] = probe.motion;
-            const double depth = probe.depth + allowance_;
+            const double depth = probe.depth + aims_.allowance;
             findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
             if (!(depth > deepest)) continue;
             deepest = depth;
-            by = {b, depth > gouge_limit_ ? bodies_[b].cutting.first_as_deep(surface, probe) : probe.motion};
+            by = {b, depth > aims_.gouge_limit ? bodies_[b].cutting.first_as_deep(surface, probe) : probe.motion};
         }
         return deepest;
     }
@@ -164,19 +166,21 @@ private:
 
     const std::vector<ProgramProbes>& bodies_;
     const StockExit& exit_of_;
-    double allowance_, gouge_limit_, collision_limit_;
+    const MeshSight& sight_;
+    const ProbeAims& aims_;
+    double collision_limit_;
     std::vector<Index> deep_hints_, hints_;
     BlockFindings findings_;
 };
 
 } // namespace
 
-Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
-                     std::span<const VerifyProgram> programs, double allowance, double gouge_limit,
-                     double bound, const Progress& progress) {
+Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const StockSolid& stock,
+                     std::span<const VerifyProgram> programs, const ProbeAims& aims,
+                     const Progress& progress) {
     std::vector<ProgramProbes> bodies;
     for (const VerifyProgram& program : programs)
-        bodies.push_back(ProgramProbes::of(program, bound, progress));
+        bodies.push_back(ProgramProbes::of(program, aims.bound, progress));
     const StockExit exit_of(stock, progress);
     const std::size_t n = samples.points.size();
     const std::vector<std::uint32_t> order = neighbors_together(samples.points, progress);
@@ -187,7 +191,7 @@ Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
     probed.program_gouges.assign(bodies.size(), 0);
     std::vector<BlockFindings> found((n + probes_per_block - 1) / probes_per_block);
     parallel_blocks(n, probes_per_block, progress.part(0.05, 1.0), [&](std::size_t begin, std::size_t end) {
-        SampleProbe probe(bodies, exit_of, allowance, gouge_limit);
+        SampleProbe probe(bodies, exit_of, sight, aims);
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t i = order[k];
             probed.deviation[i] =

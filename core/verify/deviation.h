@@ -19,12 +19,21 @@ struct Probed {
     std::vector<Collision> collisions;
 };
 
-/// Probes the samples of the part grown by `allowance` (mm), and sets the flag `bare` of those that the stock
-/// does not reach. Where axes turn, the probes are exact to `bound` (mm). What is missing by less than
-/// `gouge_limit` is no collision.
-Probed probe_samples(SurfaceSamples& samples, const StockSolid& stock,
-                     std::span<const VerifyProgram> programs, double allowance, double gouge_limit,
-                     double bound, const Progress& progress);
+/// What the probes hold against what is left.
+struct ProbeAims {
+    double allowance = 0;   ///< mm
+    double gouge_limit = 0; ///< mm
+    double far = infinity;  ///< mm; from there on it is asked whether the part itself ends what stands
+    double bound = 1e-4;    ///< mm; where axes turn
+};
+
+/// Probes the samples of the part grown by the allowance, and sets the flag `bare` of those that the stock
+/// does not reach. Where axes turn, the probes are exact to the bound. What is missing by less than the gouge
+/// limit is no collision. What stands on a sample ends at the latest where its normal meets the part again:
+/// beyond, it stands on another place.
+Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const StockSolid& stock,
+                     std::span<const VerifyProgram> programs, const ProbeAims& aims,
+                     const Progress& progress);
 
 /// Fills in figures, `program_gouges` (one per program), border, bands, gouges and excess. The extremes are
 /// at least `apart` (mm) from each other.

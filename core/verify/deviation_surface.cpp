@@ -5,7 +5,6 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/geometry.h"
-#include "core/mesh/sight.h"
 #include "core/mesh/box_tree.h"
 #include "core/verify/sweep.h"
 
@@ -384,15 +383,14 @@ double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 } // namespace
 
-void flag_samples(SurfaceSamples& s, const Mesh& part, double cutter_radius, const std::vector<Vec3>& axes,
-                  const Progress& progress) {
+void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, double cutter_radius,
+                  const std::vector<Vec3>& axes, const Progress& progress) {
     const auto& open = s.open_edges;
     std::vector<Box3> boxes(open.size());
     for (std::size_t i = 0; i < open.size(); ++i)
         for (Index v : open[i])
             boxes[i].add(part.vertices[v]);
     const BoxTree tree(boxes, progress);
-    const MeshSight sight(part, progress);
     const auto seen_along = [&](std::size_t i, const Vec3& axis) {
         return axis.dot(s.normals[i]) > tolerance::vertical_normal_z && sight.is_free(s.places[i], axis);
     };

@@ -1,6 +1,7 @@
 // The places of the part's surface at which it is compared with what is left.
 #pragma once
 
+#include "core/mesh/sight.h"
 #include "core/verify/verify.h"
 
 #include <vector>
@@ -39,7 +40,7 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
 /// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet), `away`
 /// (steeper than any of `axes` reaches) and `hidden` (faces some of `axes`, and the part is in the way of
 /// them all).
-void flag_samples(SurfaceSamples& samples, const Mesh& part, double cutter_radius,
+void flag_samples(SurfaceSamples& samples, const Mesh& part, const MeshSight& sight, double cutter_radius,
                   const std::vector<Vec3>& axes, const Progress& progress);
 
 /// Says where lines that run from the part outward leave the stock.

@@ -240,12 +240,17 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     SurfaceSamples samples = sample_surface(part, v.used.sample_spacing, v.used.max_samples,
                                             progress.part(0.04, 0.08), sight_inset);
     const std::vector<Vec3> axes = cutting_axes(programs, progress);
-    flag_samples(samples, part, radii.max, axes, progress.part(0.08, 0.15));
-    double bound = finest_probe;
-    if (v.used.tolerance > 0)
-        bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
-    const Probed probed = probe_samples(samples, stock, programs, v.used.allowance, v.used.gouge_limit, bound,
-                                        progress.part(0.15, 0.95));
+    const MeshSight sight(part, progress);
+    flag_samples(samples, part, sight, radii.max, axes, progress.part(0.08, 0.15));
+    ProbeAims aims;
+    aims.allowance = v.used.allowance;
+    aims.gouge_limit = v.used.gouge_limit;
+    aims.bound = finest_probe;
+    if (v.used.tolerance > 0) {
+        aims.bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
+        aims.far = 2 * v.used.tolerance;
+    }
+    const Probed probed = probe_samples(samples, sight, stock, programs, aims, progress.part(0.15, 0.95));
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
     find_uncut_reasons(v, samples, probed, programs, axes, progress.part(0.95, 0.99));

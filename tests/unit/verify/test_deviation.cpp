@@ -62,10 +62,11 @@ Outcome probe(const Mesh& part, const StockSolid& stock, const std::vector<Verif
     for (const auto& p : programs)
         radius = std::max(radius, p.tool.cutter.max_radius());
     o.samples = sample_surface(part, spacing, 1'000'000, Progress());
-    flag_samples(o.samples, part, radius, cutting_axes(programs, Progress()), Progress());
+    const MeshSight sight(part, Progress());
+    flag_samples(o.samples, part, sight, radius, cutting_axes(programs, Progress()), Progress());
     o.verification.used.tolerance = tolerance;
     o.verification.used.gouge_limit = 1e-4;
-    o.probed = probe_samples(o.samples, stock, programs, allowance, 1e-4, 1e-4, Progress());
+    o.probed = probe_samples(o.samples, sight, stock, programs, {allowance, 1e-4, 2 * tolerance, 1e-4}, Progress());
     o.verification.program_gouges.assign(programs.size(), 0);
     fill_figures(o.verification, o.samples, o.probed, radius, Progress());
     return o;
@@ -787,8 +788,9 @@ private slots:
         Job job;
         job.cancel();
         SurfaceSamples samples = one.samples;
-        QVERIFY_THROWS_EXCEPTION(
-            Cancelled, probe_samples(samples, block_over(part, 5), programs, 0, 1e-4, 1e-4, Progress(job)));
+        const MeshSight sight(part, Progress());
+        QVERIFY_THROWS_EXCEPTION(Cancelled, probe_samples(samples, sight, block_over(part, 5), programs, {},
+                                                          Progress(job)));
     }
 };
 

@@ -170,6 +170,22 @@ private slots:
         QVERIFY(reason(v, UncutReason::Why::not_cut) && !reason(v, UncutReason::Why::no_tool));
     }
 
+    /// In a slot that nobody cuts what stands on a wall ends at the other one, however long the block is.
+    void what_stands_ends_at_the_part() {
+        const Mesh part = grooved(6, 5);
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 1;
+        const Verification v = judged(part, stock, lines(flat_tool(12), Vec2(-30, -20), Vec2(30, 20), 0, 8));
+        const DeviationSurface& s = *v.surface;
+        std::size_t on_walls = 0;
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            if (std::abs(s.normals[i][1]) < 0.9f || std::abs(s.points[i][1]) > 4 || s.points[i][2] > -0.01f) continue;
+            ++on_walls;
+            QVERIFY2(std::abs(s.deviation[i] - 6) < 1e-4, qPrintable(QString::number(double(s.deviation[i]))));
+        }
+        QVERIFY(on_walls > 100);
+    }
+
     void a_stock_smaller_than_the_part() {
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
         StockSolid stock = stock_of(part.box());
