@@ -115,15 +115,16 @@ Command simulate_command() {
         .operands = {"PROJECT"},
         .summary =
             "Removes material and compares with the part: writes stock.stl, deviation.vtp, verify.json.",
-        .help =
-            "Plans the project first, or takes CL files (" + apt_writer().label
-            + ") instead. Prints verify.json. Either all files "
-              "appear or none.\n"
-              "Exit status 1 also when a gouge or collision is found, more stays uncut than may, or nothing can "
-            "be said of\n"
-            "the whole: the files are written then, and the figures are on stderr. Shank and holder are those of the project's tool with the CL file's tool number; of a "
-              "file without\n"
-              "LOADTL those of tool 1 where it has the same cutter.",
+        .help = "Plans the project first, or takes CL files (" + apt_writer().label
+                + ") instead. Prints verify.json. Either all files "
+                  "appear or none.\n"
+                  "Exit status 1 also when a gouge or collision is found, more stays uncut than may, or "
+                  "nothing can "
+                  "be said of\n"
+                  "the whole: the files are written then, and the figures are on stderr. Shank and holder "
+                  "are those of the project's tool with the CL file's tool number; of a "
+                  "file without\n"
+                  "LOADTL those of tool 1 where it has the same cutter.",
         .options = {{.name = "--cl",
                      .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",
@@ -140,7 +141,8 @@ Command simulate_command() {
                      .help = "what is a gouge, in the project's units (default: the project's)"},
                     {.name = "--uncut-limit",
                      .value = "U",
-                     .help = "the share of the surface to be cut that may stay uncut (default: the project's)"},
+                     .help =
+                         "the share of the surface to be cut that may stay uncut (default: the project's)"},
                     threads_option(),
                     {.name = "-o",
                      .value = "DIR",

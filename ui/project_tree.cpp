@@ -334,7 +334,7 @@ void ProjectTree::show_verdicts() {
                                   : verdict == Verdict::failed ? icon(Icon::verify_failed)
                                   : verdict == Verdict::stale || verdict == Verdict::not_judged
                                       ? icon(Icon::verify_stale)
-                                                               : QIcon());
+                                      : QIcon());
         it->setToolTip(badge_column, verdict == Verdict::none ? QString() : verification_->why(i));
         it->setData(badge_column, Qt::AccessibleTextRole, verdict_text(verdict));
     }

@@ -144,9 +144,10 @@ void VerificationController::verify() {
                 emit said(MessageBar::Kind::information,
                           tr("Verified in %1: no gouge, no collision.").arg(took), true);
             else if (v.verdict() == facetmill::Verdict::not_judged)
-                emit said(MessageBar::Kind::warning,
-                          tr("Not verified (in %1), it cannot be judged: %2.").arg(took, model_.failure_text()),
-                          true);
+                emit said(
+                    MessageBar::Kind::warning,
+                    tr("Not verified (in %1), it cannot be judged: %2.").arg(took, model_.failure_text()),
+                    true);
             else
                 emit said(MessageBar::Kind::warning,
                           tr("Verification failed (in %1): %2.").arg(took, model_.failure_text()), true);

@@ -79,7 +79,8 @@ void VerificationModel::clear() {
 bool VerificationModel::is_current() const {
     if (!outcome_ || !document_.part_is_current()
         || outcome_->part_key != Document::part_key(document_.project())
-        || outcome_->limits != document_.project().limits || outcome_->ids.size() != document_.operation_count())
+        || outcome_->limits != document_.project().limits
+        || outcome_->ids.size() != document_.operation_count())
         return false;
     for (std::size_t i = 0; i < outcome_->ids.size(); ++i)
         if (document_.operation_id(i) != outcome_->ids[i] || document_.state(i) != OperationState::planned
@@ -125,10 +126,10 @@ bool VerificationModel::gouges_are_cut_off() const {
     return v.gouged() && (v.gouges.empty() || v.gouges.size() >= listed_gouges || nameless);
 }
 
-Verdict VerificationModel::verdict() const {
-    if (!outcome_) return Verdict::none;
-    if (!current_) return Verdict::stale;
-    switch (verification().verdict()) {
+namespace {
+
+Verdict shown(facetmill::Verdict verdict) {
+    switch (verdict) {
     case facetmill::Verdict::verified:
         return Verdict::verified;
     case facetmill::Verdict::failed:
@@ -139,19 +140,23 @@ Verdict VerificationModel::verdict() const {
     return Verdict::not_judged;
 }
 
+} // namespace
+
+Verdict VerificationModel::verdict() const {
+    if (!outcome_) return Verdict::none;
+    if (!current_) return Verdict::stale;
+    return shown(verification().verdict());
+}
+
 Verdict VerificationModel::verdict(std::size_t operation) const {
     const auto at = judged(operation);
     if (!at) return Verdict::none;
     if (!current_) return Verdict::stale;
-    const Verdict whole = verdict();
-    if (whole != Verdict::failed) return whole;
-    // What stays uncut is the fault of no single operation: it is told of all of them.
-    return found_in(*at) || gouges_are_cut_off() || uncut_fails() ? Verdict::failed : Verdict::verified;
+    return shown(verification().verdict_where(found_in(*at) || gouges_are_cut_off()));
 }
 
 bool VerificationModel::uncut_fails() const {
-    const Verification& v = verification();
-    return v.not_judged.empty() && v.left_uncut();
+    return verification().left_uncut();
 }
 
 QString VerificationModel::why(std::size_t operation) const {
@@ -159,7 +164,8 @@ QString VerificationModel::why(std::size_t operation) const {
     if (!at) return verdict_text(Verdict::none);
     if (!current_) return tr("Verification out of date: the project has changed since");
     if (verdict(operation) == Verdict::not_judged)
-        return tr("Cannot be judged: %1").arg(with_lengths_in(text(verification().not_judged), document_.unit()));
+        return tr("Cannot be judged: %1")
+            .arg(with_lengths_in(text(verification().not_judged), document_.unit()));
     if (verdict(operation) == Verdict::verified) return tr("Verified: no gouge, no collision");
     double deepest = 0;
     std::size_t gouges = 0, collisions = 0;

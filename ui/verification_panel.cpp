@@ -250,10 +250,11 @@ QString VerificationPanel::figures_html() const {
     html += row(tr("… largest"), length(f.excess_max));
     if (v.used.tolerance > 0) {
         html += row(tr("Over the tolerance %1").arg(length(v.used.tolerance)), percent_text(f.over_fraction));
-        html += row(tr("Uncut, allowed %1").arg(percent_text(v.used.uncut_limit)), percent_text(v.uncut_share),
-                    v.left_uncut()        ? signal.bad.name()
-                    : v.uncut_share > 0 ? signal.attention.name()
-                                          : QString());
+        html +=
+            row(tr("Uncut, allowed %1").arg(percent_text(v.used.uncut_limit)), percent_text(v.uncut_share),
+                v.left_uncut()      ? signal.bad.name()
+                : v.uncut_share > 0 ? signal.attention.name()
+                                    : QString());
         for (const UncutReason& r : v.uncut)
             html += row(tr("… %1").arg(text(uncut_reason_text(r.why))),
                         tr("%1, up to %2").arg(shown_area(r.area, unit), length(r.excess_max)));

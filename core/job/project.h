@@ -33,7 +33,7 @@ struct Project {
     PartSpec part;
     StockSpec stock;
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
-    VerifyLimits limits;                  ///< key "verification"
+    VerifyLimits limits;                    ///< key "verification"
     std::vector<Tool> tools;
     std::vector<std::unique_ptr<Operation>> operations;
 

@@ -311,10 +311,7 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
         one["motions"] = programs[i].motions->motions.size();
         one["gouge_max"] = n.length(v.program_gouges[i]);
         one["collisions"] = count;
-        const bool found = count > 0 || v.program_gouges[i] > v.used.gouge_limit;
-        one["verdict"] = verdict_name(found                    ? Verdict::failed
-                                      : v.not_judged.empty() ? Verdict::verified
-                                                             : Verdict::not_judged);
+        one["verdict"] = verdict_name(v.verdict_where(count > 0 || v.program_gouges[i] > v.used.gouge_limit));
         operations.push_back(std::move(one));
     }
     out["operations"] = std::move(operations);
@@ -371,7 +368,7 @@ std::string findings_line(const Project& project, std::span<const VerifyProgram>
                 + ")";
     }
     const auto join = [&](const std::string& more) { line += (line.empty() ? "" : "; ") + more; };
-    if (v.not_judged.empty() && v.left_uncut())
+    if (v.left_uncut())
         join(uncut_text(v, project.unit));
     else if (!line.empty())
         join("excess " + length_text(v.figures.excess_max, project.unit));

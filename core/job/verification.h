@@ -19,7 +19,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
 struct ClFilePrograms {
     std::vector<VerifyProgram> programs;
     std::vector<std::shared_ptr<const ClSection>> sections; ///< one for each program
-    std::vector<std::string> ignored; ///< statements that were read over
+    std::vector<std::string> ignored;                       ///< statements that were read over
     std::vector<std::string> remarks; ///< one sentence each: shank and holder are not known, or were guessed
 };
 /// Cutters of the file's CUTTER statements; shank and holder of the project's tool of the file's number, if

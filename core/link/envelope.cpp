@@ -57,7 +57,8 @@ double angle(const Vec3& a, const Vec3& b) {
 Vec3 turned(const Vec3& from, const Vec3& to, double share) {
     const double whole = angle(from, to);
     if (!(whole > tolerance::level_angle)) return to;
-    return ((std::sin((1 - share) * whole) * from + std::sin(share * whole) * to) / std::sin(whole)).normalized();
+    return ((std::sin((1 - share) * whole) * from + std::sin(share * whole) * to) / std::sin(whole))
+        .normalized();
 }
 
 double length_of(const std::vector<CutterLocation>& route) {
@@ -86,12 +87,15 @@ Envelope::Envelope(const EnvelopeInput& in) {
         if (!b.empty()) box_.add(b);
     center_ = box_.center();
     const double wide = widest(*in.tool, in.cutter_radius);
-    level_ = std::max(box_.hi.z(), in.highest_tip)
-             + reach_below(*in.tool, in.cutter_radius, in.lowest_axis_z) + in.clearance;
+    level_ = std::max(box_.hi.z(), in.highest_tip) + reach_below(*in.tool, in.cutter_radius, in.lowest_axis_z)
+             + in.clearance;
     // Chords between places of the sphere run within it.
     radius_ = (0.5 * box_.size().norm() + wide + in.clearance) / std::cos(0.5 * rapid_turn);
     clearance_ = in.clearance;
     free_behind_ = widens_upward(*in.tool, in.cutter_radius);
+    tool_length_ = in.tool->flute_length + in.tool->shank_length;
+    for (const HolderSection& section : in.tool->holder)
+        tool_length_ += section.length;
     cutter_radius_ = in.cutter_radius;
 }
 
@@ -102,7 +106,8 @@ CutterLocation Envelope::out_of_stock(const CutterLocation& at) const {
         const double beyond =
             clearance_ + cutter_radius_ * std::sqrt(std::max(0.0, 1 - at.axis[k] * at.axis[k]));
         const double low = box_.lo[k] - beyond, high = box_.hi[k] + beyond;
-        if (at.tip[k] < low || at.tip[k] > high) return at;
+        // Beyond a side and not leaning back over it, the whole tool is out. Else it leaves by the other one.
+        if ((at.tip[k] < low && at.axis[k] <= 0) || (at.tip[k] > high && at.axis[k] >= 0)) return at;
         if (at.axis[k] > 0) exit = std::min(exit, (high - at.tip[k]) / at.axis[k]);
         if (at.axis[k] < 0) exit = std::min(exit, (low - at.tip[k]) / at.axis[k]);
     }
@@ -111,7 +116,8 @@ CutterLocation Envelope::out_of_stock(const CutterLocation& at) const {
 
 CutterLocation Envelope::off_part(const CutterLocation& at) const {
     CutterLocation out = out_of_stock(at);
-    if (free_behind_ && (out.tip - at.tip).norm() > clearance_) out.tip = at.tip + clearance_ * at.axis;
+    const double far = (out.tip - at.tip).norm();
+    if (free_behind_ && far > clearance_ && far <= tool_length_) out.tip = at.tip + clearance_ * at.axis;
     return out;
 }
 
@@ -142,8 +148,9 @@ std::vector<CutterLocation> Envelope::over(const CutterLocation& from, const Cut
     const int pieces = std::max(1, int(std::ceil(angle(a.axis, b.axis) / rapid_turn)));
     for (int k = 1; k <= pieces; ++k) {
         const double share = double(k) / pieces;
-        append(route, k == pieces ? b
-                                  : CutterLocation{a.tip + share * (b.tip - a.tip), turned(a.axis, b.axis, share)});
+        append(route, k == pieces
+                          ? b
+                          : CutterLocation{a.tip + share * (b.tip - a.tip), turned(a.axis, b.axis, share)});
     }
     return route;
 }
@@ -163,14 +170,14 @@ std::vector<CutterLocation> Envelope::round(const CutterLocation& from, const Cu
     };
     std::vector<CutterLocation> route{a};
     turn_to(route, outward(u));
-    const int pieces =
-        std::max(1, int(std::ceil(std::hypot(turn, high_v - high_u) / rapid_turn)));
+    const int pieces = std::max(1, int(std::ceil(std::hypot(turn, high_v - high_u) / rapid_turn)));
     for (int k = 1; k <= pieces; ++k) {
         const double share = double(k) / pieces;
         const double high = high_u + share * (high_v - high_u), at = bearing + share * turn;
         const double far = std::max(radius_, u.norm() + share * (v.norm() - u.norm()));
         const Vec3 radial(std::cos(high) * std::cos(at), std::cos(high) * std::sin(at), std::sin(high));
-        append(route, {k == pieces ? b.tip : Vec3(center_ + far * radial), outward(k == pieces ? v : radial)});
+        append(route,
+               {k == pieces ? b.tip : Vec3(center_ + far * radial), outward(k == pieces ? v : radial)});
     }
     turn_to(route, b.axis);
     return route;

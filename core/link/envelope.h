@@ -11,11 +11,11 @@ namespace facetmill {
 
 /// What rapids keep clear of.
 struct EnvelopeInput {
-    Box3 part, stock;         ///< boxes; an empty one is not there
+    Box3 part, stock; ///< boxes; an empty one is not there
     const Tool* tool = nullptr;
-    double cutter_radius = 0; ///< the largest
+    double cutter_radius = 0;                          ///< the largest
     double highest_tip = -infinity, lowest_axis_z = 1; ///< of the path's locations
-    double clearance = 0;     ///< kept from both
+    double clearance = 0;                              ///< kept from both
 };
 
 /// Two surfaces on which the tool, cutter, shank and holder, is clear of part and stock: a level one above,
@@ -36,7 +36,8 @@ public:
     /// it is there already. Up to there it may come in fast.
     CutterLocation out_of_stock(const CutterLocation& at) const;
     /// Where the tool, coming out along its axis, may begin to move fast: off the part by the clearance where
-    /// its bodies only come where wider ones were, else out of the stock.
+    /// its bodies only come where wider ones were and its upper end is out of the stock, else out of the
+    /// stock.
     CutterLocation off_part(const CutterLocation& at) const;
     /// Where it comes out to, the nearer one of the two surfaces.
     CutterLocation out(const CutterLocation& at) const;
@@ -51,7 +52,7 @@ private:
     std::vector<CutterLocation> round(const CutterLocation& from, const CutterLocation& to) const;
 
     Box3 box_; ///< round part and stock
-    double clearance_ = 0, cutter_radius_ = 0;
+    double clearance_ = 0, cutter_radius_ = 0, tool_length_ = 0;
     bool free_behind_ = false;
     Vec3 center_ = Vec3::Zero();
     double level_ = 0, radius_ = 0;

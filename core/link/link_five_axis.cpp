@@ -81,10 +81,10 @@ class FiveAxisLinker {
 public:
     FiveAxisLinker(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
                    const LinkOptions& options, const Progress& progress)
-        : options_(options), progress_(progress),
-          lift_(context.contact, context.tool, clearance), radius_(lift_.cutter().max_radius()),
-          chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
-          apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
+        : options_(options), progress_(progress), lift_(context.contact, context.tool, clearance),
+          radius_(lift_.cutter().max_radius()), chord_(options.motion_share * options.chord_tolerance),
+          max_lift_(max_lift_share * 2 * radius_), apart_(looking_step(radius_, chord_)),
+          on_surface_(lift_, chord_, progress),
           clear_lift_(context.contact, context.tool,
                       {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),
           over_surface_(clear_lift_, chord_, progress),
@@ -184,7 +184,8 @@ private:
     bool find_link(const Pass& from, const Pass& to, Route& route) {
         const CutterLocation &last = from.cl.back(), &start = to.cl.front();
         const bool near = (start.tip - last.tip).norm() <= options_.link_distance;
-        if (near ? on_surface_.between(last, start, {max_lift_, turn_at_once}, route) : turn_over(from, to, route))
+        if (near ? on_surface_.between(last, start, {max_lift_, turn_at_once}, route)
+                 : turn_over(from, to, route))
             return true;
         return go_over(last, start, route);
     }

@@ -14,13 +14,15 @@ namespace {
 constexpr std::size_t facets_per_check = 8192;
 /// Rays from each side of a patch: so many that the vote of a patch whose sides differ is clear; for many
 /// patches fewer, so that all together take a second or two.
-constexpr std::size_t max_rays = 256, min_rays = 8;
+constexpr std::size_t max_rays = 256, min_rays = 4;
 constexpr std::size_t rays_altogether = 1'000'000;
-/// One side is out where the other has at most this share of its rays that reach the open. A sheet is seen from
-/// both: from above a deep valley less than from below.
+/// One side is out where the other has at most this share of its rays that reach the open. A sheet is seen
+/// from both: from above a deep valley less than from below.
 constexpr double clear_vote = 0.2;
 /// A sheet whose area seen from above and that seen from below differ by less than this share stands upright.
 constexpr double upright_share = 0.1;
+/// A cup that faces up has at least such a share of its area more from above.
+constexpr double cup_share = 0.01;
 
 /// Facets that belong together.
 class Groups {
@@ -56,8 +58,8 @@ std::vector<Patch> patches_of(const Mesh& mesh, const Progress& progress) {
     for (std::size_t low = 0; low < table.vertex_count(); ++low) {
         if (low % facets_per_check == 0) progress.check();
         table.for_edges(low, [&](Index, std::span<const EdgeSide> sides) {
-            const bool agree = sides.size() == 2
-                               && side_start(mesh, sides[0].side) != side_start(mesh, sides[1].side);
+            const bool agree =
+                sides.size() == 2 && side_start(mesh, sides[0].side) != side_start(mesh, sides[1].side);
             if (agree) groups.join(sides[0].facet(), sides[1].facet());
             if (agree) return;
             for (const EdgeSide& side : sides)
@@ -100,7 +102,8 @@ private:
     std::uint64_t state_;
 };
 
-OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays) {
+OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays,
+                           double whole_area) {
     Numbers numbers(patch.facets.front());
     std::size_t front = 0, back = 0;
     for (std::size_t i = 0; i < rays; ++i) {
@@ -122,9 +125,14 @@ OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight
     }
     if (front + back == 0) return OutwardSides::buried;
     if (patch.closed) return patch.volume < 0 ? OutwardSides::turned : OutwardSides::as_wound;
-    if (double(front) <= clear_vote * double(back)) return OutwardSides::turned;
+    const double area = patch.areas.back();
+    const bool leans = std::abs(patch.up) > upright_share * area;
+    // A cup that is most of the mesh may be a deep pocket or a vase: there only its winding can tell.
+    const bool cup = area > 0.5 * whole_area && patch.up > cup_share * area;
+    if (double(front) <= clear_vote * double(back))
+        return cup ? OutwardSides::as_wound : OutwardSides::turned;
     if (double(back) <= clear_vote * double(front)) return OutwardSides::as_wound;
-    const bool down = std::abs(patch.up) > upright_share * patch.areas.back() ? patch.up < 0 : front < back;
+    const bool down = leans ? patch.up < 0 : front < back;
     return down ? OutwardSides::turned : OutwardSides::as_wound;
 }
 
@@ -135,13 +143,15 @@ OutwardSides outward_sides(const Mesh& mesh, const Progress& progress) {
     result.sides.assign(mesh.facet_count(), OutwardSides::as_wound);
     const std::vector<Patch> patches = patches_of(mesh, progress.part(0, 0.3));
     result.patches = patches.size();
-    if (patches.empty() || (patches.size() == 1 && patches[0].closed && patches[0].volume > 0))
-        return result;
+    if (patches.empty() || (patches.size() == 1 && patches[0].closed && patches[0].volume > 0)) return result;
     const MeshSight sight(mesh, progress.part(0.3, 0.5));
     const std::size_t rays = std::clamp(rays_altogether / patches.size(), min_rays, max_rays);
     std::vector<OutwardSides::Side> sides(patches.size());
+    double area = 0;
+    for (const Patch& patch : patches)
+        area += patch.areas.back();
     parallel_for(patches.size(), 64, progress.part(0.5, 1.0),
-                 [&](std::size_t i) { sides[i] = side_of(mesh, patches[i], sight, rays); });
+                 [&](std::size_t i) { sides[i] = side_of(mesh, patches[i], sight, rays, area); });
     for (std::size_t i = 0; i < patches.size(); ++i) {
         for (const Index f : patches[i].facets)
             result.sides[f] = sides[i];

@@ -7,6 +7,8 @@
 //                  Sorkine-Hornung, "A simple method for correcting facet orientations in polygon meshes
 //                  based on ray casting", JCGT 3 (4), 2014): rays go from both sides of it in all directions
 //   sheet          sees it from both sides: up (+Z) is out, and of an upright one the side that sees more
+//   cup            an open patch that is most of the mesh, whose inside hardly sees the open and faces up: a
+//                  deep pocket or a vase; what its winding says
 //
 // A patch that sees the open from neither side is buried: it bounds nothing that a tool could cut.
 #pragma once
@@ -30,8 +32,8 @@ struct OutwardSides {
     std::size_t patches = 0;
 };
 
-/// Linear in the facets, and for a mesh that is not closed and wound outward some million rays at most: a
-/// second or two. The same answer for the same mesh with any number of threads.
+/// Linear in the facets, and for a mesh that is not closed and wound outward some million rays: seconds. The
+/// same answer for the same mesh with any number of threads.
 OutwardSides outward_sides(const Mesh& mesh, const Progress& progress);
 
 /// The mesh with the facets that `sides` calls turned wound the other way; the same one where there are none.

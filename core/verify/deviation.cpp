@@ -17,38 +17,6 @@ constexpr std::size_t max_extremes = 10;
 /// Bands of slope from level to upright, 15 degrees each.
 constexpr int band_count = 6;
 
-/// Places of points in the order of a curve that fills space (Morton's), so that neighbours come one after
-/// the other.
-std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, const Progress& progress) {
-    constexpr int bits = 21;
-    Box3 box;
-    for (const Vec3& p : points)
-        box.add(p);
-    const double size = std::max(box.size().maxCoeff(), tolerance::smallest_extent);
-    const double scale = double((1 << bits) - 1) / size;
-    const auto spread = [](std::uint64_t v) { // two zeros after each bit
-        v = (v | v << 32) & 0x001F00000000FFFFu;
-        v = (v | v << 16) & 0x001F0000FF0000FFu;
-        v = (v | v << 8) & 0x100F00F00F00F00Fu;
-        v = (v | v << 4) & 0x10C30C30C30C30C3u;
-        return (v | v << 2) & 0x1249249249249249u;
-    };
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 q = (points[i] - box.lo) * scale;
-        keys[i] = {spread(std::uint64_t(q.x())) | spread(std::uint64_t(q.y())) << 1
-                       | spread(std::uint64_t(q.z())) << 2,
-                   std::uint32_t(i)};
-    }
-    progress.check();
-    std::sort(keys.begin(), keys.end());
-    progress.check();
-    std::vector<std::uint32_t> order(points.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        order[i] = keys[i].second;
-    return order;
-}
-
 /// All bodies of a program that are asked.
 struct ProgramProbes {
     struct Watch {
@@ -90,11 +58,41 @@ void keep_deepest(CollisionMap& map, const Collision& c) {
 
 } // namespace
 
+std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, const Progress& progress) {
+    constexpr int bits = 21;
+    Box3 box;
+    for (const Vec3& p : points)
+        box.add(p);
+    const double size = std::max(box.size().maxCoeff(), tolerance::smallest_extent);
+    const double scale = double((1 << bits) - 1) / size;
+    const auto spread = [](std::uint64_t v) { // two zeros after each bit
+        v = (v | v << 32) & 0x001F00000000FFFFu;
+        v = (v | v << 16) & 0x001F0000FF0000FFu;
+        v = (v | v << 8) & 0x100F00F00F00F00Fu;
+        v = (v | v << 4) & 0x10C30C30C30C30C3u;
+        return (v | v << 2) & 0x1249249249249249u;
+    };
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 q = (points[i] - box.lo) * scale;
+        keys[i] = {spread(std::uint64_t(q.x())) | spread(std::uint64_t(q.y())) << 1
+                       | spread(std::uint64_t(q.z())) << 2,
+                   std::uint32_t(i)};
+    }
+    progress.check();
+    std::sort(keys.begin(), keys.end());
+    progress.check();
+    std::vector<std::uint32_t> order(points.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        order[i] = keys[i].second;
+    return order;
+}
+
 namespace {
 
 /// What thread-blocks of probes leave besides their samples' own values.
 struct BlockFindings {
-    std::vector<Collision> collisions;
+    CollisionMap collisions;
     std::vector<double> program_gouges;
 };
 
@@ -105,7 +103,8 @@ public:
     SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, const MeshSight& sight,
                 const ProbeAims& aims)
         : bodies_(bodies), exit_of_(exit_of), sight_(sight), aims_(aims),
-          collision_limit_(std::max(aims.gouge_limit, tolerance::collision_depth)),
+          collision_limit_(
+              std::clamp(aims.gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth)),
           deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index) {
         findings_.program_gouges.assign(bodies.size(), 0);
     }
@@ -113,18 +112,21 @@ public:
 
     /// How deep the sample's point comes to lie inside a cutter, as a deviation below 0; where it never does,
     /// what is left on it. Sets the flag `bare`.
-    double operator()(const Vec3& surface, const Vec3& normal, std::uint8_t& flags, MotionPlace& by) {
-        const Vec3 p = surface + aims_.allowance * normal;
+    /// `place`: where lines start, off sharp edges.
+    double operator()(const Vec3& surface, const Vec3& place, const Vec3& normal, std::uint8_t& flags,
+                      MotionPlace& by) {
+        const Vec3 p = place + aims_.allowance * normal;
         double value = exit_of_(p, normal);
         if (value < 0) {
-            flags |= DeviationSurface::bare;
+            // The stock may well end between the part and the part grown.
+            if (aims_.allowance == 0 || exit_of_(place, normal) < 0) flags |= DeviationSurface::bare;
             value = 0;
         }
         collide(surface);
         const double depth = gouge(surface, by);
         if (depth > 0) return -depth;
         value = left(p, normal, value, by);
-        return value > aims_.far ? std::min(value, sight_.first_hit(p, normal)) : value;
+        return value > aims_.far ? well_judged(p, normal, value, by) : value;
     }
 
 private:
@@ -140,7 +142,8 @@ private:
             findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
             if (!(depth > deepest)) continue;
             deepest = depth;
-            by = {b, depth > aims_.gouge_limit ? bodies_[b].cutting.first_as_deep(surface, probe) : probe.motion};
+            by = {b, depth > aims_.gouge_limit ? bodies_[b].cutting.first_as_deep(surface, probe)
+                                               : probe.motion};
         }
         return deepest;
     }
@@ -154,13 +157,39 @@ private:
         }
         return value;
     }
+    /// Of a place on which much stands. At the foot of a wall a line may run up within what may stand on the
+    /// wall: then a line a little farther from it is asked. And it ends where it meets the part again.
+    double well_judged(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
+        constexpr int directions = 8;
+        constexpr double share = 0.75; // of `far`, which is twice what may stand
+        const double beside = share * aims_.far;
+        const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+        const Vec3 above = p + 0.5 * beside * normal;
+        Vec3 off = Vec3::Zero();
+        for (int k = 0; k < directions; ++k) {
+            const double turn = 2 * pi * k / directions;
+            const Vec3 aside = std::cos(turn) * x + std::sin(turn) * y;
+            const double wall = sight_.first_hit(above, aside);
+            if (wall < beside && beside - wall > off.norm()) off = (wall - beside) * aside;
+        }
+        if (!off.isZero(0)) {
+            const double exit = exit_of_(p + off, normal);
+            MotionPlace other;
+            const double there = exit < 0 ? value : left(p + off, normal, exit, other);
+            if (there < value) {
+                value = there;
+                by = other;
+            }
+        }
+        return std::min(value, sight_.first_hit(p, normal));
+    }
     void collide(const Vec3& surface) {
         for (std::size_t b = 0; b < bodies_.size(); ++b)
             for (const auto& watch : bodies_[b].watched) {
                 DepthProbe probe{collision_limit_, no_index};
                 if (!watch.probes.deepen(surface, no_index, probe)) continue;
                 const Index motion = watch.probes.first_as_deep(surface, probe);
-                findings_.collisions.push_back({watch.kind, true, {b, motion}, surface, probe.depth});
+                keep_deepest(findings_.collisions, {watch.kind, true, {b, motion}, surface, probe.depth});
             }
     }
 
@@ -194,14 +223,14 @@ Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const Stoc
         SampleProbe probe(bodies, exit_of, sight, aims);
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t i = order[k];
-            probed.deviation[i] =
-                probe(samples.points[i], samples.normals[i], samples.flags[i], probed.by[i]);
+            probed.deviation[i] = probe(samples.points[i], samples.places[i], samples.normals[i],
+                                        samples.flags[i], probed.by[i]);
         }
         found[begin / probes_per_block] = probe.take();
     });
     CollisionMap map;
     for (const BlockFindings& block : found) {
-        for (const Collision& c : block.collisions)
+        for (const auto& [key, c] : block.collisions)
             keep_deepest(map, c);
         for (std::size_t b = 0; b < bodies.size(); ++b)
             probed.program_gouges[b] = std::max(probed.program_gouges[b], block.program_gouges[b]);

@@ -19,6 +19,10 @@ struct Probed {
     std::vector<Collision> collisions;
 };
 
+/// Places of points in the order of a curve that fills space (Morton's), so that neighbours come one after
+/// the other.
+std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, const Progress& progress);
+
 /// What the probes hold against what is left.
 struct ProbeAims {
     double allowance = 0;   ///< mm

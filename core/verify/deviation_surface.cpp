@@ -3,9 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/box_tree.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/geometry.h"
-#include "core/mesh/box_tree.h"
 #include "core/verify/sweep.h"
 
 #include <cmath>

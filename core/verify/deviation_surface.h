@@ -11,7 +11,7 @@ namespace facetmill {
 /// Points and unit normals on the part's facets, each standing for some area, joined by triangles.
 struct SurfaceSamples {
     std::vector<Vec3> points, normals;
-    std::vector<Vec3> places; ///< where lines of sight start: the points, moved off sharp edges
+    std::vector<Vec3> places;    ///< where lines start: the points, moved off sharp edges by `edge_inset`
     std::vector<double> weights; ///< mm^2: a third of the triangles round the point; they add up to the area
     std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
     std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
@@ -27,9 +27,9 @@ struct SurfaceSamples {
 /// be more than `most`, `spacing` grows; the mesh's own vertices are never thinned out. Facets without area
 /// have no points.
 ///
-/// A line of sight from a sharp edge would run in the plane of the facet beyond it. So they start
-/// `edge_inset` from the edges of facets at creases and at open borders, or a quarter of the facet's height
-/// where that is less.
+/// A line from a sharp edge along the normal would run in the plane of the facet beyond it, within the skin
+/// that a path leaves there. So lines start `edge_inset` from the edges of facets at creases and at open
+/// borders, or a quarter of the facet's height where that is less.
 SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most, const Progress& progress,
                               double edge_inset = 0);
 

@@ -378,7 +378,8 @@ bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const
             const double slope = plane.normal.dot(line.n);
             double most = -infinity;
             for (double end : {line.near, line.far})
-                most = std::max(most, plane.inside - slope * (end - t) + turned.swing(plane.normal, line.at(end)));
+                most = std::max(most,
+                                plane.inside - slope * (end - t) + turned.swing(plane.normal, line.at(end)));
             if (!(most + turned.rest(stretch) > 0)) continue;
         } else if ((x - middle.tip).norm() - stretch > support_.reach() + turned.travel()) {
             continue;
@@ -439,8 +440,7 @@ double MotionProbes::max_depth(const MotionTree::Node& node, const Vec3& p) cons
     double most = plane.inside;
     for (int k = 0; k < 3; ++k)
         most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
-    if (node.cone > 0)
-        most += std::min(node.cone, 2.0) * ((p - tip).norm() + (node.hi - node.lo).norm());
+    if (node.cone > 0) most += std::min(node.cone, 2.0) * ((p - tip).norm() + (node.hi - node.lo).norm());
     return most;
 }
 
@@ -465,9 +465,8 @@ bool MotionProbes::ask_depth(Index motion, const Vec3& p, DepthProbe& probe) con
         probe = {t.depth, motion};
         deeper = true;
     };
-    double s = square > 0
-                   ? std::clamp((from - support_.middle() * b.axis).dot(route) / square, 0.0, 1.0)
-                   : 0.0;
+    double s =
+        square > 0 ? std::clamp((from - support_.middle() * b.axis).dot(route) / square, 0.0, 1.0) : 0.0;
     Tangent here = look(s);
     if (std::max(here.at(0), here.at(1)) <= probe.depth) return false;
     take(here);
@@ -506,8 +505,7 @@ bool MotionProbes::ask_depth_turning(Index motion, const Vec3& p, DepthProbe& pr
         const CutterLocation middle = at(s);
         const BodySupport::Plane plane = support_.nearest(p - middle.tip, middle.axis);
         const TurnedPart turned(part, middle, p);
-        const double comes =
-            turned.small() ? turned.swing(plane.normal, p) + turned.rest(0) : turned.size(0);
+        const double comes = turned.small() ? turned.swing(plane.normal, p) + turned.rest(0) : turned.size(0);
         if (!(plane.inside + comes > probe.depth)) continue;
         if (plane.inside > probe.depth) {
             probe = {plane.inside, motion};

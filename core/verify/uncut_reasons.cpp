@@ -22,11 +22,13 @@ constexpr std::size_t samples_per_box = 32;
 /// Whether bodies can stand somewhere without having samples of the part inside.
 class Room {
 public:
-    Room(const SurfaceSamples& samples, const Progress& progress) : samples_(samples) {
+    Room(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order, const Progress& progress) {
         const std::size_t n = samples.points.size();
+        for (const std::uint32_t i : order)
+            points_.push_back(samples.points[i]);
         std::vector<Box3> boxes((n + samples_per_box - 1) / samples_per_box);
         for (std::size_t i = 0; i < n; ++i)
-            boxes[i / samples_per_box].add(samples.points[i]);
+            boxes[i / samples_per_box].add(points_[i]);
         tree_ = BoxTree(boxes, progress);
     }
     /// No sample lies deeper than `slack` in a body whose tip is here.
@@ -40,21 +42,19 @@ public:
                 const BodySupport::Plane plane = body.nearest(nearest - at.tip, at.axis);
                 double most = plane.inside;
                 for (int k = 0; k < 3; ++k)
-                    most -= plane.normal[k]
-                            * ((plane.normal[k] > 0 ? box.lo[k] : box.hi[k]) - nearest[k]);
+                    most -= plane.normal[k] * ((plane.normal[k] > 0 ? box.lo[k] : box.hi[k]) - nearest[k]);
                 return most > slack;
             },
             [&](std::size_t box) {
-                const std::size_t end =
-                    std::min(samples_.points.size(), (box + 1) * samples_per_box);
+                const std::size_t end = std::min(points_.size(), (box + 1) * samples_per_box);
                 for (std::size_t i = box * samples_per_box; free && i < end; ++i)
-                    free = !(body.nearest(samples_.points[i] - at.tip, at.axis).inside > slack);
+                    free = !(body.nearest(points_[i] - at.tip, at.axis).inside > slack);
             });
         return free;
     }
 
 private:
-    const SurfaceSamples& samples_;
+    std::vector<Vec3> points_; ///< neighbours together
     BoxTree tree_;
 };
 
@@ -65,9 +65,10 @@ struct FitTool {
 
 class Fit {
 public:
-    Fit(const SurfaceSamples& samples, std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
-        double allowance, double slack, const Progress& progress)
-        : room_(samples, progress), axes_(axes), allowance_(allowance), slack_(slack) {
+    Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
+        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes, double allowance,
+        double slack, const Progress& progress)
+        : room_(samples, order, progress), axes_(axes), allowance_(allowance), slack_(slack) {
         for (const VerifyProgram& p : programs) {
             FitTool tool{BodySupport(p.tool.cutter), {}};
             for (const ToolSection& s : p.tool.sections)
@@ -93,7 +94,8 @@ public:
 private:
     /// Places of a cutter, from its tip, with which it may touch a surface of this normal. A flat end touches
     /// a level floor with any place of it: some rings of them are tried.
-    static std::vector<Vec3> touching_places(const BodySupport& cutter, const Vec3& normal, const Vec3& axis) {
+    static std::vector<Vec3> touching_places(const BodySupport& cutter, const Vec3& normal,
+                                             const Vec3& axis) {
         std::vector<Vec3> places{cutter.support(-normal, axis)};
         constexpr double level_cosine = 0.9998, lean = 1e-3; // a degree
         constexpr int round = 8, rings = 4;
@@ -110,7 +112,7 @@ private:
         return places;
     }
     bool stands(const CutterLocation& at, const FitTool& tool) const {
-        return room_.has(tool.cutter, at, slack_)
+        return room_.has(tool.cutter, at, slack_ - allowance_)
                && std::all_of(tool.sections.begin(), tool.sections.end(),
                               [&](const BodySupport& s) { return room_.has(s, at, slack_); });
     }
@@ -142,7 +144,9 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const double limit = 2 * v.used.tolerance;
     double to_cut = 0;
     std::vector<std::size_t> standing;
-    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    // Neighbours together: each sample that is asked stands for those about it.
+    const std::vector<std::uint32_t> order = neighbors_together(samples.points, progress);
+    for (const std::uint32_t i : order) {
         if (i % 65536 == 0) progress.check();
         const std::uint8_t flags = samples.flags[i];
         const double excess = std::max(probed.deviation[i], 0.0);
@@ -161,7 +165,7 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
     std::vector<char> fits(groups, 0);
     if (groups > 0) {
-        const Fit fit(samples, programs, axes, v.used.allowance, limit, progress);
+        const Fit fit(samples, order, programs, axes, v.used.allowance, limit, progress);
         parallel_for(groups, 4, progress, [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
             fits[g] = fit.fits(samples.points[i], samples.normals[i]);

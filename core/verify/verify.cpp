@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/mesh/outward.h"
+#include "core/mesh/triangle_distance.h"
 #include "core/verify/deviation.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_tiles.h"
@@ -27,8 +28,8 @@ constexpr double touch_share = 0.02;
 constexpr double probe_share = 0.01;
 /// Samples at most: a minute or two of probing. Where axes turn, each takes some times as long.
 constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
-/// Lines of sight keep off sharp edges by so much, mm: above rounding, and no detail of a part.
-constexpr double sight_inset = 1e-3;
+/// Lines keep off sharp edges: farther than the skin that paths leave on the wall beyond them, and rounding.
+constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm
 constexpr double finest_probe = 1e-4;                // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -37,6 +38,19 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 std::string percent(double share) {
     return format_number(100 * share, 3) + " %";
+}
+
+/// How wide the end of a cutter is: the largest radius at which its profile is no higher than wide. A ball's
+/// and a flat end's own radius, near the tip of a taper; of a point a share of its largest.
+double working_radius(const CutterProfile& cutter) {
+    constexpr double point_share = 0.02;
+    double lo = 0, hi = cutter.max_radius();
+    if (cutter.height_at(hi) <= hi) return hi;
+    for (int k = 0; k < 50; ++k) {
+        const double mid = 0.5 * (lo + hi);
+        (cutter.height_at(mid) <= mid ? lo : hi) = mid;
+    }
+    return std::max(lo, point_share * cutter.max_radius());
 }
 
 struct Radii {
@@ -188,24 +202,27 @@ double winding_number(const Mesh& part, const Vec3& p, const Progress& progress)
 
 /// Programs whose first location is within the part. Motions that begin in there may never meet the surface,
 /// on which all other findings rest.
-void find_starts_inside(Verification& v, const Mesh& part, const SurfaceSamples& samples,
-                        std::span<const VerifyProgram> programs, const Progress& progress) {
+void find_starts_inside(Verification& v, const Mesh& part, std::span<const VerifyProgram> programs,
+                        const Progress& progress) {
     constexpr double inside = 0.75; // below a large sheet it is a half
     for (std::size_t i = 0; i < programs.size(); ++i) {
         const Vec3& tip = programs[i].motions->motions.front().to.tip;
-        if (!(winding_number(part, tip, progress) > inside)) continue;
-        std::size_t nearest = 0;
         double distance = infinity;
-        for (std::size_t k = 0; k < samples.points.size(); ++k)
-            if (const double d = (samples.points[k] - tip).squaredNorm(); d < distance) {
+        std::size_t nearest = 0;
+        for (std::size_t f = 0; f < part.facet_count(); ++f) {
+            if (f % 65536 == 0) progress.check();
+            const double d =
+                std::sqrt(squared_distance(tip, part.corner(f, 0), part.corner(f, 1), part.corner(f, 2)));
+            if (d < distance) {
                 distance = d;
-                nearest = k;
+                nearest = f;
             }
-        distance = std::sqrt(distance);
-        if (!(distance > v.used.gouge_limit)) continue;
+        }
+        // On the surface it is neither.
+        if (!(distance > v.used.gouge_limit) || !(winding_number(part, tip, progress) > inside)) continue;
         v.program_gouges[i] = std::max(v.program_gouges[i], distance);
         v.figures.gouge_max = std::max(v.figures.gouge_max, distance);
-        v.gouges.insert(v.gouges.begin(), {tip, samples.normals[nearest], -distance, {i, 0}});
+        v.gouges.insert(v.gouges.begin(), {tip, part.facet_normal(nearest), -distance, {i, 0}});
         v.remarks.push_back("'" + printable(programs[i].name) + "' begins inside the part.");
     }
 }
@@ -220,6 +237,16 @@ std::string not_judged_why(const Verification& v, const SurfaceSamples& samples,
                + " apart, and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
                + ": ask for a resolution and a spacing of at most "
                + length_text(coarsest * min_radius, LengthUnit::mm, 3);
+    constexpr double deepest_limit = 0.25; // nothing lies deeper in a cutter than its radius
+    if (v.used.gouge_limit > deepest_limit * min_radius)
+        return "the gouge limit is " + length_text(v.used.gouge_limit, LengthUnit::mm, 3)
+               + ", and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
+               + ": allow at most " + length_text(deepest_limit * min_radius, LengthUnit::mm, 3);
+    const double seen = v.figures.area + v.border.area;
+    if (v.used.tolerance > 0 && v.border.uncut_fraction * v.border.area > v.used.uncut_limit * seen)
+        return "more than twice the tolerance stays on "
+               + percent(v.border.uncut_fraction * v.border.area / seen)
+               + " of the surface near the part's open borders, where paths may end";
     if (v.used.tolerance > 0
         && std::find(samples.flags.begin(), samples.flags.end(), DeviationSurface::counted)
                == samples.flags.end())
@@ -234,11 +261,11 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
              const Progress& progress) {
     const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04));
     // Borrowed: it lives as long as this call.
-    const MeshPtr outward =
-        wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
+    const MeshPtr outward = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
     const Mesh& part = *outward;
-    SurfaceSamples samples = sample_surface(part, v.used.sample_spacing, v.used.max_samples,
-                                            progress.part(0.04, 0.08), sight_inset);
+    SurfaceSamples samples =
+        sample_surface(part, v.used.sample_spacing, v.used.max_samples, progress.part(0.04, 0.08),
+                       std::max(inset_limits * v.used.gouge_limit, min_inset));
     const std::vector<Vec3> axes = cutting_axes(programs, progress);
     const MeshSight sight(part, progress);
     flag_samples(samples, part, sight, radii.max, axes, progress.part(0.08, 0.15));
@@ -254,12 +281,12 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
     find_uncut_reasons(v, samples, probed, programs, axes, progress.part(0.95, 0.99));
-    v.remarks = remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples,
-                           v.border.samples > 0);
+    v.remarks =
+        remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples, v.border.samples > 0);
     if (sides.turned_facets > 0)
         v.remarks.push_back(std::to_string(sides.turned_facets)
                             + " facets are wound inward and were judged from the side that is outside.");
-    find_starts_inside(v, part, samples, programs, progress);
+    find_starts_inside(v, part, programs, progress);
     v.not_judged = not_judged_why(v, samples, radii.min);
     v.not_judged_share = !v.not_judged.empty() ? 1
                          : v.border.area > 0   ? v.border.area / (v.border.area + v.figures.area)
@@ -279,7 +306,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     std::size_t cuts = 0, misses = 0;
     bool turns = false;
     for (const VerifyProgram& p : programs) {
-        radii.min = std::min(radii.min, p.tool.cutter.max_radius());
+        radii.min = std::min(radii.min, working_radius(p.tool.cutter));
         radii.max = std::max(radii.max, p.tool.cutter.max_radius());
         const Reach reach = reach_of(p, stock.box, progress);
         turns = turns || reach.turns;

@@ -36,7 +36,7 @@ struct VerifySettings {
     double gouge_limit = 0; ///< surface that came deeper inside a cutter is gouged
     /// The share of the area to be cut (seen by a tool axis, away from open borders) that may stay uncut.
     double uncut_limit = 0.02;
-    double allowance = 0;   ///< what is to be made is the part grown by this along its normals
+    double allowance = 0; ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
@@ -92,9 +92,9 @@ struct UncutReason {
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict
     };
     Why why = Why::not_cut;
-    double area = 0;                          ///< mm^2
-    double excess_max = 0;                    ///< mm
-    Vec3 place = Vec3::Zero();                ///< of the largest excess
+    double area = 0;           ///< mm^2
+    double excess_max = 0;     ///< mm
+    Vec3 place = Vec3::Zero(); ///< of the largest excess
     bool counts() const { return why != Why::not_seen; }
 };
 
@@ -114,8 +114,8 @@ struct Verification {
     double uncut_share = 0;               ///< of the area to be cut, in [0, 1]
     double not_judged_share = 0; ///< of the area that tool axes see: near open borders; 1: see `not_judged`
     std::string not_judged;      ///< why nothing can be said of the whole; empty where it can
-    std::vector<std::string> remarks;     ///< one sentence each: what was not judged and why
-    VerifySettings used;                  ///< with what 0 stood for
+    std::vector<std::string> remarks; ///< one sentence each: what was not judged and why
+    VerifySettings used;              ///< with what 0 stood for
     double seconds_cutting = 0, seconds_probing = 0;
 
     bool gouged() const {
@@ -123,8 +123,11 @@ struct Verification {
     }
     bool left_uncut() const { return uncut_share > used.uncut_limit; }
     /// What was found stands, however coarsely it was looked for; that nothing was found may mean nothing.
-    Verdict verdict() const {
-        if (gouged() || !collisions.empty() || (not_judged.empty() && left_uncut())) return Verdict::failed;
+    Verdict verdict() const { return verdict_where(gouged() || !collisions.empty()); }
+    /// The verdict on a program, by whether it gouged or collided. What stays uncut is the fault of no single
+    /// one: it is told of them all.
+    Verdict verdict_where(bool found) const {
+        if (found || left_uncut()) return Verdict::failed;
         return not_judged.empty() ? Verdict::verified : Verdict::not_judged;
     }
     bool passed() const { return verdict() == Verdict::verified; }

@@ -252,7 +252,9 @@ private slots:
         QCOMPARE(o["verdict"].toString(), QString("failed"));
         QCOMPARE(o["uncut_reasons"].toArray()[0].toObject()["why"].toString(), QString("outside_stock"));
         // What may stay is the user's to say.
-        const CliRun lax = run_cli(QStringList(simulate) << "--uncut-limit" << "0.05", s.path());
+        const CliRun lax = run_cli(QStringList(simulate) << "--uncut-limit"
+                                                         << "0.05",
+                                   s.path());
         QVERIFY2(lax.status == 0, lax.err.constData());
         const QByteArray remarks = QJsonDocument(o["remarks"].toArray()).toJson();
         QVERIFY2(remarks.contains("does not hold the part: its diameter is 44 mm, the part needs 50 mm"),
@@ -401,7 +403,8 @@ private slots:
         apt += "RAPID\n" + go(-12, 35, 60, 0.5 * most);
         Sandbox s;
         // Its walls, which a leaning axis sees, are nobody's business here.
-        const QStringList top_alone = QStringList(simulate) << "--uncut-limit" << "0.3";
+        const QStringList top_alone = QStringList(simulate) << "--uncut-limit"
+                                                            << "0.3";
         const CliRun good = run_cli(top_alone, prepared_plate(s, apt + "FINI\n").path());
         QVERIFY2(good.status == 0, good.err.constData());
         const QJsonObject o = json(good.out);

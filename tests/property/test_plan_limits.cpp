@@ -254,10 +254,10 @@ private slots:
     /// In a hollow along the travel a flat end could bridge its own line from pose to pose: it does not,
     /// however much of the line is looked at.
     void five_axes_hold_their_own_line() {
-        PlanContext context = context_of(
-            height_field([](double x, double) { return 12 - std::sqrt(144 - x * x); }, Vec2(-7, -5),
-                         Vec2(7, 5), 56, 10),
-            flat_tool(4));
+        PlanContext context =
+            context_of(height_field([](double x, double) { return 12 - std::sqrt(144 - x * x); },
+                                    Vec2(-7, -5), Vec2(7, 5), 56, 10),
+                       flat_tool(4));
         context.machine = find_machine("tarus-tpi-2000");
         context.stock_box.hi.z() += 2;
         Finish5Settings s;
@@ -333,7 +333,8 @@ private slots:
         }
         // Where it is far off, the verifier sees it.
         options.motion_share = 16 * usual;
-        const Judged j = judged(context, path, link_five_axis(path, context, {}, options, Progress()), 0, 0.2);
+        const Judged j =
+            judged(context, path, link_five_axis(path, context, {}, options, Progress()), 0, 0.2);
         qInfo("%s", qPrintable(j.text(16)));
         QVERIFY2(j.gouge > options.chord_tolerance, qPrintable(j.text(16)));
     }

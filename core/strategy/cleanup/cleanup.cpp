@@ -2,8 +2,8 @@
 
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/body_clearance.h"
-#include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/cleanup_job.h"
+#include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/strip_search.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"

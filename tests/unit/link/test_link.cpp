@@ -135,8 +135,7 @@ private slots:
         }
         const PlanContext context = context_of(level(), flat_tool(2 * radius));
         const ToolMotions m = link_five_axis(path, context, {}, near_options(2), Progress());
-        QVERIFY2(kinds_of(m).find("cl") != std::string::npos && !travels_fast(m),
-                 kinds_of(m).c_str());
+        QVERIFY2(kinds_of(m).find("cl") != std::string::npos && !travels_fast(m), kinds_of(m).c_str());
         path.passes[1].cc.front().point.y() = path.passes[1].cl.front().tip.y() = 15;
         QVERIFY(travels_fast(link_five_axis(path, context, {}, near_options(2), Progress())));
     }
@@ -167,8 +166,8 @@ private slots:
             do
                 axis = Vec3(share(random), share(random), std::abs(share(random))).normalized();
             while (axis.z() < 0.15);
-            return CutterLocation{
-                Vec3(60 * share(random), 50 * share(random), 40 + 40 * share(random)), axis};
+            return CutterLocation{Vec3(60 * share(random), 50 * share(random), 40 + 40 * share(random)),
+                                  axis};
         };
         for (int round = 0; round < trials(400); ++round) {
             const CutterLocation from = location(), to = location();
@@ -187,12 +186,16 @@ private slots:
                             const double a = 2 * pi * turn / 24;
                             const Vec3 p =
                                 at.tip + up * at.axis + radius * (std::cos(a) * x + std::sin(a) * y);
-                            const double away =
-                                (p - p.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi)).norm();
+                            const double away = (p - p.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi)).norm();
                             QVERIFY2(away > 4 - 1e-6, qPrintable(QString::number(away)));
                         }
                 }
             }
+            // From below or beside the part, leaning over it, as well.
+            const CutterLocation low{from.tip - Vec3(0, 0, from.tip.z() + 12), from.axis};
+            QVERIFY(envelope.out_of_stock(low).tip.z() > 60
+                    || std::abs(envelope.out_of_stock(low).tip.x()) > 60
+                    || std::abs(envelope.out_of_stock(low).tip.y()) > 50);
             // Out of the stock by the clearance at least, and there no more than it takes.
             const CutterLocation out = envelope.out_of_stock(from);
             const Vec3 off = out.tip - out.tip.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi);
@@ -222,9 +225,7 @@ private slots:
         const auto linked = [&](const StrategyResult& passes) {
             return link_five_axis(passes, context, {}, near_options(2), Progress());
         };
-        const auto goes_up = [&](const StrategyResult& passes) {
-            return travels_fast(linked(passes));
-        };
+        const auto goes_up = [&](const StrategyResult& passes) { return travels_fast(linked(passes)); };
         // Hardly any way up: up.
         QVERIFY(goes_up(path(0, 20, radians(20))));
         context.stock_box.hi.z() = 40;

@@ -100,7 +100,8 @@ private slots:
     }
 
     void sheets_face_up() {
-        Mesh sheet = height_field([](double x, double y) { return 0.1 * x * y; }, Vec2(-5, -5), Vec2(5, 5), 8, 8);
+        Mesh sheet =
+            height_field([](double x, double y) { return 0.1 * x * y; }, Vec2(-5, -5), Vec2(5, 5), 8, 8);
         QCOMPARE(outward_sides(sheet, Progress()).turned_facets, std::size_t(0));
         for (std::size_t f = 0; f < sheet.facet_count(); ++f)
             turn(sheet, f);
@@ -112,6 +113,18 @@ private slots:
         const Mesh valley = height_field([](double x, double) { return -4 * std::max(0.0, 5 - std::abs(x)); },
                                          Vec2(-16, -10), Vec2(16, 10), 64, 4);
         QCOMPARE(outward_sides(valley, Progress()).turned_facets, std::size_t(0));
+    }
+
+    /// A pocket deeper than it is wide, open on top, as a sheet: its inside hardly sees the open.
+    void deep_pockets_keep_their_winding() {
+        Mesh pocket = box(Vec3(-15, -15, -80), Vec3(15, 15, 0));
+        std::erase_if(pocket.facets, [&](const Facet& f) {
+            return std::all_of(f.begin(), f.end(), [&](Index v) { return pocket.vertices[v].z() == 0; });
+        });
+        QCOMPARE(pocket.facet_count(), std::size_t(10));
+        for (std::size_t f = 0; f < pocket.facet_count(); ++f)
+            turn(pocket, f); // into the cavity
+        QCOMPARE(outward_sides(pocket, Progress()).turned_facets, std::size_t(0));
     }
 
     /// The same facets twice, the second time the other way round: each finds the same outside.
@@ -141,9 +154,7 @@ private slots:
             QCOMPARE(sides.sides[f] == OutwardSides::buried, f >= outer.facet_count());
     }
 
-    void nothing() {
-        QCOMPARE(outward_sides(Mesh(), Progress()).patches, std::size_t(0));
-    }
+    void nothing() { QCOMPARE(outward_sides(Mesh(), Progress()).patches, std::size_t(0)); }
 };
 
 FACETMILL_TEST(TestOutward)

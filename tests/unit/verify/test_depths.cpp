@@ -104,16 +104,16 @@ private slots:
                     double expected = 0;
                     for (std::size_t m = 1; m < motions->motions.size(); ++m)
                         for (int s = 0; s <= 100; ++s) {
-                            const CutterLocation at =
-                                location_between(motions->motions[m - 1].to, motions->motions[m].to,
-                                                 std::nullopt, 0.01 * s);
+                            const CutterLocation at = location_between(
+                                motions->motions[m - 1].to, motions->motions[m].to, std::nullopt, 0.01 * s);
                             expected = std::max(expected, body.nearest(p - at.tip, at.axis).inside);
                         }
                     DepthProbe probe;
                     const bool deeper = probes.deepen(p, no_index, probe);
                     QCOMPARE(deeper, probe.depth > 0);
-                    QVERIFY2(probe.depth >= expected - bound && probe.depth <= expected + 0.05,
-                             qPrintable(QString("%1: %2 of %3").arg(shaped.name).arg(probe.depth).arg(expected)));
+                    QVERIFY2(
+                        probe.depth >= expected - bound && probe.depth <= expected + 0.05,
+                        qPrintable(QString("%1: %2 of %3").arg(shaped.name).arg(probe.depth).arg(expected)));
                     inside += expected > 0.05;
                     if (!deeper) continue;
                     // A hint changes nothing, and the first motion as deep is as deep.

@@ -66,7 +66,8 @@ Outcome probe(const Mesh& part, const StockSolid& stock, const std::vector<Verif
     flag_samples(o.samples, part, sight, radius, cutting_axes(programs, Progress()), Progress());
     o.verification.used.tolerance = tolerance;
     o.verification.used.gouge_limit = 1e-4;
-    o.probed = probe_samples(o.samples, sight, stock, programs, {allowance, 1e-4, 2 * tolerance, 1e-4}, Progress());
+    o.probed =
+        probe_samples(o.samples, sight, stock, programs, {allowance, 1e-4, 2 * tolerance, 1e-4}, Progress());
     o.verification.program_gouges.assign(programs.size(), 0);
     fill_figures(o.verification, o.samples, o.probed, radius, Progress());
     return o;
@@ -594,7 +595,8 @@ private slots:
 
     void a_swing_about_the_tip() {
         // A flat end stands on its tip and leans from -20 to 20 degrees about y: the rim goes down by R
-        // sin(angle) at its two ends. How deep a point of the plane comes to lie inside is known at each lean.
+        // sin(angle) at its two ends. How deep a point of the plane comes to lie inside is known at each
+        // lean.
         const double r = 5, lean = radians(20);
         const Mesh part = plane(Vec2(-8, -8), Vec2(8, 8), 16);
         Path path;
@@ -789,8 +791,8 @@ private slots:
         job.cancel();
         SurfaceSamples samples = one.samples;
         const MeshSight sight(part, Progress());
-        QVERIFY_THROWS_EXCEPTION(Cancelled, probe_samples(samples, sight, block_over(part, 5), programs, {},
-                                                          Progress(job)));
+        QVERIFY_THROWS_EXCEPTION(
+            Cancelled, probe_samples(samples, sight, block_over(part, 5), programs, {}, Progress(job)));
     }
 };
 

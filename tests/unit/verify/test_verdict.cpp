@@ -57,7 +57,8 @@ const UncutReason* reason(const Verification& v, UncutReason::Why why) {
 /// A block with a groove along X of width `wide` and depth `deep` in its top, closed.
 Mesh grooved(double wide, double deep) {
     const double w = 0.5 * wide;
-    const std::vector<Vec2> outline{{-20, -10}, {20, -10}, {20, 0}, {w, 0}, {w, -deep}, {-w, -deep}, {-w, 0}, {-20, 0}};
+    const std::vector<Vec2> outline{{-20, -10}, {20, -10},   {20, 0}, {w, 0},
+                                    {w, -deep}, {-w, -deep}, {-w, 0}, {-20, 0}};
     Mesh mesh;
     const auto n = Index(outline.size());
     for (double x : {-30.0, 30.0})
@@ -87,8 +88,7 @@ private slots:
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
         StockSolid stock = stock_of(part.box());
         stock.box.hi.z() = 2;
-        const Verification v =
-            judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
+        const Verification v = judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
         QCOMPARE(int(v.verdict()), int(Verdict::verified));
         QCOMPARE(v.uncut_share, 0.0);
         QVERIFY(v.uncut.empty());
@@ -179,9 +179,11 @@ private slots:
         const DeviationSurface& s = *v.surface;
         std::size_t on_walls = 0;
         for (std::size_t i = 0; i < s.points.size(); ++i) {
-            if (std::abs(s.normals[i][1]) < 0.9f || std::abs(s.points[i][1]) > 4 || s.points[i][2] > -0.01f) continue;
+            if (std::abs(s.normals[i][1]) < 0.9f || std::abs(s.points[i][1]) > 4 || s.points[i][2] > -0.01f)
+                continue;
             ++on_walls;
-            QVERIFY2(std::abs(s.deviation[i] - 6) < 1e-4, qPrintable(QString::number(double(s.deviation[i]))));
+            QVERIFY2(std::abs(s.deviation[i] - 6) < 1e-4,
+                     qPrintable(QString::number(double(s.deviation[i]))));
         }
         QVERIFY(on_walls > 100);
     }
@@ -190,8 +192,7 @@ private slots:
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
         StockSolid stock = stock_of(part.box());
         stock.box.hi = Vec3(10, 15, 2);
-        const Verification v =
-            judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
+        const Verification v = judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
         QCOMPARE(int(v.verdict()), int(Verdict::failed));
         const UncutReason* outside = reason(v, UncutReason::Why::outside_stock);
         QVERIFY(outside && std::abs(outside->area - 300) < 60);
@@ -225,9 +226,75 @@ private slots:
         const VerifyProgram good = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
         const Verification v = judged(part, stock, good, coarse);
         QCOMPARE(int(v.verdict()), int(Verdict::not_judged));
-        QVERIFY(!v.passed() && v.not_judged_share == 1 && v.not_judged.find("resolution") != std::string::npos);
+        QVERIFY(!v.passed() && v.not_judged_share == 1
+                && v.not_judged.find("resolution") != std::string::npos);
         const VerifyProgram deep = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), -1, 6);
         QCOMPARE(int(judged(part, stock, deep, coarse).verdict()), int(Verdict::failed));
+    }
+
+    /// A plate full of small holes is near open borders everywhere: that nothing counts there verifies
+    /// nothing.
+    void much_left_near_borders_is_not_verified() {
+        Mesh part = height_field([](double, double) { return 0.0; }, Vec2(-30, -30), Vec2(30, 30), 60, 60);
+        std::size_t f = 0;
+        std::erase_if(part.facets, [&](const Facet&) { return f++ % 180 == 7; });
+        StockSolid stock = stock_of({Vec3(-30, -30, -5), Vec3(30, 30, 2)});
+        const Verification corner =
+            judged(part, stock, lines(flat_tool(12), Vec2(-30, 20), Vec2(30, 30), 0, 8));
+        QVERIFY(!corner.passed());
+        QVERIFY(corner.not_judged.find("open borders") != std::string::npos);
+        const Verification all =
+            judged(part, stock, lines(flat_tool(12), Vec2(-30, -30), Vec2(30, 30), 0, 8));
+        QVERIFY2(all.verdict() != Verdict::failed && all.border.uncut_fraction == 0, all.not_judged.c_str());
+    }
+
+    /// How finely has to be looked is a matter of a taper's end, not of its upper rim.
+    void a_taper_is_looked_at_by_its_end() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        VerifySettings coarse = asked();
+        coarse.resolution = coarse.sample_spacing = 3;
+        const VerifyProgram flat = lines(flat_tool(12), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        VerifyProgram taper = lines(flat_tool(12), Vec2(0.7, 0.7), Vec2(0.7, 0.7), 0, 6);
+        taper.tool = VerifyTool(AptCutter::tapered_ball(0.5, radians(10), 60));
+        const std::array<VerifyProgram, 2> both{flat, taper};
+        QCOMPARE(int(verify(part, stock, {&flat, 1}, coarse, Progress()).verdict()), int(Verdict::verified));
+        QCOMPARE(int(verify(part, stock, both, coarse, Progress()).verdict()), int(Verdict::not_judged));
+    }
+
+    /// Nothing lies deeper in a cutter than its radius: such a limit forbids nothing.
+    void a_limit_that_nothing_exceeds_judges_nothing() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        VerifySettings lax = asked();
+        lax.gouge_limit = 4;
+        const Verification v =
+            judged(part, stock_of(part.box()), lines(flat_tool(8), Vec2(-20, 0), Vec2(20, 0), -10, 1), lax);
+        QCOMPARE(int(v.verdict()), int(Verdict::not_judged));
+        QVERIFY(v.figures.gouge_max > 3.9);
+    }
+
+    /// A flush stock ends where the part does, not where the part with its allowance would.
+    void an_allowance_on_a_flush_stock() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        VerifySettings s = asked();
+        s.allowance = 0.3;
+        const Verification v =
+            judged(part, stock_of(part.box()), lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0.3, 6), s);
+        QCOMPARE(int(v.verdict()), int(Verdict::verified));
+        QVERIFY(!reason(v, UncutReason::Why::outside_stock));
+    }
+
+    /// A program that begins on the surface does not begin inside.
+    void a_start_on_the_surface() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        VerifyProgram program = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        auto motions = std::make_shared<ToolMotions>(*program.motions);
+        motions->motions.front().to.tip = Vec3(3.3, 4.4, 0);
+        program.motions = motions;
+        StockSolid stock = stock_of(part.box());
+        const Verification v = judged(part, stock, program);
+        QCOMPARE(int(v.verdict()), int(Verdict::verified));
     }
 
     /// Motions that begin within the part and stay there meet none of its surface.
