@@ -160,8 +160,8 @@ private:
     /// Of a place on which much stands. At the foot of a wall a line may run up within what may stand on the
     /// wall: then a line a little farther from it is asked. And it ends where it meets the part again.
     double well_judged(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
-        constexpr int directions = 8;
-        constexpr double share = 0.75; // of `far`, which is twice what may stand
+        constexpr int directions = 12;
+        constexpr double share = 1.2; // of `far`: what stands less on a wall is its own, wherever it leans
         const double beside = share * aims_.far;
         const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
         const Vec3 above = p + 0.5 * beside * normal;

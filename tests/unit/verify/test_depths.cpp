@@ -123,7 +123,7 @@ private slots:
                     QVERIFY(probes.first_as_deep(p, probe) <= probe.motion);
                 }
             }
-        QVERIFY(inside > 100);
+        QVERIFY(inside > trials(std::size_t(100)));
     }
 };
 
