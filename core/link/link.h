@@ -15,6 +15,7 @@ struct LatheCommon; // core/strategy/lathe/lathe.h
 struct LinkOptions {
     double clearance = 5;          ///< height of rapids above the highest of part and stock
     double link_distance = 0;      ///< passes whose ends are nearer than this are linked on the surface
+    double holder_clearance = 0;   ///< what shank and holder keep from the part; three axes
     double chord_tolerance = 0.01; ///< how far a link may run beside the route that was found free
     // No parameters: what links keep safe by, which tests halve and double.
     /// The share of the chord tolerance by which a tool with five axes may be in the part at the places
@@ -30,11 +31,11 @@ struct LinkOptions {
 LinkOptions default_link_options(const StrategyResult& path, const PlanContext& context,
                                  const OperationCommon& common);
 
-/// Joins the passes of a 3-axis path: on the surface (by axial lift along the straight line, so never into
-/// the part) where the next pass is near, else by retract, rapid at clearance height, approach. Rapids run
-/// level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over tips that
-/// do not gouge. `allowance` is the operation's; the part's inner tessellation tolerance is added as the
-/// strategy does. Throws Error(out_of_range).
+/// Joins the passes of a 3-axis path: on the surface (by the lift of the whole tool along the straight line,
+/// so never into the part) where the next pass is near, else by retract, rapid at clearance height, approach.
+/// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
+/// tips that do not gouge. `allowance` is the operation's; the part's inner tessellation tolerance is added
+/// as the strategy does. Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 

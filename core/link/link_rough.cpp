@@ -161,8 +161,8 @@ ToolMotions link_operation(const Operation& operation, const StrategyResult& pat
 ToolMotions link_operation(const Operation& operation, Linking linking, const StrategyResult& path,
                            const PlanContext& context, const Progress& progress) {
     const OperationCommon& common = operation.common();
-    const LinkOptions options = default_link_options(path, context, common);
-    const double beside = operation.holder_clearance();
+    LinkOptions options = default_link_options(path, context, common);
+    const double beside = options.holder_clearance = operation.holder_clearance();
     switch (linking) {
     case Linking::upright:
         return link_three_axis(path, context, common.allowance, options, progress);

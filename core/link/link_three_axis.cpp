@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/link.h"
+#include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/lift_line.h"
 
 namespace facetmill {
@@ -9,13 +10,13 @@ namespace {
 /// Heights of a move on the surface: the lift over the straight line between two tips, but no lower than the
 /// lower of them, so that a link crosses a hole or a border instead of diving into it.
 std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterLocation& to,
-                                       const AxialLift& lift, const LineTolerance& tolerance,
-                                       const Progress& progress) {
+                                       const AxialLift& lift, const HolderReach& bodies,
+                                       const LineTolerance& tolerance, const Progress& progress) {
     const Vec2 a = from.tip.head<2>(), b = to.tip.head<2>();
     const double length = (b - a).norm();
     std::vector<CutterLocation> route;
     if (length > 0) {
-        const LiftField field{&lift, std::min(from.tip.z(), to.tip.z())};
+        const LiftField field{&lift, std::min(from.tip.z(), to.tip.z()), &bodies};
         const Vec2 direction = (b - a) / length;
         const auto line = thinned(lift_line(field, a, direction, 0, length, tolerance, progress),
                                   tolerance.below, tolerance.above);
@@ -57,7 +58,10 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
     const AxialLift lift(context.contact, profile, allowance + context.tessellation_tolerance[1]);
     LineTolerance fine;
     fine.below = fine.above = 0.5 * options.chord_tolerance;
-    fine.spacing = safe_spacing(profile, fine.below);
+    const HolderReach bodies(context.contact, context.tool,
+                             allowance + context.tessellation_tolerance[1] + options.holder_clearance,
+                             options.chord_tolerance);
+    fine.spacing = std::min(safe_spacing(profile, fine.below), bodies.spacing());
 
     double top = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + allowance;
     for (const Pass& pass : path.passes)
@@ -78,7 +82,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
         if (last && (start.tip - last->tip).head<2>().norm() <= options.link_distance) {
-            for (const CutterLocation& c : on_surface(*last, start, lift, fine, progress.part(0, 0)))
+            for (const CutterLocation& c : on_surface(*last, start, lift, bodies, fine, progress.part(0, 0)))
                 result.motions.push_back({MotionKind::link, c, no_index, no_index});
             result.motions.back().pass = pass_index;
             result.motions.back().point = 0;

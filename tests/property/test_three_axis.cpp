@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cstring>
 
 using namespace facetmill;
@@ -325,6 +326,50 @@ private slots:
                     for (int k = 0; k <= 32; ++k)
                         deepest = std::max(deepest, depth(line[i - 1] + k / 32.0 * (line[i] - line[i - 1])));
                 QVERIFY2(deepest > -1e-3 && deepest <= tolerance / 20, qPrintable(QString::number(deepest)));
+            }
+    }
+
+    /// A wide holder beside a step, and a shank thicker than the cutter: passes and links keep both out of
+    /// the part, what they leave is said, and the length that is said to reach it does.
+    void shank_and_holder_keep_out() {
+        const Mesh part = turned(step(0, 12), 0.3);
+        for (const bool thick_shank : {false, true})
+            for (const double clearance : {0.0, 1.0}) {
+                Tool tool = ball_tool(6);
+                tool.flute_length = thick_shank ? 5 : 8;
+                tool.shank_diameter = thick_shank ? 10 : 5;
+                tool.shank_length = 1;
+                tool.holder = {{14, 40}};
+                const PlanContext context = context_of(part, tool);
+                const auto op = operation("finish3", 0.1);
+                op->set("stepover", 1.5);
+                op->set("holder_clearance", clearance);
+                const StrategyResult path = op->plan(context, Progress());
+                QVERIFY(std::ranges::any_of(path.warnings, [&](const std::string& w) {
+                    return w.find(thick_shank ? "flutes of " : "a stick-out of ") != std::string::npos;
+                }));
+                LinkOptions options = default_link_options(path, context, op->common());
+                options.holder_clearance = op->holder_clearance();
+                options.link_distance = 100; // over the surface wherever it may
+                const TipLine line = tips(link_three_axis(path, context, 0, options, Progress())).front();
+                ToolClearance kept;
+                kept.shank = kept.holder = clearance;
+                const ToolLift lift(context.contact, tool, kept);
+                ToolLift::Hint hint;
+                double low = infinity;
+                for (std::size_t i = 1; i < line.size(); ++i)
+                    for (int k = 0; k <= 16; ++k) {
+                        const Vec3 tip = line[i - 1] + k / 16.0 * (line[i] - line[i - 1]);
+                        low = std::min(low, tip.z());
+                        QVERIFY(!lift.is_deeper({tip, Vec3(0, 0, 1)}, 0.005, hint));
+                    }
+                QVERIFY(low < 0.01); // where there is room, it is cut
+                // A tool as long as is said to reach it needs nothing.
+                tool.flute_length = 12 + clearance + 0.1;
+                const StrategyResult all = op->plan(context_of(part, tool), Progress());
+                QVERIFY(std::ranges::none_of(all.warnings, [](const std::string& w) {
+                    return w.find("left out") != std::string::npos;
+                }));
             }
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/finish3/left_out.h"
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
@@ -23,6 +24,10 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
 /// The size of the cells of the stock, in radii of the cutter. What stands only between the centres of cells
 /// is not seen: they are small beside the cutter.
 constexpr double rest_cell_share = 0.04;
+/// The same where only the raw material is asked.
+constexpr double raw_cell_share = 0.1;
+/// Pieces of passes between places that shank and holder cannot come to are at least so long, in radii.
+constexpr double shortest_piece = 0.25;
 /// Drive planes of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
@@ -41,11 +46,16 @@ private:
     void plan_adaptive();
     void check_size() const;
     void check_uncut(const Progress& progress);
-    void leave_out_air(const Progress& progress);
+    void leave_out_held_up(const Progress& progress);
+    void leave_out_outside(const Progress& progress);
+    void leave_out_cut(const Progress& progress);
     void add_warnings();
-    void add_body_warning(const std::string& name, double diameter, double base);
+    void add_held_warning();
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
+    ContactAt contact_at() const {
+        return [this](const Vec3& tip) { return contact_of(tip, lift_.contact(tip.x(), tip.y())); };
+    }
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
     /// Share of the whole plan that is done when this share of the drive planes is placed.
     static double placed(double share) { return 0.02 + 0.9 * share; }
@@ -65,6 +75,7 @@ private:
     std::optional<StepOver> stepover_;
     StrategyResult result_;
     UncutReport uncut_;
+    HeldOut held_;
     int unsatisfied_ = 0;
 };
 
@@ -117,8 +128,12 @@ StrategyResult Planner::run() {
     // Moves may run above the exact path by the chord tolerance.
     result_.cusp_max += chord_;
     result_.chord_tolerance = chord_;
+    leave_out_held_up(still(placed(1)));
     check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
-    if (settings_.rest_only) leave_out_air(still(1));
+    if (settings_.rest_only)
+        leave_out_cut(still(1));
+    else
+        leave_out_outside(still(1));
     add_warnings();
     return std::move(result_);
 }
@@ -296,59 +311,57 @@ void Planner::check_uncut(const Progress& progress) {
     input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
     input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
     input.passes = result_.passes;
+    input.left_out = held_.left;
     uncut_ = find_uncut(input, progress);
 }
 
-/// Keeps what takes away more than the tolerance somewhere, and a radius before and after, so that the tool
-/// comes in where nothing stands. Gaps shorter than the tool is wide are passed at feed.
-void Planner::leave_out_air(const Progress& progress) {
-    const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
-    const StockCutter cutter(profile_);
-    const double beside = cover_.radius();
-    std::vector<Pass> kept;
-    for (const Pass& pass : result_.passes) {
-        const std::size_t n = pass.cl.size();
-        std::vector<double> arc(n, 0);
-        std::vector<Interval> busy;
-        for (std::size_t i = 1; i < n; ++i) {
-            progress.check();
-            const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
-            const double length = (b - a).norm();
-            arc[i] = arc[i - 1] + length;
-            for (const Interval& share : field.work(cutter, a, b, cusp_allowed_))
-                busy.push_back({std::max(0.0, arc[i - 1] + share.lo * length - beside),
-                                arc[i - 1] + share.hi * length + beside});
-        }
-        for (const Interval& range : joined(std::move(busy), 2 * beside)) {
-            Pass part;
-            part.drive = pass.drive;
-            part.offset = pass.offset;
-            // Moves are straight: an end may lie within one.
-            const auto add_end = [&](double at) {
-                const auto i =
-                    std::size_t(std::clamp(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin(),
-                                           std::ptrdiff_t(1), std::ptrdiff_t(n - 1)));
-                const double t =
-                    arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
-                const Vec3 tip = pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
-                part.cl.push_back({tip, pass.cl[i].axis});
-                part.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
-            };
-            add_end(range.lo);
-            for (std::size_t i = 0; i < n; ++i)
-                if (arc[i] > range.lo && arc[i] < range.hi) {
-                    part.cc.push_back(pass.cc[i]);
-                    part.cl.push_back(pass.cl[i]);
-                }
-            add_end(std::min(range.hi, arc.back()));
-            kept.push_back(std::move(part));
-        }
+void Planner::leave_out_held_up(const Progress& progress) {
+    const HolderReach bodies(context_.contact, context_.tool, allowance_ + settings_.holder_clearance,
+                             chord_);
+    if (bodies.empty()) return;
+    held_ = leave_out_held(result_.passes, bodies, shortest_piece * cover_.radius(), contact_at(), progress);
+    if (held_.kept.empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "shank or holder would come into the part wherever the cutter could cut",
+                    "use a tool that is " + text_(std::max(held_.lack.shank, held_.lack.holder)) + " longer");
+    result_.passes = std::move(held_.kept);
+}
+
+/// What passes the raw material by. Where it ends at the part's own height nothing is to be cut, but asked
+/// for.
+void Planner::leave_out_outside(const Progress& progress) {
+    const Box3& box = context_.stock_box;
+    if (box.empty()) return;
+    if (context_.stock.kind == StockSolid::Kind::box) {
+        Box3 tips;
+        for (const Pass& p : result_.passes)
+            for (const CutterLocation& c : p.cl)
+                tips.add(c.tip);
+        const double r = cover_.radius();
+        if ((tips.lo.head<2>().array() >= box.lo.head<2>().array() - r).all()
+            && (tips.hi.head<2>().array() <= box.hi.head<2>().array() + r).all()
+            && tips.hi.z() <= box.hi.z() + settings_.tolerance)
+            return;
     }
-    if (kept.empty())
+    PlanContext raw = context_;
+    raw.earlier.clear();
+    const StockField field = stock_before(raw, raw_cell_share * cover_.radius(), progress);
+    result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), -settings_.tolerance,
+                                   cover_.radius(), contact_at(), progress);
+    if (result_.passes.empty())
+        throw Error(ErrorCode::empty_result, settings_.name, "no pass meets the stock",
+                    "correct the stock's place and size");
+}
+
+/// Keeps what takes away more than the tolerance somewhere.
+void Planner::leave_out_cut(const Progress& progress) {
+    const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
+    result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), cusp_allowed_,
+                                   cover_.radius(), contact_at(), progress);
+    if (result_.passes.empty())
         throw Error(ErrorCode::empty_result, settings_.name,
                     "nowhere more than the tolerance stands of the stock",
                     "leave the operation out, or cut everywhere (rest_only)");
-    result_.passes = std::move(kept);
 }
 
 void Planner::add_warnings() {
@@ -393,40 +406,25 @@ void Planner::add_warnings() {
         warnings.push_back("the tip goes " + text_(below)
                            + " below the bottom of the stock, to cut the part's lower border fully");
 
-    // Above the cutting part: shank and holder as upright cylinders, each with its lower face at its height
-    // over the tip.
-    const Tool& tool = context_.tool;
-    double base = tool.flute_length;
-    add_body_warning("shank", tool.shank_diameter, base);
-    base += tool.shank_length;
-    for (const HolderSection& section : tool.holder) {
-        add_body_warning("holder", section.diameter, base);
-        base += section.length;
-    }
+    if (held_.left_length > 0) add_held_warning();
 }
 
-void Planner::add_body_warning(const std::string& name, double diameter, double base) {
-    if (!(diameter > 0)) return;
-    // A hair thinner: a shank as thick as the cutter runs along the walls that the cutter has cut.
-    const double thickness = diameter - 2 * std::max(chord_, tolerance::contact_distance);
-    if (!(thickness > 0) || base > context_.part_box.size().z() + 2 * cover_.radius()) return;
-    const AxialLift body(context_.contact, CutterProfile(AptCutter::flat(thickness, unlimited_height)));
-    const double hit = parallel_reduce(
-        result_.passes.size(), 1, 0.0, still(1),
-        [&](std::size_t begin, std::size_t end) {
-            double worst = 0;
-            for (std::size_t i = begin; i < end; ++i)
-                for (const CutterLocation& c : result_.passes[i].cl) {
-                    progress_.check();
-                    worst = std::max(worst, body.tip_z(c.tip.x(), c.tip.y()) - (c.tip.z() + base));
-                }
-            return worst;
-        },
-        [](double x, double y) { return std::max(x, y); });
-    if (hit > chord_)
-        result_.warnings.push_back("the " + name + " (diameter " + text_(diameter) + ", " + text_(base)
-                                   + " above the tip) would cut into the part by up to " + text_(hit)
-                                   + " of height: use a longer tool");
+void Planner::add_held_warning() {
+    const Tool& tool = context_.tool;
+    std::string longer;
+    if (held_.lack.shank > 0)
+        longer = "flutes of " + text_(tool.flute_length + held_.lack.shank) + " instead of "
+                 + text_(tool.flute_length);
+    if (held_.lack.holder > 0)
+        longer += (longer.empty() ? "" : " and ") + std::string("a stick-out of ")
+                  + text_(tool.flute_length + tool.shank_length + held_.lack.holder)
+                  + " below the holder instead of " + text_(tool.flute_length + tool.shank_length);
+    std::string what = "the tool is short: shank or holder would come into the part, so "
+                       + share_text(held_.left_length, held_.length) + " of the passes are left out";
+    if (const UncutPlaces& u = uncut_.held; u.height > 0)
+        what += " and " + share_text(u.area, uncut_.area) + " of the surface stays uncut by up to "
+                + text_(u.height) + ", most at " + text_(u.at);
+    result_.warnings.push_back(what + ": " + longer + " would reach it, or a tool that tilts (finish5)");
 }
 
 } // namespace
@@ -455,6 +453,7 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
               chord_tolerance_parameter(
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
+        t.add(&S::holder_clearance, holder_clearance_parameter());
         t.add(&S::rest_only, {.key = "rest_only",
                               .label = "Rest only",
                               .help = "Cuts only where more than the tolerance stands of the stock, as raw "

@@ -19,6 +19,9 @@
 // above it is tau = tolerance - t_in - t_out. The cutter is kept off S12 + allowance, and cusps are held to
 // tau. That is 3.15 with the tolerances on the sides where Fig. 3-8 has them.
 //
+// Shank and holder keep out of the part: the cutter is not moved where they would come into it. What that
+// leaves is said, and how long a tool would reach it.
+//
 // As a semi-finish it keeps an allowance. Asked to, it cuts only where more than the tolerance stands of the
 // stock, as raw material and earlier operations left it (stock_field.h): the passes are those of a plan over
 // the whole part, less what would be air.
@@ -47,6 +50,7 @@ struct Finish3Settings : OperationCommon {
     Pattern pattern = Pattern::zigzag;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
+    double holder_clearance = 0; ///< mm, kept between shank or holder and the part
     bool rest_only = false;
     /// How finely cusps are looked at. No parameters: step-overs rest on it, and tests halve and double it.
     CuspLook look;
@@ -62,6 +66,7 @@ public:
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
     bool three_axis() const override { return true; }
     bool reads_stock() const override { return settings_.rest_only; }
+    double holder_clearance() const override { return settings_.holder_clearance; }
 
     /// Throws Error(empty_result) when no facet faces up, Error(out_of_range) when the tessellation
     /// tolerances leave nothing of the tolerance or the cutter is impossible, Error(limit_exceeded) beyond

@@ -47,10 +47,10 @@ struct Line {
 /// The cutter as the passes move it, endless upward.
 class Swept {
 public:
-    Swept(const UncutInput& input, const Progress& progress)
+    Swept(const UncutInput& input, std::span<const Pass> passes, const Progress& progress)
         : frame_(input.frame), profile_(input.cover->profile()), radius_(input.cover->radius()) {
         std::vector<Line> lines;
-        for (const Pass& pass : input.passes) {
+        for (const Pass& pass : passes) {
             progress.check();
             Line line{pass.offset, {run_of(pass)}};
             if (!line.runs.front().empty()) lines.push_back(std::move(line));
@@ -155,7 +155,8 @@ private:
 class Search {
 public:
     Search(const UncutInput& input, const Progress& progress)
-        : in_(input), up_(*input.mesh, progress), swept_(input, progress),
+        : in_(input), up_(*input.mesh, progress), swept_(input, input.passes, progress),
+          left_out_(input, input.left_out, progress),
           needle_(input.contact,
                   CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
           limit_(2 * input.cover->radius()) {
@@ -186,8 +187,8 @@ public:
             [](UncutReport a, const UncutReport& b) {
                 a.area += b.area;
                 a.samples += b.samples;
-                for (auto places :
-                     {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::covered}) {
+                for (auto places : {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::held,
+                                    &UncutReport::covered}) {
                     UncutPlaces& mine = a.*places;
                     const UncutPlaces& more = b.*places;
                     mine.area += more.area;
@@ -222,7 +223,10 @@ private:
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
         if (passes_hold(p + in_.allowed * n, tip)) return;
         UncutPlaces* places = &report.out_of_reach;
-        if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
+        const Vec3 highest = p + in_.allowed * n;
+        if (!in_.left_out.empty() && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
+            places = &report.held;
+        } else if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
             if (!up_.closed()) return;
             places = &report.covered;
         } else {
@@ -261,7 +265,7 @@ private:
 
     const UncutInput& in_;
     UpwardFacets up_;
-    Swept swept_;
+    Swept swept_, left_out_;
     AxialLift needle_;
     double limit_, spacing_ = 1;
 };

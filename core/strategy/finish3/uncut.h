@@ -3,11 +3,12 @@
 // The facets that face up are sampled, evenly and at least once each. At every sample the place as far above
 // it, along the facet's normal, as may stay is looked for in the cutter that the passes move, so whatever the
 // planner overlooked shows. What is left above the allowed height
-// has one of three reasons:
+// has one of four reasons:
 //
 //  - out of reach: wherever the cutter touches down here, the part around it holds it up; hollows narrower
 //    than the cutter, inner edges, feet of walls. Only another cutter helps.
 //  - passed by: the cutter would reach the place, but no pass goes there; a step-over that is too large.
+//  - held: passes over it are left out, because shank or holder would come into the part.
 //  - covered: the part itself lies over the place, seen from above. Counted where the facets' winding tells
 //    which side is out (a closed mesh); on an open sheet the facet may just as well be an underside.
 #pragma once
@@ -31,6 +32,7 @@ struct UncutInput {
     double allowed = 0;   ///< height above it that may stay, > 0
     double top = 0;       ///< height of the stock, for places that no pass comes over
     std::span<const Pass> passes;
+    std::span<const Pass> left_out; ///< for shank and holder
 };
 
 struct UncutPlaces {
@@ -41,7 +43,7 @@ struct UncutPlaces {
 
 struct UncutReport {
     double area = 0; ///< all facets that were looked at, mm^2
-    UncutPlaces out_of_reach, passed_by, covered;
+    UncutPlaces out_of_reach, passed_by, held, covered;
     std::size_t samples = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/surface/holder_reach.h"
 
 namespace facetmill {
 
@@ -69,6 +70,13 @@ private:
 };
 
 } // namespace
+
+double LiftField::tip_z(const Vec2& p, LiftHint& hint) const {
+    const double z = std::max(lift->tip_z(p.x(), p.y(), hint), floor);
+    if (!bodies || bodies->empty()) return z;
+    HolderReach::Hints hints;
+    return bodies->raised(p, z, hints);
+}
 
 double safe_spacing(const CutterProfile& profile, double below) {
     const auto round = [below](double radius) { return std::sqrt(8 * radius * below); };

@@ -8,14 +8,18 @@
 
 namespace facetmill {
 
+class HolderReach;
+
 /// The axial lift, held up by a floor: where the cutter would fall past the part it stays at the floor.
 struct LiftField {
     const AxialLift* lift = nullptr;
     double floor = -infinity;
-    double tip_z(const Vec2& p) const { return std::max(lift->tip_z(p.x(), p.y()), floor); }
-    double tip_z(const Vec2& p, LiftHint& hint) const {
-        return std::max(lift->tip_z(p.x(), p.y(), hint), floor);
+    const HolderReach* bodies = nullptr; ///< may lift the tool farther
+    double tip_z(const Vec2& p) const {
+        LiftHint hint;
+        return tip_z(p, hint);
     }
+    double tip_z(const Vec2& p, LiftHint& hint) const;
 };
 
 struct LinePoint {

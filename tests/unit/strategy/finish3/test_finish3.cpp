@@ -318,6 +318,30 @@ private slots:
         QVERIFY(has(planned(step(0, 12), s, tool), "holder"));
     }
 
+    /// A stock smaller than the part: nothing is passed where there is none, or the part stands above it.
+    void what_passes_the_stock_by_is_left_out() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        Finish3Settings s;
+        s.stepover = {1.5, ""};
+        s.direction = {0, "x"};
+        const auto length = [](const StrategyResult& r) {
+            double sum = 0;
+            for (const Pass& p : r.passes)
+                for (std::size_t i = 1; i < p.cl.size(); ++i)
+                    sum += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+            return sum;
+        };
+        const double whole = length(Finish3(s).plan(context, Progress()));
+        context.stock_box.hi.x() = -10; // of -20 to 20
+        const StrategyResult side = Finish3(s).plan(context, Progress());
+        QVERIFY(std::abs(length(side) / whole - (10 + 3.5) / 40.0) < 0.03); // out by a radius
+        for (const Pass& p : side.passes)
+            for (const CutterLocation& c : p.cl)
+                QVERIFY(c.tip.x() < -10 + 6.5);
+        context.stock_box = Box3{Vec3(-20, -15, 0), Vec3(20, 15, 2.5)}; // the part is level at 3
+        QCOMPARE(code_of([&] { Finish3(s).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
     /// What an earlier cut has cleared to within the tolerance is left out, and nothing else.
     void the_rest_is_cut_where_it_stands() {
         PlanContext context = context_of(level(), ball_tool(6));

@@ -1,0 +1,150 @@
+#include "core/strategy/finish3/left_out.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+Vec3 place_on(const Pass& pass, std::span<const double> arc, double at) {
+    const std::size_t n = pass.cl.size();
+    if (n < 2) return pass.cl.front().tip;
+    // Moves are straight: the place may lie within one.
+    const auto i = std::size_t(std::clamp(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin(),
+                                          std::ptrdiff_t(1), std::ptrdiff_t(n - 1)));
+    const double t =
+        arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
+    return pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
+}
+
+/// Ranges of a pass' length that shank and holder may come to.
+std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, const HolderReach& bodies,
+                                  const Progress& progress) {
+    HolderReach::Hints hints;
+    std::vector<Interval> ranges;
+    bool was_free = false;
+    const auto look = [&](const Vec3& tip, double at) {
+        progress.check();
+        const bool is_free = bodies.is_free(tip, hints);
+        if (is_free && !was_free) ranges.push_back({at, at});
+        if (is_free) ranges.back().hi = at;
+        was_free = is_free;
+    };
+    look(pass.cl.front().tip, 0);
+    for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+        const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
+        const auto n = std::size_t(std::ceil((b - a).norm() / bodies.spacing())) + 1;
+        for (std::size_t k = 1; k <= n; ++k) {
+            const double t = double(k) / double(n);
+            look(a + t * (b - a), arc[i - 1] + t * (arc[i] - arc[i - 1]));
+        }
+    }
+    return ranges;
+}
+
+} // namespace
+
+std::vector<double> arc_lengths(const Pass& pass) {
+    std::vector<double> arc(pass.cl.size(), 0);
+    for (std::size_t i = 1; i < arc.size(); ++i)
+        arc[i] = arc[i - 1] + (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+    return arc;
+}
+
+std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::span<const Interval> ranges,
+                            const ContactAt& contact) {
+    std::vector<Pass> pieces;
+    for (const Interval& range : ranges) {
+        Pass part;
+        part.drive = pass.drive;
+        part.offset = pass.offset;
+        const auto add_end = [&](double at) {
+            const Vec3 tip = place_on(pass, arc, at);
+            part.cl.push_back({tip, pass.cl.front().axis});
+            part.cc.push_back(contact(tip));
+        };
+        add_end(range.lo);
+        for (std::size_t i = 0; i < arc.size(); ++i)
+            if (arc[i] > range.lo && arc[i] < range.hi) {
+                part.cc.push_back(pass.cc[i]);
+                part.cl.push_back(pass.cl[i]);
+            }
+        add_end(std::min(range.hi, arc.back()));
+        pieces.push_back(std::move(part));
+    }
+    return pieces;
+}
+
+HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
+                       const ContactAt& contact, const Progress& progress) {
+    std::vector<HeldOut> parts(passes.size());
+    parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
+        const Pass& pass = passes[i];
+        HeldOut& part = parts[i];
+        if (pass.cl.empty()) return;
+        const std::vector<double> arc = arc_lengths(pass);
+        part.length = arc.back();
+        std::vector<Interval> kept = free_ranges(pass, arc, bodies, progress);
+        if (kept.size() == 1 && kept[0].lo <= 0 && kept[0].hi >= arc.back()) {
+            part.kept.push_back(pass);
+            return;
+        }
+        std::erase_if(kept, [&](const Interval& r) { return r.length() < shortest; });
+        std::vector<Interval> left;
+        double from = 0;
+        for (const Interval& r : kept) {
+            if (r.lo > from) left.push_back({from, r.lo});
+            from = r.hi;
+        }
+        if (from < arc.back()) left.push_back({from, arc.back()});
+        for (const Interval& r : left)
+            part.left_length += r.length();
+        part.kept = pieces_of(pass, arc, kept, contact);
+        part.left = pieces_of(pass, arc, left, contact);
+        for (const Pass& p : part.left)
+            for (const CutterLocation& c : p.cl) {
+                progress.check();
+                const HolderReach::Lack lack = bodies.lack(c.tip);
+                part.lack.shank = std::max(part.lack.shank, lack.shank);
+                part.lack.holder = std::max(part.lack.holder, lack.holder);
+            }
+    });
+    HeldOut all;
+    for (HeldOut& part : parts) {
+        std::move(part.kept.begin(), part.kept.end(), std::back_inserter(all.kept));
+        std::move(part.left.begin(), part.left.end(), std::back_inserter(all.left));
+        all.length += part.length;
+        all.left_length += part.left_length;
+        all.lack.shank = std::max(all.lack.shank, part.lack.shank);
+        all.lack.holder = std::max(all.lack.holder, part.lack.holder);
+    }
+    return all;
+}
+
+std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockField& field,
+                                const StockCutter& cutter, double least, double beside,
+                                const ContactAt& contact, const Progress& progress) {
+    std::vector<std::vector<Pass>> parts(passes.size());
+    parallel_for(passes.size(), 1, progress, [&](std::size_t k) {
+        const Pass& pass = passes[k];
+        const std::vector<double> arc = arc_lengths(pass);
+        std::vector<Interval> busy;
+        for (std::size_t i = 1; i < arc.size(); ++i) {
+            progress.check();
+            const double length = arc[i] - arc[i - 1];
+            for (const Interval& share : field.work(cutter, pass.cl[i - 1].tip, pass.cl[i].tip, least))
+                busy.push_back({std::max(0.0, arc[i - 1] + share.lo * length - beside),
+                                arc[i - 1] + share.hi * length + beside});
+        }
+        if (!busy.empty()) parts[k] = pieces_of(pass, arc, joined(std::move(busy), 2 * beside), contact);
+    });
+    std::vector<Pass> kept;
+    for (auto& part : parts)
+        std::move(part.begin(), part.end(), std::back_inserter(kept));
+    return kept;
+}
+
+} // namespace facetmill

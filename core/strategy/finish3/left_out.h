@@ -1,0 +1,44 @@
+// Parts of passes that are not cut after all: where shank or holder would come into the part, and where the
+// cutter would only cut air. A pass is split there.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/strategy/plan/path.h"
+#include "core/strategy/surface/contact_domain.h"
+#include "core/strategy/surface/holder_reach.h"
+#include "core/strategy/surface/stock_field.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+/// The contact that belongs to a tip on a pass.
+using ContactAt = std::function<CutterContact(const Vec3& tip)>;
+
+/// Length of a pass up to each of its locations, mm.
+std::vector<double> arc_lengths(const Pass& pass);
+/// The pieces of a pass over ranges of its length; their ends may lie within a motion.
+std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::span<const Interval> ranges,
+                            const ContactAt& contact);
+
+/// What shank and holder keep a path from.
+struct HeldOut {
+    std::vector<Pass> kept, left;       ///< pieces of the passes
+    double length = 0, left_length = 0; ///< of all passes, and of what is left out; mm
+    HolderReach::Lack lack;             ///< the largest; lengths that would have to be added
+};
+
+/// Keeps what shank and holder may come to. Pieces shorter than `shortest` are left out too.
+HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
+                       const ContactAt& contact, const Progress& progress);
+
+/// Keeps what takes away more than `least` of height somewhere (below 0: what comes as near as that), and
+/// `beside` before and after, so that the tool comes in where nothing stands. Gaps shorter than twice that
+/// are passed at feed.
+std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockField& field,
+                                const StockCutter& cutter, double least, double beside,
+                                const ContactAt& contact, const Progress& progress);
+
+} // namespace facetmill
