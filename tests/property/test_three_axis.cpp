@@ -329,6 +329,37 @@ private slots:
             }
     }
 
+    /// A steep cone on a level part: the passes over the part lie as far apart as without it, those that it
+    /// asks for are partial, and all of it is cut to the tolerance.
+    void one_steep_spot_does_not_thin_whole_passes() {
+        const Vec2 lo(-25, -10), hi(25, 10);
+        const auto cone = [](double x, double y) { return std::max(0.0, 6 - 2.5 * std::hypot(x - 8, y)); };
+        const Mesh part = height_field(cone, lo, hi, 100, 40);
+        const Mesh level = height_field([](double, double) { return 0.0; }, lo, hi, 2, 2);
+        for (const Tool& tool : {ball_tool(6), bull_tool(8, 2)}) {
+            const auto op = operation("finish3", 0.05);
+            op->common().direction = {0, "x"};
+            const PlanContext context = context_of(part, tool);
+            const StrategyResult without = op->plan(context_of(level, tool), Progress());
+            const StrategyResult path = op->plan(context, Progress());
+            QVERIFY2(path.drive_planes <= 1.2 * without.drive_planes + 2,
+                     qPrintable(QString("%1, %2").arg(path.drive_planes).arg(without.drive_planes)));
+            QVERIFY(path.passes.size() > std::size_t(path.drive_planes) + 5);
+            PathCheckOptions options;
+            options.spacing = 0.3;
+            options.border = 3;
+            // Beside the foot of the cone no tool of this size comes to.
+            options.no_cusp = [&](const Vec3& p) {
+                return std::abs(std::hypot(p.x() - 8, p.y()) - 2.4) < 2.2;
+            };
+            const PathCheckResult result =
+                check_path(part, tool.cutter(), tips(linked(path, context, *op)), options);
+            QVERIFY(result.cusp_samples > 5000);
+            QVERIFY2(result.gouge_max <= 0.0025, qPrintable(QString::number(result.gouge_max)));
+            QVERIFY2(result.cusp_max <= 0.052, qPrintable(QString::number(result.cusp_max)));
+        }
+    }
+
     /// A wide holder beside a step, and a shank thicker than the cutter: passes and links keep both out of
     /// the part, what they leave is said, and the length that is said to reach it does.
     void shank_and_holder_keep_out() {

@@ -3,9 +3,11 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/left_out.h"
+#include "core/strategy/finish3/partial_lines.h"
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/plan/pass_order.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/surface/slice.h"
@@ -40,7 +42,7 @@ public:
     StrategyResult run();
 
 private:
-    void add_line(double v, double back, double ahead, const Progress& progress);
+    void add_line(const PlannedLine& line, const Progress& progress);
     void plan_parallel();
     void plan_constant(double step);
     void plan_adaptive();
@@ -49,6 +51,7 @@ private:
     void leave_out_held_up(const Progress& progress);
     void leave_out_outside(const Progress& progress);
     void leave_out_cut(const Progress& progress);
+    void order_passes(const Progress& progress);
     void add_warnings();
     void add_held_warning();
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
@@ -76,7 +79,7 @@ private:
     StrategyResult result_;
     UncutReport uncut_;
     HeldOut held_;
-    int unsatisfied_ = 0;
+    int unsatisfied_ = 0, lines_ = 0;
 };
 
 Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
@@ -134,6 +137,7 @@ StrategyResult Planner::run() {
         leave_out_cut(still(1));
     else
         leave_out_outside(still(1));
+    order_passes(still(1));
     add_warnings();
     return std::move(result_);
 }
@@ -172,10 +176,10 @@ void Planner::plan_constant(double step) {
     for (std::size_t i = 0; i < std::size_t(planes); ++i) {
         const Progress here = still(placed(double(i) / planes));
         const double v = first + double(i) * step;
-        DriveLine line = stepover_->line(v, reach, reach, here);
+        DriveLine line = stepover_->line(v, reach, reach, nullptr, here);
         result_.cusp_max = std::max(
             result_.cusp_max, stepover_->worst_cusp(i == 0 ? nullptr : &last, &line, i == 0 ? lo : 0, here));
-        add_line(v, reach, reach, here);
+        add_line({v, reach, reach, {}}, here);
         last = std::move(line);
         progress_.set(placed((double(i) + 1) / planes));
     }
@@ -187,6 +191,8 @@ void Planner::plan_constant(double step) {
 void Planner::plan_adaptive() {
     const double lo = domain_->lo(), hi = domain_->hi();
     result_.stepover_min = infinity;
+    PartialLines partial(*stepover_);
+    double guess = stepover_->first_guess();
     // A line is known in full when the step after it is: how far it reaches depends on both.
     std::optional<DriveLine> last;
     for (std::size_t i = 0;; ++i) {
@@ -197,44 +203,56 @@ void Planner::plan_adaptive() {
             const double rest = hi - last->v;
             double cusp = 0;
             if (rest > 0 && rest <= stepover_->largest_step()) {
-                if (last->ahead < rest) *last = stepover_->line(last->v, last->back, rest, here);
+                if (last->ahead < rest) *last = stepover_->line(last->v, last->back, rest, nullptr, here);
                 cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
             }
             if (rest <= 0 || (rest <= stepover_->largest_step() && cusp <= stepover_->allowed_cusp())) {
                 result_.cusp_max = std::max(result_.cusp_max, cusp);
-                add_line(last->v, last->back, std::max(rest, 0.0), here);
+                add_line({last->v, last->back, std::max(rest, 0.0), {}}, here);
                 break;
             }
         }
-        if (i >= max_drive_planes)
+        if (i + result_.passes.size() >= max_drive_planes)
             throw Error(ErrorCode::limit_exceeded, "stepover",
                         "the tolerance asks for more than " + std::to_string(max_drive_planes)
                             + " drive planes",
                         "allow a larger tolerance or set a step-over");
-        StepOver::Step step = stepover_->next(last ? &*last : nullptr, here);
+        StepOver::Step step = stepover_->next({last ? &*last : nullptr, hi, nullptr, guess, true}, here);
         if (!step.satisfied) ++unsatisfied_;
         result_.cusp_max = std::max(result_.cusp_max, step.cusp);
         const double width = step.line.v - at;
         if (last) {
+            if (step.satisfied) guess = std::min(width, stepover_->largest_step());
             result_.stepover_min = std::min(result_.stepover_min, width);
             result_.stepover_max = std::max(result_.stepover_max, width);
-            add_line(last->v, last->back, StepOver::reach_share * width, here);
+            const double reach = StepOver::reach_share * width;
+            add_line({last->v, last->back, reach, {}}, here);
+            if (!step.left.empty()) {
+                if (last->ahead < reach) *last = stepover_->line(last->v, last->back, reach, nullptr, here);
+                partial.fill(*last, step.line, step.left, here);
+            }
+            for (const PlannedLine& line : partial.take())
+                add_line(line, here);
         }
         last = std::move(step.line);
         progress_.set(placed(hi > lo ? (last->v - lo) / (hi - lo) : 1));
     }
+    result_.cusp_max = std::max(result_.cusp_max, partial.cusp_max());
+    unsatisfied_ += partial.unsatisfied();
     if (result_.stepover_max == 0) result_.stepover_min = 0; // a single plane has no neighbour
 }
 
-void Planner::add_line(double v, double back, double ahead, const Progress& progress) {
-    const int drive = result_.drive_planes;
+void Planner::add_line(const PlannedLine& line, const Progress& progress) {
+    const int drive = lines_++;
+    if (!line.within) ++result_.drive_planes;
     std::vector<Pass> passes;
-    for (const Interval& range : stepover_->ranges(v, back, ahead)) {
+    const Interval* within = line.within ? &*line.within : nullptr;
+    for (const Interval& range : stepover_->ranges(line.v, line.back, line.ahead, within)) {
         const auto points =
-            lift_line(field_, v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
-        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), v, progress);
+            lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
+        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), line.v, progress);
         pass.drive = drive;
-        pass.offset = v;
+        pass.offset = line.v;
         passes.push_back(std::move(pass));
     }
     if (settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1) {
@@ -246,7 +264,6 @@ void Planner::add_line(double v, double back, double ahead, const Progress& prog
     }
     for (Pass& p : passes)
         result_.passes.push_back(std::move(p));
-    ++result_.drive_planes;
 }
 
 CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) const {
@@ -364,6 +381,14 @@ void Planner::leave_out_cut(const Progress& progress) {
                     "leave the operation out, or cut everywhere (rest_only)");
 }
 
+/// Pieces that lie side by side one after another, instead of every plane from border to border.
+void Planner::order_passes(const Progress& progress) {
+    if (result_.passes.size() == std::size_t(result_.drive_planes)) return;
+    double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.allowance;
+    order_by_travel(result_.passes, settings_.pattern == Finish3Settings::Pattern::zigzag,
+                    top + settings_.clearance, progress);
+}
+
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
     const bool uncut = result_.cusp_max == infinity;
@@ -380,7 +405,7 @@ void Planner::add_warnings() {
                            + "; the tolerance allows " + text_(cusp_allowed_));
     if (unsatisfied_ > 0)
         warnings.push_back(
-            std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
+            std::to_string(unsatisfied_) + " of " + std::to_string(lines_)
             + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
             + text_(result_.cusp_max) + " stay there, " + text_(cusp_allowed_) + " are allowed");
     const auto share = [&](const UncutPlaces& places) {

@@ -10,6 +10,9 @@
 // places, the domain (contact_domain.h) makes up for it: the tip goes as far beyond a border as touching the
 // border takes.
 //
+// Passes are as far apart as most of them allows; partial passes lie between where a range asks for more
+// (partial_lines.h). `drive_planes` counts those over the whole part.
+//
 // Only what the cutter meets from above is cut: undersides and places under an overhang get no pass, and a
 // solid, whose slices have a top and a bottom, is passed once.
 //

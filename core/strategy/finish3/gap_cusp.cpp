@@ -46,7 +46,8 @@ double inset(const Interval& r) {
 
 } // namespace
 
-GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge)
+GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge,
+                 const Interval* within)
     : field_(field), in_(field.input()), a_(a), b_(b), v0_(a ? a->v : edge), v1_(b ? b->v : edge) {
     if (!(v1_ > v0_)) return;
     std::vector<Interval> all;
@@ -61,10 +62,15 @@ GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b,
     }
     if (a) domain_a_ = in_.domain->line(a->v, in_.merge);
     if (b) domain_b_ = in_.domain->line(b->v, in_.merge);
-    place_columns(std::move(all));
+    place_columns(std::move(all), within);
 }
 
-void GapCusp::place_columns(std::vector<Interval> all) {
+void GapCusp::place_columns(std::vector<Interval> all, const Interval* within) {
+    if (within) {
+        for (Interval& r : all)
+            r = {std::max(r.lo, within->lo), std::min(r.hi, within->hi)};
+        std::erase_if(all, [](const Interval& r) { return !(r.lo <= r.hi); });
+    }
     // The ends of every row, because a corner of the part may be narrower than the grid.
     for (const Interval& r : all)
         for (const double u : {r.lo + inset(r), r.hi - inset(r)})
@@ -77,18 +83,18 @@ void GapCusp::place_columns(std::vector<Interval> all) {
     }
 }
 
-double GapCusp::largest(const Progress& progress) const {
-    if (!(v1_ > v0_)) return 0;
-    return parallel_reduce(
-        columns_.size(), block_columns, 0.0, progress,
-        [&](std::size_t begin, std::size_t end) {
-            double worst = 0;
-            Ahead ahead;
-            for (std::size_t c = begin; c < end && worst < infinity; ++c)
-                look(c, ahead, worst);
-            return worst;
-        },
-        [](double x, double y) { return std::max(x, y); });
+std::vector<CuspAt> GapCusp::along(const Progress& progress) const {
+    if (!(v1_ > v0_)) return {};
+    std::vector<CuspAt> found(columns_.size());
+    parallel_blocks(columns_.size(), block_columns, progress, [&](std::size_t begin, std::size_t end) {
+        Ahead ahead;
+        for (std::size_t c = begin; c < end; ++c) {
+            found[c].u = columns_[c].u;
+            look(c, ahead, found[c].cusp);
+        }
+    });
+    std::stable_sort(found.begin(), found.end(), [](const CuspAt& a, const CuspAt& b) { return a.u < b.u; });
+    return found;
 }
 
 void GapCusp::look(std::size_t column, Ahead& ahead, double& worst) const {

@@ -10,12 +10,20 @@
 
 namespace facetmill {
 
+struct CuspAt {
+    double u = 0, cusp = 0;
+};
+
 class GapCusp {
 public:
-    /// Between `a` and `b`; without one of them, between the border v = edge and the other.
-    GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge);
+    /// Between `a` and `b`; without one of them, between the border v = edge and the other. Only over
+    /// `within` (u), where that is given.
+    GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b, double edge,
+            const Interval* within = nullptr);
 
-    double largest(const Progress& progress) const;
+    /// The largest cusp at places along the gap, `CuspField::spacing()` apart where there is something to
+    /// cut; u never falls.
+    std::vector<CuspAt> along(const Progress& progress) const;
 
 private:
     using Sample = CuspField::Sample;
@@ -40,7 +48,7 @@ private:
         std::size_t column = no_index;
     };
 
-    void place_columns(std::vector<Interval> all);
+    void place_columns(std::vector<Interval> all, const Interval* within);
     void look(std::size_t column, Ahead& ahead, double& worst) const;
     /// False where a place is not cut at all.
     bool look_at_rows(Found& found, std::size_t column, const Ahead& ahead, double& worst) const;

@@ -259,20 +259,21 @@ private slots:
             in.cusp = h;
             in.merge = 0.1;
             StepOver stepover(in);
-            const DriveLine a = stepover.line(-1, 0.5, 0.5, Progress());
-            const StepOver::Step step = stepover.next(&a, Progress());
+            const DriveLine a = stepover.line(-1, 0.5, 0.5, nullptr, Progress());
+            const StepOver::Step step =
+                stepover.next({&a, domain.hi(), nullptr, stepover.first_guess(), false}, Progress());
             const double exact = flat + 2 * std::sqrt(2 * cutter.r * h - h * h);
             QVERIFY(step.satisfied && step.cusp <= h);
             QVERIFY2(step.line.v + 1 <= exact + 1e-9 && step.line.v + 1 > 0.97 * exact,
                      qPrintable(QString("%1 of %2").arg(step.line.v + 1).arg(exact)));
             // and what it leaves at a step of one's own choice.
-            const DriveLine b = stepover.line(flat, 0.5, 0.5, Progress());
+            const DriveLine b = stepover.line(flat, 0.5, 0.5, nullptr, Progress());
             const double half = 0.5 * (b.v - a.v - flat),
                          known = cutter.r - std::sqrt(cutter.r * cutter.r - half * half);
             const double found = stepover.worst_cusp(&a, &b, 0, Progress());
             QVERIFY2(std::abs(found - known) < 0.02 * known,
                      qPrintable(QString("%1 %2").arg(found).arg(known)));
-            const DriveLine far = stepover.line(8, 0.5, 0.5, Progress());
+            const DriveLine far = stepover.line(8, 0.5, 0.5, nullptr, Progress());
             QCOMPARE(stepover.worst_cusp(&a, &far, 0, Progress()), infinity);
         }
     }

@@ -258,8 +258,11 @@ private slots:
         s.stepover = {1, ""};
         const StrategyResult r = planned(m, s);
         QVERIFY(r.passes.size() > std::size_t(r.drive_planes));
+        // One side of it is cut after the other: the tool crosses it once or twice, not in every plane.
+        int crossings = 0;
         for (std::size_t i = 0; i + 1 < r.passes.size(); ++i)
-            QVERIFY(r.passes[i].drive <= r.passes[i + 1].drive);
+            if ((r.passes[i].cl.back().tip - r.passes[i + 1].cl.front().tip).norm() > 4) ++crossings;
+        QVERIFY2(crossings <= 3, qPrintable(QString::number(crossings)));
     }
 
     void tessellation_tolerances_are_taken_off() {
