@@ -17,11 +17,11 @@ constexpr double fair_share = 0.92;
 /// A step that leaves something to partial lines is tried again where another one is cheaper and differs by
 /// more than this share, so often at most.
 constexpr double same_choice = 0.08;
-constexpr int most_choices = 3;
+constexpr int max_choices = 3;
 /// It has to save this share of the travel.
 constexpr double worth_leaving = 0.9;
 /// And leave no more than this share of the line.
-constexpr double most_left = 0.5;
+constexpr double max_left = 0.5;
 /// Partial lines lie no farther than this share of the way to the next line.
 constexpr double before_limit = 0.75;
 /// Steps whose travel is estimated are in this ratio.
@@ -118,7 +118,7 @@ StepOver::Step StepOver::attempt(const Search& search, const DriveLine*& a, Driv
     return s;
 }
 
-StepOver::Choice StepOver::least_travel(const std::vector<CuspAt>& found, double step, double cap) const {
+StepOver::Choice StepOver::cheapest_step(const std::vector<CuspAt>& found, double step, double cap) const {
     // A cusp is as the square of the step.
     std::vector<double> need(found.size()), width(found.size(), 0);
     Choice whole{cap, false};
@@ -152,7 +152,7 @@ StepOver::Choice StepOver::least_travel(const std::vector<CuspAt>& found, double
             most = std::max(most, lines - 1);
         }
         // Where most of it asks for lines between, the last of them would come close to its neighbour.
-        return more <= most_left * (more + once) ? (sum + most * piece) / x : infinity;
+        return more <= max_left * (more + once) ? (sum + most * piece) / x : infinity;
     };
     Choice best = whole;
     double least = worth_leaving * travel(whole.step);
@@ -177,13 +177,13 @@ StepOver::Step StepOver::next(const Search& search, const Progress& progress) co
     std::vector<CuspAt> found;
     for (int tries = 0;; ++tries) {
         Step s = attempt(search, a, longer, step, found, progress);
-        const Choice choice = least_travel(found, step, cap);
+        const Choice choice = cheapest_step(found, step, cap);
         if (!choice.leaves) {
             if (s.satisfied && (s.cusp >= good_share * in_.cusp || step >= cap)) return s;
             now.guess = choice.step;
             return farthest(now, progress);
         }
-        if (tries + 1 < most_choices && std::abs(choice.step - step) > same_choice * step) {
+        if (tries + 1 < max_choices && std::abs(choice.step - step) > same_choice * step) {
             step = choice.step;
             continue;
         }

@@ -85,7 +85,7 @@ private:
     Step attempt(const Search& search, const DriveLine*& a, DriveLine& longer, double d,
                  std::vector<CuspAt>& found, const Progress& progress) const;
     Step farthest(const Search& search, const Progress& progress) const;
-    Choice least_travel(const std::vector<CuspAt>& found, double step, double cap) const;
+    Choice cheapest_step(const std::vector<CuspAt>& found, double step, double cap) const;
     std::vector<Interval> left_of(const std::vector<CuspAt>& found, const Interval* within) const;
     double cap_of(const Search& search) const;
     double join() const { return (2 * beyond_share + 1) * in_.cover->radius(); }
