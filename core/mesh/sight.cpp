@@ -1,5 +1,9 @@
 #include "core/mesh/sight.h"
 
+#include "core/mesh/triangle_distance.h"
+
+#include <cmath>
+
 namespace facetmill {
 
 namespace {
@@ -30,6 +34,36 @@ double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
     tree_.each([&](const Box3& box) { return meets(box, p, d, nearest); },
                [&](std::size_t facet) { nearest = std::min(nearest, hit(facet, p, d)); });
     return nearest;
+}
+
+double MeshSight::distance(const Vec3& p, double most) const {
+    double square = most * most;
+    tree_.each(
+        [&](const Box3& box) { return (p - p.cwiseMax(box.lo).cwiseMin(box.hi)).squaredNorm() < square; },
+        [&](std::size_t f) {
+            square = std::min(
+                square, squared_distance(p, mesh_.corner(f, 0), mesh_.corner(f, 1), mesh_.corner(f, 2)));
+        });
+    return std::sqrt(square);
+}
+
+void MeshSight::each_near(const Vec3& p, const Vec3& d, double length, double r,
+                          const std::function<void(std::size_t facet)>& visit) const {
+    tree_.each(
+        [&](const Box3& box) {
+            double from = 0, to = length;
+            for (int k = 0; k < 3; ++k) {
+                const double a = box.lo[k] - r - p[k], b = box.hi[k] + r - p[k];
+                if (d[k] == 0) {
+                    if (a > 0 || b < 0) return false;
+                } else {
+                    from = std::max(from, std::min(a / d[k], b / d[k]));
+                    to = std::min(to, std::max(a / d[k], b / d[k]));
+                }
+            }
+            return from <= to;
+        },
+        visit);
 }
 
 bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const {

@@ -5,6 +5,8 @@
 #include "core/mesh/box_tree.h"
 #include "core/mesh/mesh.h"
 
+#include <functional>
+
 namespace facetmill {
 
 /// Rays against all facets of a mesh, whichever way these are wound.
@@ -18,6 +20,13 @@ public:
 
     /// How far it is along such a ray to the first facet; infinity where there is none.
     double first_hit(const Vec3& p, const Vec3& d) const;
+
+    /// How far p is from the nearest facet; `most` where that is farther.
+    double distance(const Vec3& p, double most) const;
+    /// The facets whose boxes come within `r` of p + t d, t in [0, length], and maybe some more.
+    void each_near(const Vec3& p, const Vec3& d, double length, double r,
+                   const std::function<void(std::size_t facet)>& visit) const;
+    const Mesh& mesh() const { return mesh_; }
 
 private:
     bool meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const;

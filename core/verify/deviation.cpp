@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/verify/probes.h"
+#include "core/verify/standing.h"
 
 #include <numeric>
 
@@ -102,7 +103,7 @@ class SampleProbe {
 public:
     SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, const MeshSight& sight,
                 const ProbeAims& aims)
-        : bodies_(bodies), exit_of_(exit_of), sight_(sight), aims_(aims),
+        : bodies_(bodies), exit_of_(exit_of), standing_(sight, aims.allowance, aims.far), aims_(aims),
           collision_limit_(
               std::clamp(aims.gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth)),
           deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index) {
@@ -126,7 +127,7 @@ public:
         const double depth = gouge(surface, by);
         if (depth > 0) return -depth;
         value = left(p, normal, value, by);
-        return value > aims_.far ? well_judged(p, normal, value, by) : value;
+        return value > aims_.far ? standing_.off_part(p, normal, value) : value;
     }
 
 private:
@@ -157,32 +158,6 @@ private:
         }
         return value;
     }
-    /// Of a place on which much stands. At the foot of a wall a line may run up within what may stand on the
-    /// wall: then a line a little farther from it is asked. And it ends where it meets the part again.
-    double well_judged(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
-        constexpr int directions = 12;
-        constexpr double share = 1.2; // of `far`: what stands less on a wall is its own, wherever it leans
-        const double beside = share * aims_.far;
-        const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
-        const Vec3 above = p + 0.5 * beside * normal;
-        Vec3 off = Vec3::Zero();
-        for (int k = 0; k < directions; ++k) {
-            const double turn = 2 * pi * k / directions;
-            const Vec3 aside = std::cos(turn) * x + std::sin(turn) * y;
-            const double wall = sight_.first_hit(above, aside);
-            if (wall < beside && beside - wall > off.norm()) off = (wall - beside) * aside;
-        }
-        if (!off.isZero(0)) {
-            const double exit = exit_of_(p + off, normal);
-            MotionPlace other;
-            const double there = exit < 0 ? value : left(p + off, normal, exit, other);
-            if (there < value) {
-                value = there;
-                by = other;
-            }
-        }
-        return std::min(value, sight_.first_hit(p, normal));
-    }
     void collide(const Vec3& surface) {
         for (std::size_t b = 0; b < bodies_.size(); ++b)
             for (const auto& watch : bodies_[b].watched) {
@@ -195,7 +170,7 @@ private:
 
     const std::vector<ProgramProbes>& bodies_;
     const StockExit& exit_of_;
-    const MeshSight& sight_;
+    Standing standing_;
     const ProbeAims& aims_;
     double collision_limit_;
     std::vector<Index> deep_hints_, hints_;

@@ -27,14 +27,13 @@ std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, c
 struct ProbeAims {
     double allowance = 0;   ///< mm
     double gouge_limit = 0; ///< mm
-    double far = infinity;  ///< mm; from there on it is asked whether the part itself ends what stands
+    double far = infinity;  ///< mm; what stands higher counts only as far as it is away from all of the part
     double bound = 1e-4;    ///< mm; where axes turn
 };
 
 /// Probes the samples of the part grown by the allowance, and sets the flag `bare` of those that the stock
 /// does not reach. Where axes turn, the probes are exact to the bound. What is missing by less than the gouge
-/// limit is no collision. What stands on a sample ends at the latest where its normal meets the part again:
-/// beyond, it stands on another place.
+/// limit is no collision. What stands higher than `far` on a sample is measured by Standing.
 Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const StockSolid& stock,
                      std::span<const VerifyProgram> programs, const ProbeAims& aims,
                      const Progress& progress);

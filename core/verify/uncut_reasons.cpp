@@ -63,12 +63,15 @@ struct FitTool {
     std::vector<BodySupport> sections;
 };
 
+/// Whether a tool of the programs could bring what stands on a place down to less than what counts as uncut,
+/// without a gouge.
 class Fit {
 public:
     Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
-        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes, double allowance,
-        double slack, const Progress& progress)
-        : room_(samples, order, progress), axes_(axes), allowance_(allowance), slack_(slack) {
+        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes, const VerifySettings& used,
+        const Progress& progress)
+        : room_(samples, order, progress), axes_(axes), allowance_(used.allowance),
+          limit_(2 * used.tolerance), gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
             FitTool tool{BodySupport(p.tool.cutter), {}};
             for (const ToolSection& s : p.tool.sections)
@@ -83,43 +86,56 @@ public:
                 near.push_back({-along, &a});
         std::sort(near.begin(), near.end());
         if (near.size() > max_axes_tried) near.resize(max_axes_tried);
-        const Vec3 start = point + (allowance_ + 0.5 * slack_) * normal;
+        const Vec3 start = point + allowance_ * normal;
         for (const auto& [along, axis] : near)
             for (const FitTool& tool : tools_)
-                for (const Vec3& touch : touching_places(tool.cutter, normal, *axis))
+                for (const Vec3& touch : places_at(tool.cutter, normal, *axis))
                     if (stands({start - touch, *axis}, tool)) return true;
         return false;
     }
 
 private:
-    /// Places of a cutter, from its tip, with which it may touch a surface of this normal. A flat end touches
-    /// a level floor with any place of it: some rings of them are tried.
-    static std::vector<Vec3> touching_places(const BodySupport& cutter, const Vec3& normal,
-                                             const Vec3& axis) {
-        std::vector<Vec3> places{cutter.support(-normal, axis)};
+    /// Places from the tip that may stand at the sample. With those of the cutter that touch a surface of
+    /// this normal, lifted by a quarter of what counts as uncut, or nearly all of it; and with places round
+    /// about them, lifted so that the cutter is in touch beside the sample. A flat end touches a level floor
+    /// with any place of it: some rings of them are tried.
+    std::vector<Vec3> places_at(const BodySupport& cutter, const Vec3& normal, const Vec3& axis) const {
         constexpr double level_cosine = 0.9998, lean = 1e-3; // a degree
+        constexpr double low = 0.25, high = 0.95;            // of what counts as uncut
         constexpr int round = 8, rings = 4;
-        if (normal.dot(axis) < level_cosine) return places;
-        const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
+        const Vec3 foot = cutter.support(-normal, axis);
+        std::vector<Vec3> places{foot - low * limit_ * normal, foot - high * limit_ * normal};
+        const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
         for (int k = 0; k < round; ++k) {
-            // A direction that leans a little finds the rim.
             const double turn = 2 * pi * k / round;
             const Vec3 aside = std::cos(turn) * x + std::sin(turn) * y;
+            // The farthest place aside that is no higher over the surface than that.
+            double from = 0, to = 0.25 * pi;
+            for (int halving = 0; halving < 12; ++halving) {
+                const double angle = 0.5 * (from + to);
+                const Vec3 place = cutter.support(std::sin(angle) * aside - std::cos(angle) * normal, axis);
+                ((place - foot).dot(normal) <= high * limit_ ? from : to) = angle;
+            }
+            const Vec3 place = cutter.support(std::sin(from) * aside - std::cos(from) * normal, axis);
+            const double height = (place - foot).dot(normal);
+            if (height <= high * limit_) places.push_back(place - (height + (1 - high) * limit_) * normal);
+            if (normal.dot(axis) < level_cosine) continue;
+            // A direction that leans a little finds the rim.
             const Vec3 rim = cutter.support((lean * aside - axis).normalized(), axis);
             for (int ring = 1; ring <= rings; ++ring)
-                places.push_back(double(ring) / rings * rim);
+                places.push_back(double(ring) / rings * rim - low * limit_ * normal);
         }
         return places;
     }
     bool stands(const CutterLocation& at, const FitTool& tool) const {
-        return room_.has(tool.cutter, at, slack_ - allowance_)
+        return room_.has(tool.cutter, at, gouge_limit_ - allowance_)
                && std::all_of(tool.sections.begin(), tool.sections.end(),
-                              [&](const BodySupport& s) { return room_.has(s, at, slack_); });
+                              [&](const BodySupport& s) { return room_.has(s, at, gouge_limit_); });
     }
     Room room_;
     const std::vector<Vec3>& axes_;
     std::vector<FitTool> tools_;
-    double allowance_, slack_;
+    double allowance_, limit_, gouge_limit_;
 };
 
 } // namespace
@@ -165,7 +181,7 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
     std::vector<char> fits(groups, 0);
     if (groups > 0) {
-        const Fit fit(samples, order, programs, axes, v.used.allowance, limit, progress);
+        const Fit fit(samples, order, programs, axes, v.used, progress);
         parallel_for(groups, 4, progress, [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
             fits[g] = fit.fits(samples.points[i], samples.normals[i]);

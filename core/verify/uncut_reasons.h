@@ -11,9 +11,10 @@ namespace facetmill {
 /// Fills in `uncut` and `uncut_share`: of the samples that have no flag but `bare` or `hidden`, those that
 /// are bare, or on which more than twice the tolerance stands. Without a tolerance none are.
 ///
-/// A tool fits where its cutter, in touch with the surface (grown by the allowance) along one of the axes
-/// nearest to its normal, has no sample deeper inside than twice the tolerance, and shank and holder have
-/// none. Some thousand samples are asked; each stands for those about it.
+/// A tool fits where its cutter, along one of the axes nearest to the normal, can stand so that less than
+/// twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample lies
+/// deeper in cutter, shank or holder than the gouge limit. Some thousand samples are asked; each stands for
+/// those about it.
 void find_uncut_reasons(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
                         std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
                         const Progress& progress);

@@ -43,8 +43,9 @@ struct VerifySettings {
     std::size_t max_stock_bytes = 2'500'000'000;
 };
 
-/// What became of the part's surface. Positive: so much stands on it, along its outward normal. Negative: so
-/// deep (the distance to the cutter's surface) it came to lie inside a cutter.
+/// What became of the part's surface. Positive: so much stands on it, along its outward normal; where that is
+/// more than twice the tolerance, so far from all of the part. Negative: so deep (the distance to the
+/// cutter's surface) it came to lie inside a cutter.
 struct DeviationSurface {
     enum Flag : std::uint8_t {
         counted = 0, ///< in all figures

@@ -1,0 +1,225 @@
+// Parts from elsewhere: each is planned, judged by the verifier, and looked at by the naive check, which
+// shares nothing with it. Prints one markdown table.
+//
+//     bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [NAME ...]
+//
+// FOLDER has NAME.facetmill for every part; FILE a line "NAME ORIGIN ..." each, which also says which parts
+// and in which order. With --plans the programs are those of PLANS/NAME/*.apt where there are any. K: places
+// looked at are K times farther apart than by default (tried quickly: 4).
+#include "core/base/parallel.h"
+#include "core/job/planner.h"
+#include "core/job/stock_solid.h"
+#include "core/job/verification.h"
+#include "core/output/apt.h"
+#include "core/setup/kinematics.h"
+#include "tests/support/naive_check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace facetmill;
+namespace fs = std::filesystem;
+
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Asked {
+    fs::path folder, plans;
+    std::vector<std::pair<std::string, std::string>> parts; ///< name, origin
+    double coarse = 1;
+};
+
+Asked asked(int argc, char** argv) {
+    Asked a;
+    std::vector<std::string> names;
+    std::vector<std::pair<std::string, std::string>> list;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool more = i + 1 < argc;
+        if (word == "--list" && more) {
+            std::ifstream file(argv[++i]);
+            for (std::string line, name, origin; std::getline(file, line);)
+                if (std::istringstream(line) >> name >> origin) list.emplace_back(name, origin);
+        } else if (word == "--plans" && more) {
+            a.plans = argv[++i];
+        } else if (word == "--coarse" && more) {
+            a.coarse = std::atof(argv[++i]);
+        } else if (a.folder.empty()) {
+            a.folder = word;
+        } else {
+            names.push_back(word);
+        }
+    }
+    if (list.empty() && !a.folder.empty()) {
+        for (const auto& entry : fs::directory_iterator(a.folder))
+            if (entry.path().extension() == ".facetmill") list.emplace_back(entry.path().stem().string(), "");
+        std::sort(list.begin(), list.end());
+    }
+    for (const auto& part : list)
+        if (names.empty() || std::find(names.begin(), names.end(), part.first) != names.end())
+            a.parts.push_back(part);
+    return a;
+}
+
+/// What is judged: programs with the sections that they come from.
+struct Job {
+    std::shared_ptr<const PreparedPart> part;
+    StockSolid stock;
+    std::vector<VerifyProgram> programs;
+    std::vector<std::shared_ptr<const ClSection>> sections;
+    VerifySettings settings;
+    std::string operations;
+    double seconds_planning = 0;
+};
+
+Job job_of(const Project& project, const fs::path& plans) {
+    Job job;
+    Planner planner;
+    std::vector<fs::path> files;
+    if (!plans.empty() && fs::is_directory(plans))
+        for (const auto& entry : fs::directory_iterator(plans))
+            if (entry.path().extension() == ".apt") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    if (files.empty()) {
+        const double start = now();
+        const auto plan = planner.plan(project, "", Progress());
+        job.seconds_planning = now() - start;
+        job.part = plan->part;
+        job.programs = verify_programs(project, plan);
+        for (const auto& o : plan->operations)
+            job.sections.emplace_back(o, &o->program);
+        job.settings = verify_settings(project, plan.get());
+    } else {
+        job.part = planner.prepare(project, Progress());
+        for (const fs::path& file : files) {
+            ClFilePrograms cl = read_verify_programs(project, file, Progress());
+            std::move(cl.programs.begin(), cl.programs.end(), std::back_inserter(job.programs));
+            job.sections.insert(job.sections.end(), cl.sections.begin(), cl.sections.end());
+        }
+        job.settings = verify_settings(project, nullptr);
+    }
+    job.stock = stock_solid(project.stock, *job.part);
+    for (const auto& o : project.operations)
+        job.operations += (job.operations.empty() ? "" : ", ") + std::string(o->kind());
+    return job;
+}
+
+/// Share of the time that is spent in rapids: the slowest linear axis at its largest speed.
+double rapid_share(const Job& job, const Machine& machine) {
+    double rapid = 0, feed = 0;
+    for (const auto& section : job.sections)
+        for (std::size_t i = 1; i < section->motions.motions.size(); ++i) {
+            const Motion& m = section->motions.motions[i];
+            const Vec3 way = m.to.tip - section->motions.motions[i - 1].to.tip;
+            if (m.kind == MotionKind::rapid)
+                rapid += (way.array().abs() / machine.rapid_mm_per_s.array()).maxCoeff();
+            else
+                feed += way.norm() / (section->feed(i) / 60);
+        }
+    return rapid + feed > 0 ? rapid / (rapid + feed) : 0;
+}
+
+/// Motions that end where the machine cannot be.
+std::size_t outside_travel(const Project& project, const Job& job, const Machine& machine) {
+    std::size_t outside = 0;
+    const Vec3 origin = default_part_origin(machine, job.part->box);
+    for (const auto& section : job.sections) {
+        const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
+                                       [&](const Tool& t) { return t.number == section->tool_number; });
+        if (tool == project.tools.end()) continue;
+        const Kinematics kinematics(machine, gauge_length(*tool), origin);
+        for (const Motion& m : section->motions.motions)
+            outside += !kinematics.reaches({m.to.tip, m.to.axis});
+    }
+    return outside;
+}
+
+test::NaiveResult naive(const Job& job, const VerifySettings& used, double coarse) {
+    std::vector<test::NaiveProgram> programs;
+    double radius = infinity;
+    for (std::size_t i = 0; i < job.programs.size(); ++i) {
+        const AptCutter& cutter = job.programs[i].tool.cutter.cutter();
+        programs.push_back({cutter, job.programs[i].motions->motions});
+        radius = std::min(radius, 0.5 * cutter.d);
+    }
+    test::NaiveOptions options;
+    // A few hundred thousand samples.
+    options.spacing = coarse * std::max(0.1 * radius, job.part->box.size().norm() / 500);
+    options.pose_share = std::min(0.1, 0.025 * coarse);
+    options.tolerance = used.tolerance;
+    options.stock = job.stock.box;
+    return test::naive_check(*job.part->mesh, programs, options);
+}
+
+void row(const Asked& a, const std::string& name, const std::string& origin) {
+    const fs::path file = a.folder / (name + ".facetmill");
+    const Project project = load_project(file.string());
+    const Machine machine = project_machine(project);
+    Job job = job_of(project, a.plans.empty() ? fs::path() : a.plans / name);
+    double start = now();
+    if (a.coarse > 1) {
+        constexpr double usual = 0.05; // resolution in radii
+        double radius = infinity;
+        for (const VerifyProgram& p : job.programs)
+            radius = std::min(radius, p.tool.cutter.max_radius());
+        job.settings.resolution = a.coarse * usual * radius;
+    }
+    const Verification v = verify(*job.part->mesh, job.stock, job.programs, job.settings, Progress());
+    const double seconds_judging = now() - start;
+    start = now();
+    const test::NaiveResult n = naive(job, v.used, a.coarse);
+    const double seconds_naive = now() - start, per = mm_per(project.unit);
+    double touches = 0;
+    for (const Collision& c : v.collisions)
+        touches = std::max(touches, c.depth);
+    std::printf(
+        "| %s | %s | %s | %zu | %.0f + %.0f + %.0f | %.5f / %.5f, limit %.5f | %.2f / %.2f | %s%s | "
+        "%.1f | %.1f | %zu |\n",
+        name.c_str(), origin.c_str(), job.operations.c_str(), job.part->mesh->facet_count(),
+        job.seconds_planning, seconds_judging, seconds_naive,
+        std::max(v.figures.gouge_max, v.border.gouge_max) / per, n.gouge_max / per, v.used.gouge_limit / per,
+        100 * v.uncut_share, 100 * n.uncut_share(), verdict_name(v.verdict()).c_str(),
+        v.collisions.empty() ? "" : (", " + std::to_string(v.collisions.size()) + " collisions").c_str(),
+        n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0, 100 * rapid_share(job, machine),
+        outside_travel(project, job, machine));
+    for (const UncutReason& r : v.uncut)
+        std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
+                     uncut_reason_text(r.why).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
+                     r.place.z());
+    std::fprintf(stderr, "%s: naive: %zu samples, %zu poses, gouge at (%.4g, %.4g, %.4g)\n", name.c_str(),
+                 n.samples.size(), n.poses, n.gouge_at.x(), n.gouge_at.y(), n.gouge_at.z());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const Asked a = asked(argc, argv);
+    if (a.parts.empty() || !(a.coarse > 0)) {
+        std::fprintf(stderr,
+                     "usage: bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [NAME ...]\n");
+        return 2;
+    }
+    std::printf(
+        "| part | origin | operations | facets | seconds: planning + verdict + naive check | deepest gouge, "
+        "ours / naive | uncut, %% , ours / naive | verdict | feed in air, %% | rapids, %% of time | outside "
+        "travel |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    int failed = 0;
+    for (const auto& [name, origin] : a.parts) {
+        try {
+            row(a, name, origin);
+        } catch (const Error& e) {
+            std::printf("| %s | %s | %s |\n", name.c_str(), origin.c_str(), e.what());
+            ++failed;
+        }
+        std::fflush(stdout);
+    }
+    return failed > 0;
+}
