@@ -1,11 +1,15 @@
 #include "ui/plan_runner.h"
 
 #include "core/job/stock_solid.h"
+#include "core/job/work_estimate.h"
 #include "ui/messages.h"
 #include "ui/part_controller.h"
 #include "ui/properties_panel.h"
 #include "ui/text.h"
 #include "ui/verification_controller.h"
+
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace facetmill::ui {
 
@@ -59,12 +63,37 @@ void PlanRunner::plan(std::optional<std::size_t> only) {
             work->ids.push_back(document_.operation_id(i));
         }
     work->read_part = !document_.part_is_current() || !document_.has_stock();
+    if (!may_be_large(*work)) return;
     messages_.dismiss();
     document_.set_planning(work->ids);
     job_.start(
         tr("Planning"),
         [work, planner = planner_](const Progress& progress) { run(*work, *planner, progress); },
         [this, work](const JobEnd& end) { finish(*work, end); });
+}
+
+/// A slip by some zeros would take all memory and the rest of the day.
+bool PlanRunner::may_be_large(const Work& work) {
+    if (!document_.part()) return true;
+    QStringList large;
+    try {
+        check_project(work.project);
+        for (const std::size_t i : work.wanted)
+            for (const WorkEstimate& e :
+                 estimate_plan(work.project, *document_.part(), work.project.operations[i]->common().name))
+                if (e.large()) large << tr("%1: %2").arg(text(e.what), text(e.text()));
+    } catch (const Error&) {
+        return true; // planning says it
+    }
+    if (large.isEmpty()) return true;
+    QMessageBox box(QMessageBox::Question, tr("Plan that much?"),
+                    tr("This is more work than usual: a tolerance or a step-over may be too small."),
+                    QMessageBox::Cancel, qobject_cast<QWidget*>(parent()));
+    box.setInformativeText(large.join(QChar('\n')));
+    const QAbstractButton* go_on = box.addButton(tr("Plan anyway"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == go_on;
 }
 
 void PlanRunner::run(Work& work, Planner& planner, const Progress& progress) {

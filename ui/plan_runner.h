@@ -34,6 +34,8 @@ signals:
 
 private:
     struct Work;
+    /// Asks where the work would be more than usual (work_estimate.h).
+    bool may_be_large(const Work& work);
     /// In the job's thread.
     static void run(Work& work, Planner& planner, const Progress& progress);
     void finish(Work& work, const JobEnd& end);
