@@ -17,12 +17,11 @@ void run_cspace(const Arguments& arguments, Session& session) {
     for (const std::string& setting : arguments.values("--set"))
         apply_setting(project, setting);
     const std::string output = arguments.value("-o"), name = arguments.value("--op");
-    refuse_to_overwrite(file, output);
-    refuse_to_overwrite(project.part_path(), output);
+    keep_inputs(project, output);
     OutputFile out(output); // first, so that a place that cannot be written is told at once
     const Progress progress = session.progress();
     Planner planner;
-    const auto result = plan_project(planner, project, file, name, progress.part(0.0, 0.7));
+    const auto result = plan_project(planner, project, name, arguments, session, progress.part(0.0, 0.7));
     const auto record = result->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
@@ -32,8 +31,9 @@ void run_cspace(const Arguments& arguments, Session& session) {
     const FiveAxisStudy::Point point = study.point(number, progress.part(0.8, 1.0));
     const std::string json = cspace_json(study, point, project.unit);
     out.write(json);
-    out.commit();
+    out.close_stream();
     session.print(json);
+    out.commit();
 }
 
 } // namespace
@@ -53,6 +53,7 @@ Command cspace_command() {
                   .help = "changes a parameter of an operation for this run",
                   .repeated = true},
                  threads_option(),
+                 large_option(),
                  {.name = "-o", .value = "FILE.json", .help = "the file to write", .required = true}},
             .run = run_cspace};
 }

@@ -191,7 +191,7 @@ void run_drop(const Arguments& arguments, Session& session) {
         file.write(text);
     }
     progress.check();
-    file.commit();
+    file.close_stream();
 
     Json out;
     out["file"] = printable(arguments.value("-o"), 400);
@@ -203,6 +203,7 @@ void run_drop(const Arguments& arguments, Session& session) {
         out["z_max"] = json_number(highest, "drop");
     }
     session.print(pretty_json(out));
+    file.commit();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/base/parameter.h"
 #include "facetmill_version.h"
@@ -63,6 +64,7 @@ void report_error(const Error& e) {
 int run_command(const Command& command, const std::vector<std::string>& words) {
     const Arguments arguments(command, words);
     Session session;
+    const InputsKept kept;
     command.run(arguments, session);
     session.finish();
     return session.failed() ? failed : done;

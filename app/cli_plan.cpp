@@ -18,12 +18,14 @@ void run_plan(const Arguments& arguments, Session& session) {
         apply_setting(project, setting);
     const std::string folder = arguments.value("-o");
     check_folder(folder);
+    for (const auto& name : program_file_names(project))
+        keep_inputs(project, std::filesystem::path(folder) / name);
     const Progress progress = session.progress();
     Planner planner;
     const auto result =
-        plan_project(planner, project, file, arguments.value("--op"), progress.part(0.0, 0.95));
-    write_plan(project, *result, folder, progress.part(0.95, 1.0, "Writing"));
-    session.print(report_json(project, *result));
+        plan_project(planner, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.95));
+    write_plan(project, *result, folder, progress.part(0.95, 1.0, "Writing"),
+               [&] { session.print(report_json(project, *result)); });
 }
 
 } // namespace
@@ -40,6 +42,7 @@ Command plan_command() {
                          .help = "sets a parameter of an operation for this run, in the project's units",
                          .repeated = true},
                         threads_option(),
+                        large_option(),
                         {.name = "-o",
                          .value = "DIR",
                          .help = "the folder to write to; made if missing",

@@ -1,7 +1,7 @@
 #include "app/cli_project.h"
 
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/job/work_estimate.h"
 
 #include <charconv>
 #include <system_error>
@@ -15,24 +15,38 @@ void check_folder(const std::filesystem::path& folder) {
                     "name a folder to write to");
 }
 
-void keep_inputs(const Project& project, const std::string& file, const std::filesystem::path& output) {
-    refuse_to_overwrite(file, output);
-    refuse_to_overwrite(project.part_path(), output);
-    if (!project.stock_path().empty()) refuse_to_overwrite(project.stock_path(), output);
+OptionInfo large_option() {
+    return {.name = "--yes-large",
+            .help = "begins jobs of more than 20 million points, 4 GB or 4 hours by their estimate"};
 }
 
+namespace {
+
+void tell_size(const WorkEstimate& estimate, const Arguments& arguments, Session& session) {
+    if (estimate.large() && !arguments.has("--yes-large"))
+        throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
+                    "choose a larger tolerance or step-over, or give --yes-large");
+    if (estimate.notable()) session.say(estimate.what + " takes " + estimate.text());
+}
+
+} // namespace
+
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
-                                               const std::string& file, const std::string& only_operation,
-                                               const Progress& progress) {
+                                               const std::string& only_operation, const Arguments& arguments,
+                                               Session& session, const Progress& progress) {
     try {
-        return planner.plan(project, only_operation, progress);
+        check_project(project);
+        const auto part = planner.prepare(project, progress.part(0, 0.05));
+        for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
+            tell_size(estimate, arguments, session);
+        return planner.plan(project, only_operation, progress.part(0.05, 1));
     } catch (const Error& e) {
         // The messages of part and stock name their files.
         const auto names = [&](const std::filesystem::path& mesh) {
             return !mesh.empty() && e.where().starts_with(printable(mesh.string(), 400));
         };
         const bool named = names(project.part_path()) || names(project.stock_path());
-        throw named ? e : e.within(printable(file, 400));
+        throw named ? e : e.within(printable(arguments.operand(0), 400));
     }
 }
 

@@ -1,6 +1,8 @@
 // What the commands that plan a project have in common.
 #pragma once
 
+#include "app/cli_arguments.h"
+#include "app/cli_session.h"
 #include "core/job/planner.h"
 
 #include <filesystem>
@@ -13,14 +15,15 @@ namespace facetmill::cli {
 /// after it.
 void check_folder(const std::filesystem::path& folder);
 
-/// Refuses to write over the project's file, its part and its stock (refuse_to_overwrite).
-void keep_inputs(const Project& project, const std::string& file, const std::filesystem::path& output);
+/// The option that lets a job of more than usual size begin.
+OptionInfo large_option();
 
-/// planner.plan, with errors that name the project's file unless they name the part's or the stock's. Throws
-/// as that does.
+/// planner.plan, with errors that name the project's file unless they name the part's or the stock's. Says on
+/// stderr how much work it will be where that is much. Throws as that does; Error(limit_exceeded) where it is
+/// more than usual and --yes-large is not given.
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
-                                               const std::string& file, const std::string& only_operation,
-                                               const Progress& progress);
+                                               const std::string& only_operation, const Arguments& arguments,
+                                               Session& session, const Progress& progress);
 
 /// Number of a contact point, as --point has it. Throws Error(usage).
 std::size_t point_number(const std::string& text);

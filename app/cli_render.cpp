@@ -68,12 +68,15 @@ StockPatches cut_stock(const StockSolid& solid, const std::vector<VerifyProgram>
 }
 
 void print_picture(const Picture& picture, const Arguments& arguments, Session& session) {
-    write_png(picture, arguments.value("-o"));
+    OutputFile file(arguments.value("-o"));
+    file.write(encode_png(picture));
+    file.close_stream();
     Json out;
     out["file"] = printable(arguments.value("-o"), 400);
     out["width"] = picture.width;
     out["height"] = picture.height;
     session.print(pretty_json(out));
+    file.commit();
 }
 
 /// The first operation with configuration spaces, or the one that is named.
@@ -96,11 +99,11 @@ void run_cspace(const Arguments& arguments, Session& session) {
         throw Error(ErrorCode::usage, "--show cspace", "a mesh has no operations", "give a project");
     use_threads(arguments);
     const Project project = load_project(input);
-    keep_inputs(project, input, arguments.value("-o"));
+    keep_inputs(project, arguments.value("-o"));
     const std::string name = cspace_operation(project, arguments.value("--op"));
     const Progress progress = session.progress();
     Planner planner;
-    const auto plan = planner.plan(project, name, progress.part(0.0, 0.7));
+    const auto plan = plan_project(planner, project, name, arguments, session, progress.part(0.0, 0.7));
     const auto record = plan->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
@@ -121,7 +124,7 @@ void run_cspace(const Arguments& arguments, Session& session) {
 
 /// What a picture of a project shows: planned, or of CL files, and verified where its layers ask for that.
 PlanResult shown_project(const Arguments& arguments, const Project& project, RenderRequest& request,
-                         const Progress& progress) {
+                         Session& session, const Progress& progress) {
     Planner planner;
     PlanResult result;
     const auto wants = [&](std::initializer_list<Layer> layers) {
@@ -139,7 +142,8 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
     if (cl_files.empty()) {
-        const auto plan = planner.plan(project, arguments.value("--op"), planning);
+        const auto plan =
+            plan_project(planner, project, arguments.value("--op"), arguments, session, planning);
         result = *plan;
         programs = verify_programs(project, plan);
         settings = verify_settings(project, plan.get());
@@ -196,10 +200,11 @@ void run_render(const Arguments& arguments, Session& session) {
         if (arguments.has("--units"))
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
         const Project project = load_project(input);
-        keep_inputs(project, input, arguments.value("-o"));
+        keep_inputs(project, arguments.value("-o"));
         for (const std::string& file : arguments.values("--cl"))
             refuse_to_overwrite(file, arguments.value("-o"));
-        const PlanResult result = shown_project(arguments, project, request, progress.part(0.0, 0.6));
+        const PlanResult result =
+            shown_project(arguments, project, request, session, progress.part(0.0, 0.6));
         take_plan(request, project, result);
     } else {
         for (const char* option : {"--op", "--cl"})
@@ -257,6 +262,7 @@ Command render_command() {
                      .value = "mm|in",
                      .help = "unit of a mesh file's numbers (default: mm)"},
                     threads_option(),
+                    large_option(),
                     {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
         .run = run_render};
 }

@@ -60,11 +60,11 @@ void run_report(const Arguments& arguments, Session& session) {
     const std::string file = arguments.operand(0);
     const Project project = load_project(file);
     const std::string target = arguments.value("-o");
-    keep_inputs(project, file, target);
+    keep_inputs(project, target);
     OutputFile output(target); // before the work: a place that cannot be written to is said at once
     const Progress progress = session.progress();
     Planner planner;
-    const auto plan = plan_project(planner, project, file, "", progress.part(0.0, 0.35));
+    const auto plan = plan_project(planner, project, "", arguments, session, progress.part(0.0, 0.35));
     const auto programs = verify_programs(project, plan);
     const auto verification = std::make_shared<const Verification>(
         verify(*plan->part->mesh, plan->stock, programs, verify_settings(project, plan.get()),
@@ -72,16 +72,17 @@ void run_report(const Arguments& arguments, Session& session) {
     const auto drawn = pictures(project, *plan, verification, progress.part(0.85, 1.0));
     output.write(setup_sheet(project, *plan, programs, *verification, drawn));
     progress.check();
-    output.commit();
     Json out;
     out["file"] = printable(target, 400);
     out["programs"] = plan->operations.size();
     out["pictures"] = drawn.size();
     out["verdict"] = verdict_name(verification->verdict());
     const std::string findings = findings_line(project, programs, *verification);
+    output.close_stream();
     session.print(pretty_json(out));
+    output.commit();
     if (findings.empty()) return;
-    std::fprintf(stderr, "facetmill-cli: not verified: %s\n", findings.c_str());
+    session.say("not verified: " + findings);
     session.fail();
 }
 
@@ -96,6 +97,7 @@ Command report_command() {
                 "A project\n"
                 "that is not verified has its sheet too, which says so first; the exit status is 1 then.",
         .options = {threads_option(),
+                    large_option(),
                     {.name = "-o", .value = "FILE.html", .help = "the file to write", .required = true}},
         .run = run_report};
 }

@@ -1,6 +1,7 @@
 // facetmill-cli sample: parametric parts to try things on.
 #include "app/cli_commands.h"
 #include "app/cli_session.h"
+#include "core/base/file.h"
 #include "core/base/parameter.h"
 #include "core/base/strict_json.h"
 #include "core/mesh/mesh_io.h"
@@ -32,7 +33,9 @@ void run_sample(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const Progress progress = session.progress();
     const auto mesh = make_sample(kind.name, tolerance * per, progress.part(0.0, 0.8, "Making the sample"));
-    save_stl(*mesh, file, unit, progress.part(0.8, 1.0, "Writing"));
+    OutputFile output(file);
+    write_stl(*mesh, output, unit, progress.part(0.8, 1.0, "Writing"));
+    output.close_stream();
 
     const Box3 box = mesh->box();
     Json numbers = Json::array();
@@ -47,6 +50,7 @@ void run_sample(const Arguments& arguments, Session& session) {
     out["facets"] = mesh->facet_count();
     out["bbox"] = numbers;
     session.print(pretty_json(out));
+    output.commit();
 }
 
 } // namespace

@@ -90,7 +90,7 @@ void Session::show(bool last) {
         line_shown_ = false;
         return;
     }
-    if (seconds_ < next_line_) return;
+    if (quiet_ || seconds_ < next_line_) return;
     next_line_ = seconds_ + (terminal_ ? terminal_interval : line_interval);
     const std::string label = printable(job_.label(), 60);
     const int percent = int(job_.fraction() * 100);
@@ -104,7 +104,11 @@ void Session::show(bool last) {
 }
 
 void Session::print(std::string_view text) {
-    finish();
+    {
+        std::lock_guard lock(mutex_);
+        show(true);
+        quiet_ = true;
+    }
     errno = 0;
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -112,6 +116,13 @@ void Session::print(std::string_view text) {
         throw Error(ErrorCode::unwritable, "stdout",
                     std::string("cannot write the result: ") + std::strerror(errno),
                     "check the pipe or the disk");
+}
+
+void Session::say(std::string_view text) {
+    constexpr std::size_t longest = 4000;
+    std::lock_guard lock(mutex_);
+    show(true);
+    std::fprintf(stderr, "facetmill-cli: %s\n", printable(text, longest).c_str());
 }
 
 } // namespace facetmill::cli

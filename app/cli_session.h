@@ -30,8 +30,11 @@ public:
     /// The job is done, but what it found is bad: exit status 1.
     void fail() { failed_ = true; }
     bool failed() const { return failed_; }
-    /// Ends the session and writes a result. Throws Error(unwritable) when stdout takes no more.
+    /// Writes a result, before the files that go with it appear: a job whose result nobody could be told has
+    /// failed and leaves none. Throws Error(unwritable) when stdout takes no more.
     void print(std::string_view text);
+    /// A line on stderr, whatever the text holds.
+    void say(std::string_view text);
 
 private:
     void watch();
@@ -39,7 +42,7 @@ private:
 
     Job job_;
     const std::size_t committed_before_ = committed_outputs();
-    bool terminal_ = false, line_shown_ = false;
+    bool terminal_ = false, line_shown_ = false, quiet_ = false;
     double seconds_ = 0, next_line_ = 0;
     std::mutex mutex_;
     std::condition_variable wake_;

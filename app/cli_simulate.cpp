@@ -6,9 +6,10 @@
 #include "core/base/file.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/job/work_estimate.h"
 #include "core/output/apt.h"
 
-#include <cstdio>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
@@ -40,6 +41,18 @@ double uncut_limit(const Arguments& arguments) {
     return share;
 }
 
+/// A spacing that asks for a little too much is made coarser, and that is told; one that asks for more is a
+/// slip.
+void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
+    constexpr double slack = 10;
+    const double places = estimate_places(part, spacing), most = double(max_samples_asked_for);
+    if (places <= slack * most) return;
+    throw Error(ErrorCode::limit_exceeded, "--spacing",
+                length_text(spacing, unit, 3) + " asks for about " + format_number(places, 2)
+                    + " places; at most " + format_number(most) + " are compared",
+                "use at least " + length_text(1.05 * spacing * std::sqrt(places / most), unit, 3));
+}
+
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
@@ -55,7 +68,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
     const fs::path folder = arguments.value("-o");
     check_folder(folder);
     for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
-        keep_inputs(project, file, folder / name);
+        keep_inputs(project, folder / name);
         for (const std::string& cl : cl_files)
             refuse_to_overwrite(cl, folder / name);
     }
@@ -67,8 +80,8 @@ void run_simulate(const Arguments& arguments, Session& session) {
     VerifySettings settings;
     std::vector<std::string> ignored, remarks;
     if (cl_files.empty()) {
-        const auto plan =
-            plan_project(planner, project, file, arguments.value("--op"), progress.part(0.0, 0.3));
+        const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
+                                       progress.part(0.0, 0.3));
         part = plan->part;
         programs = verify_programs(project, plan);
         settings = verify_settings(project, plan.get());
@@ -91,19 +104,22 @@ void run_simulate(const Arguments& arguments, Session& session) {
     if (arguments.has("--uncut-limit")) settings.uncut_limit = uncut_limit(arguments);
     settings.resolution = resolution;
     settings.sample_spacing = spacing;
-    if (spacing > 0) settings.max_samples = max_samples_asked_for;
+    if (spacing > 0) {
+        settings.max_samples = max_samples_asked_for;
+        check_spacing(spacing, *part, project.unit);
+    }
     const StockSolid stock = stock_solid(project.stock, *part);
     Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
     for (std::string& warning : stock_warnings(project.stock, *part, project.unit))
         remarks.push_back(std::move(warning));
     result.remarks.insert(result.remarks.begin(), remarks.begin(), remarks.end());
-    write_verification(project, programs, result, folder, progress.part(0.95, 1.0));
     const std::string findings = findings_line(project, programs, result);
-    session.print(verify_json(project, programs, result));
+    write_verification(project, programs, result, folder, progress.part(0.95, 1.0),
+                       [&] { session.print(verify_json(project, programs, result)); });
     for (const std::string& line : ignored)
-        std::fprintf(stderr, "facetmill-cli: read over: %s\n", printable(line, 400).c_str());
+        session.say("read over: " + line);
     if (findings.empty()) return;
-    std::fprintf(stderr, "facetmill-cli: not verified: %s\n", findings.c_str());
+    session.say("not verified: " + findings);
     session.fail();
 }
 
@@ -144,6 +160,7 @@ Command simulate_command() {
                      .help =
                          "the share of the surface to be cut that may stay uncut (default: the project's)"},
                     threads_option(),
+                    large_option(),
                     {.name = "-o",
                      .value = "DIR",
                      .help = "the folder to write to; made if missing",

@@ -66,50 +66,12 @@ Error::Error(ErrorCode code, std::string where, std::string what, std::string re
     : code_(code), where_(std::move(where)), message_(std::move(what)), remedy_(std::move(remedy)) {
     line_ = where_.empty() ? message_ : where_ + ": " + message_;
     if (!remedy_.empty()) line_ += " (" + remedy_ + ")";
+    constexpr std::size_t longest_line = 8000;
+    line_ = printable(line_, longest_line);
 }
 
 Error Error::within(const std::string& outer) const {
     return Error(code_, where_.empty() ? outer : outer + ": " + where_, message_, remedy_);
-}
-
-namespace {
-/// Length of the valid UTF-8 sequence that starts at `i`, or 0.
-std::size_t utf8_length(std::string_view s, std::size_t i) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
-    const unsigned char c = byte(i);
-    std::size_t n = c < 0x80                ? 1
-                    : c >= 0xC2 && c < 0xE0 ? 2
-                    : c >= 0xE0 && c < 0xF0 ? 3
-                    : c >= 0xF0 && c < 0xF5 ? 4
-                                            : 0;
-    if (n == 0 || i + n > s.size()) return 0;
-    for (std::size_t k = 1; k < n; ++k)
-        if ((byte(i + k) & 0xC0) != 0x80) return 0;
-    if (c == 0xE0 && byte(i + 1) < 0xA0) return 0; // overlong
-    if (c == 0xED && byte(i + 1) > 0x9F) return 0; // surrogate
-    if (c == 0xF0 && byte(i + 1) < 0x90) return 0; // overlong
-    if (c == 0xF4 && byte(i + 1) > 0x8F) return 0; // beyond U+10FFFF
-    return n;
-}
-} // namespace
-
-std::string printable(std::string_view text, std::size_t max_bytes) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t n = utf8_length(text, i);
-        const bool control = n == 1 && (static_cast<unsigned char>(text[i]) < 0x20 || text[i] == 0x7F);
-        const std::size_t step = n == 0 ? 1 : n;
-        if (out.size() + step > max_bytes) {
-            out += "...";
-            break;
-        }
-        if (n == 0 || control)
-            out += '?';
-        else
-            out.append(text.substr(i, n));
-        i += step;
-    }
-    return out;
 }
 
 } // namespace facetmill

@@ -1,9 +1,14 @@
 #include "core/base/file.h"
 
+#include "core/base/leftovers.h"
+
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <mutex>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -30,6 +35,64 @@ Temporaries& temporaries() {
 }
 
 using TemporariesLock = std::unique_lock<std::recursive_mutex>;
+
+/// The files that were read since the first InputsKept began.
+struct Inputs {
+    std::mutex mutex;
+    int keepers = 0;
+    std::vector<std::pair<dev_t, ino_t>> files;
+};
+
+Inputs& inputs() {
+    static auto* all = new Inputs;
+    return *all;
+}
+
+void remember_input(const struct ::stat& info) {
+    Inputs& all = inputs();
+    const std::lock_guard lock(all.mutex);
+    if (all.keepers > 0) all.files.emplace_back(info.st_dev, info.st_ino);
+}
+
+[[noreturn]] void refuse_input(const fs::path& output) {
+    throw Error(ErrorCode::unwritable, printable(output.string(), 400), "is a file that the job reads",
+                "write to another file or folder");
+}
+
+void refuse_inputs(const fs::path& output) {
+    struct ::stat info {};
+    if (::stat(output.c_str(), &info) != 0) return;
+    Inputs& all = inputs();
+    const std::lock_guard lock(all.mutex);
+    const std::pair<dev_t, ino_t> file(info.st_dev, info.st_ino);
+    if (std::find(all.files.begin(), all.files.end(), file) != all.files.end()) refuse_input(output);
+}
+
+/// Where a chain of links ends, whether or not something stands there; the path itself where it is too long.
+fs::path end_of_links(const fs::path& path) {
+    constexpr int longest_chain = 40;
+    fs::path end = path;
+    std::error_code ec;
+    for (int i = 0; i < longest_chain; ++i) {
+        if (!fs::is_symlink(fs::symlink_status(end, ec))) return end;
+        const fs::path to = fs::read_symlink(end, ec);
+        if (ec) break;
+        end = to.is_absolute() ? to : end.parent_path() / to;
+    }
+    return path;
+}
+
+/// The new file gets the permissions of the one it is to replace; those of its group only if it gets the
+/// group.
+void hand_on_permissions(int fd, const struct ::stat& old) {
+    constexpr mode_t everything = 0777, of_group = 0070;
+    mode_t mode = old.st_mode & everything;
+    struct ::stat made {};
+    if (::fstat(fd, &made) != 0) return;
+    if (made.st_uid != old.st_uid && ::fchown(fd, old.st_uid, gid_t(-1)) != 0) errno = 0;
+    if (made.st_gid != old.st_gid && ::fchown(fd, uid_t(-1), old.st_gid) != 0) mode &= ~of_group;
+    ::fchmod(fd, mode);
+}
 
 } // namespace
 
@@ -69,6 +132,7 @@ InputFile::InputFile(const fs::path& path) : path_(path) {
         ::close(fd);
         throw Error(ErrorCode::empty_file, name, "the file is empty", "export or copy it again");
     }
+    remember_input(info);
     map_size_ = std::size_t(info.st_size);
     map_ = ::mmap(nullptr, map_size_, PROT_READ, MAP_PRIVATE, fd, 0);
     if (map_ != MAP_FAILED) {
@@ -97,7 +161,9 @@ InputFile::~InputFile() {
     if (map_) ::munmap(map_, map_size_);
 }
 
-OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
+OutputFile::OutputFile(fs::path target) : OutputFile(std::move(target), true) {}
+
+OutputFile::OutputFile(fs::path target, bool clear_folder) : target_(std::move(target)) {
     std::error_code ec;
     const std::string name = printable(target_.string(), 400);
     const fs::file_status status = fs::status(target_, ec);
@@ -106,21 +172,25 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
     // A rename would replace a device or a pipe by a plain file.
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error(ErrorCode::unwritable, name, "is not a regular file", "name a file on disk");
-    if (fs::is_symlink(fs::symlink_status(target_, ec))) {
-        const fs::path real = fs::weakly_canonical(target_, ec);
-        if (!ec) target_ = real;
-    }
-    // The name does not repeat the target's, which may be as long as the file system allows.
-    std::string pattern = (target_.parent_path() / ".facetmill.XXXXXX").string();
+    target_ = end_of_links(target_);
+    if (fs::is_symlink(fs::symlink_status(target_, ec))) fail(std::strerror(ELOOP));
+    refuse_inputs(target_);
+    struct ::stat old {};
+    const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(std::strerror(errno));
     TemporariesLock lock(temporaries().mutex);
-    const int fd = ::mkstemp(pattern.data());
+    if (clear_folder) detail::clear_leftovers(target_.parent_path());
+    constexpr mode_t mine = 0600, everyones = 0666; // less what the process's umask takes away
+    // The name does not repeat the target's, which may be as long as the file system allows.
+    const int fd = detail::make_beside(target_.parent_path(), "", replaces ? mine : everyones, temporary_);
     if (fd < 0) fail(std::strerror(errno));
-    temporary_ = pattern;
     temporaries().paths.push_back(temporary_);
-    ::fchmod(fd, 0644);
-    file_ = ::fdopen(fd, "wb");
+    if (replaces) hand_on_permissions(fd, old);
+    lock_ = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);
+    file_ = lock_ < 0 ? nullptr : ::fdopen(fd, "wb");
     if (!file_) {
         ::close(fd);
+        if (lock_ >= 0) ::close(lock_);
         forget();
         fs::remove(temporary_, ec);
         fail("no stream");
@@ -135,6 +205,7 @@ OutputFile::~OutputFile() {
         fs::remove(temporary_, ec);
         forget();
     }
+    ::close(lock_);
 }
 
 void OutputFile::forget() {
@@ -164,9 +235,13 @@ void OutputFile::close_stream() {
     if (std::fclose(f) != 0) fail(std::strerror(errno));
 }
 
-void OutputFile::commit() {
-    close_stream();
-    TemporariesLock lock(temporaries().mutex);
+void OutputFile::sync() {
+    if (::fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
+        fail(std::strerror(errno));
+}
+
+void OutputFile::take_place() {
+    refuse_inputs(target_);
     std::error_code ec;
     fs::rename(temporary_, target_, ec);
     if (ec) fail(ec.message());
@@ -175,65 +250,135 @@ void OutputFile::commit() {
     forget();
 }
 
+void OutputFile::commit() {
+    close_stream();
+    sync();
+    TemporariesLock lock(temporaries().mutex);
+    take_place();
+    detail::sync_folder(target_.parent_path());
+}
+
 OutputFile& OutputSet::add(const fs::path& target) {
-    auto file = std::make_unique<OutputFile>(target);
+    const fs::path folder = end_of_links(target).parent_path();
+    const bool known = std::any_of(files_.begin(), files_.end(),
+                                   [&](const auto& f) { return f->target().parent_path() == folder; });
+    auto file = std::unique_ptr<OutputFile>(new OutputFile(target, !known));
     for (const auto& f : files_)
         if (f->target() == file->target()) file->fail("the job writes it twice");
     files_.push_back(std::move(file));
     return *files_.back();
 }
 
-void OutputSet::commit() {
+/// What stood at the targets, until all of them are replaced.
+class OutputSet::Replacement {
+public:
+    explicit Replacement(std::vector<std::unique_ptr<OutputFile>>& files) {
+        for (auto& f : files)
+            folders_[f->target_.parent_path()].files.push_back(f.get());
+    }
+    ~Replacement() {
+        for (auto& [path, folder] : folders_) {
+            std::error_code ec;
+            if (!done_) detail::put_back(path, folder.set);
+            fs::remove(folder.record, ec);
+            if (folder.lock >= 0) ::close(folder.lock);
+        }
+        if (!done_) return;
+        for (auto& [path, folder] : folders_) {
+            std::error_code ec;
+            for (const detail::Replaced& r : folder.set)
+                if (!r.before.empty()) fs::remove(path / r.before, ec);
+            detail::sync_folder(path);
+        }
+    }
+    Replacement(const Replacement&) = delete;
+    Replacement& operator=(const Replacement&) = delete;
+
+    void run() {
+        for (auto& [path, folder] : folders_)
+            write_record(path, folder);
+        for (auto& [path, folder] : folders_)
+            for (std::size_t i = 0; i < folder.files.size(); ++i)
+                replace(*folder.files[i], path / folder.set[i].before, !folder.set[i].before.empty());
+        for (auto& [path, folder] : folders_)
+            detail::sync_folder(path);
+        done_ = true;
+    }
+
+private:
+    struct Folder {
+        std::vector<OutputFile*> files;
+        std::vector<detail::Replaced> set;
+        fs::path record;
+        int lock = -1; ///< of the record
+    };
+
+    static void write_record(const fs::path& path, Folder& folder) {
+        for (const OutputFile* f : folder.files) {
+            struct ::stat info {};
+            std::error_code ec;
+            if (::stat(f->temporary_.c_str(), &info) != 0) f->fail(std::strerror(errno));
+            if (fs::is_directory(f->target_, ec)) f->fail("a folder appeared in its place");
+            std::string before;
+            if (fs::exists(f->target_, ec)) before = f->temporary_.filename().string() + ".before";
+            folder.set.push_back({f->target_.filename().string(), before, info.st_ino});
+        }
+        const std::string bytes = detail::set_record(folder.set);
+        folder.lock = detail::make_beside(path, ".set", 0600, folder.record);
+        const bool written = folder.lock >= 0
+                             && ::write(folder.lock, bytes.data(), bytes.size()) == ssize_t(bytes.size())
+                             && ::fsync(folder.lock) == 0;
+        if (!written) folder.files.front()->fail(std::strerror(errno));
+        detail::sync_folder(path);
+    }
+
+    static void replace(OutputFile& file, const fs::path& before, bool replaces) {
+        std::error_code ec;
+        if (replaces) {
+            fs::create_hard_link(file.target_, before, ec);
+            // File systems without hard links: the target is gone for a moment instead.
+            if (ec) fs::rename(file.target_, before, ec);
+            if (ec) file.fail(ec.message());
+        }
+        file.take_place();
+    }
+
+    std::map<fs::path, Folder> folders_;
+    bool done_ = false;
+};
+
+void OutputSet::commit(const std::function<void()>& before) {
     for (auto& f : files_)
         f->close_stream();
+    for (auto& f : files_)
+        f->sync();
+    if (before) before();
+    if (files_.size() == 1) return files_.front()->commit();
     TemporariesLock lock(temporaries().mutex);
     const std::size_t committed_before = temporaries().committed;
-    // What stands at a target keeps a second name until all renames are done.
-    struct Kept {
-        OutputFile* file;
-        fs::path before; // empty: nothing stood there
-    };
-    std::vector<Kept> kept;
-    std::error_code ec;
-    const auto put_back = [&] {
-        for (auto k = kept.rbegin(); k != kept.rend(); ++k) {
-            if (k->before.empty()) {
-                if (k->file->committed_) fs::remove(k->file->target_, ec);
-            } else {
-                fs::rename(k->before, k->file->target_, ec);
-                fs::remove(k->before, ec); // still there when both names were the same file
-            }
-        }
-    };
     try {
-        for (auto& f : files_) {
-            fs::path before;
-            if (fs::is_directory(f->target_, ec)) f->fail("a folder appeared in its place");
-            if (fs::exists(f->target_, ec)) {
-                before = f->temporary_;
-                before += ".before";
-                fs::create_hard_link(f->target_, before, ec);
-                // File systems without hard links: the target is gone for a moment instead.
-                if (ec) fs::rename(f->target_, before, ec);
-                if (ec) f->fail(ec.message());
-            }
-            kept.push_back({f.get(), before});
-            f->commit();
-        }
+        Replacement(files_).run();
     } catch (...) {
-        put_back();
         temporaries().committed = committed_before;
         throw;
     }
-    for (const Kept& k : kept)
-        if (!k.before.empty()) fs::remove(k.before, ec);
+}
+
+InputsKept::InputsKept() {
+    Inputs& all = inputs();
+    const std::lock_guard lock(all.mutex);
+    ++all.keepers;
+}
+
+InputsKept::~InputsKept() {
+    Inputs& all = inputs();
+    const std::lock_guard lock(all.mutex);
+    if (--all.keepers == 0) all.files.clear();
 }
 
 void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output) {
     std::error_code none; // a file that does not exist is no other's equal
-    if (std::filesystem::equivalent(input, output, none))
-        throw Error(ErrorCode::unwritable, printable(output.string(), 400), "is the file that is read",
-                    "write to another file");
+    if (std::filesystem::equivalent(input, output, none)) refuse_input(output);
 }
 
 } // namespace facetmill

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -34,9 +35,12 @@ private:
     std::vector<char> buffer_;
 };
 
-/// Writes to a temporary file in the target's folder; `commit` flushes, checks and renames it over the
-/// target. Without commit the destructor removes the temporary file. A target that is a link stands for the
-/// file it leads to; one that is a folder, device, pipe or socket is refused. Throws Error(unwritable).
+/// Writes to a temporary file in the target's folder; `commit` flushes it to the disk and renames it over the
+/// target. Without commit the destructor removes the temporary file; what a killed run left in the folder
+/// goes when the next output is made there. A file that is replaced hands on its permissions; a new one has
+/// those of the process (umask). A target that is a link stands for the file it leads to, even where none is
+/// there yet; one that is a folder, device, pipe or socket, or that may not be written to, is refused. Throws
+/// Error(unwritable).
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path target);
@@ -56,10 +60,14 @@ public:
 
 private:
     friend class OutputSet;
+    OutputFile(std::filesystem::path target, bool clear_folder);
     [[noreturn]] void fail(const std::string& what) const;
     void forget();
+    void sync();
+    void take_place();
     std::filesystem::path target_, temporary_;
     std::FILE* file_ = nullptr;
+    int lock_ = -1; ///< the file stays locked until it is committed or removed
     bool committed_ = false;
 };
 
@@ -67,15 +75,28 @@ private:
 /// and writes its output over it would destroy what it was given.
 void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output);
 
+/// While one lives, no output takes the place of a file that an InputFile was opened for since: the process
+/// is one job. Workbenches, which save what they have opened, have none.
+class InputsKept {
+public:
+    InputsKept();
+    ~InputsKept();
+    InputsKept(const InputsKept&) = delete;
+    InputsKept& operator=(const InputsKept&) = delete;
+};
+
 /// Several outputs of one job that appear together or not at all: `commit` renames all after every one is
-/// complete, and puts back what stood there before when one of them cannot be renamed.
+/// complete, and puts back what stood there before when one of them cannot be renamed. Where the process is
+/// killed meanwhile, the next output that is made in the folder puts it back.
 class OutputSet {
 public:
     /// Throws Error(unwritable), also for a target that is in the set already.
     OutputFile& add(const std::filesystem::path& target);
-    void commit();
+    /// `before` runs when all files are complete and none has appeared; when it throws, none does.
+    void commit(const std::function<void()>& before = {});
 
 private:
+    class Replacement;
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 

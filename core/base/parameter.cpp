@@ -1,6 +1,7 @@
 #include "core/base/parameter.h"
 
 #include "core/base/parameter_json.h"
+#include "core/base/text.h"
 
 #include <cmath>
 #include <numeric>
@@ -151,6 +152,7 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
     case ParameterKind::text:
     case ParameterKind::names:
         if (!std::holds_alternative<std::string>(value)) other_type(*this);
+        check_text(std::get<std::string>(value), key);
         return;
     case ParameterKind::pair: {
         const auto* p = std::get_if<std::array<double, 2>>(&value);

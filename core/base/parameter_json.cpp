@@ -1,5 +1,6 @@
 #include "core/base/parameter_json.h"
 
+#include "core/base/text.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -140,7 +141,10 @@ Json write_value(const ParameterValue& value, const ParameterInfo& info, const s
     if (const auto* d = std::get_if<double>(&value)) return number(*d);
     if (const auto* i = std::get_if<long>(&value)) return *i;
     if (const auto* b = std::get_if<bool>(&value)) return *b;
-    if (const auto* s = std::get_if<std::string>(&value)) return *s;
+    if (const auto* s = std::get_if<std::string>(&value)) {
+        check_text(*s, place); // what is written can be read again
+        return *s;
+    }
     if (const auto* p = std::get_if<std::array<double, 2>>(&value)) return numbers(*p);
     if (const auto* t = std::get_if<std::array<double, 3>>(&value)) return numbers(*t);
     Json list = Json::array();

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parameter.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -118,15 +119,30 @@ private:
     std::vector<Level> levels_;
 };
 
+/// Errors of what stands within `outer` name the whole way to it.
+template <class F>
+auto within(const Json& list, std::size_t i, const std::string& key, F&& f) {
+    try {
+        return f();
+    } catch (const Error& e) {
+        const std::string outer = list.is_object() ? printable(key, 60) : strict::element({}, i);
+        const bool joined = e.where().empty() || e.where().front() == '[';
+        throw Error(e.code(), outer + (joined ? "" : ".") + e.where(), e.message(), e.remedy());
+    }
+}
+
 /// On one line, a blank after ',' and ':'.
 std::string one_line(const Json& value) {
+    if (value.is_string()) return json_text(value.get_ref<const std::string&>(), {});
     if (!value.is_structured() || value.empty()) return value.dump();
     const bool object = value.is_object();
     std::string text(object ? "{ " : "[");
-    for (auto it = value.begin(); it != value.end(); ++it) {
-        if (it != value.begin()) text += ", ";
-        if (object) text += Json(it.key()).dump() + ": ";
-        text += one_line(*it);
+    std::size_t i = 0;
+    for (auto it = value.begin(); it != value.end(); ++it, ++i) {
+        const std::string key = object ? it.key() : std::string();
+        if (i > 0) text += ", ";
+        text += within(value, i, key,
+                       [&] { return (object ? json_text(key, {}) + ": " : std::string()) + one_line(*it); });
     }
     return text + (object ? " }" : "]");
 }
@@ -142,7 +158,7 @@ void write(std::string& out, const Json& value, std::size_t indent) {
     for (auto it = value.begin(); it != value.end(); ++it) {
         if (it != value.begin()) out += ",\n";
         out.append(indent + 2, ' ');
-        if (object) out += Json(it.key()).dump() + ": ";
+        if (object) out += json_text(it.key(), {}) + ": ";
         write(out, *it, indent + 2);
     }
     out += '\n';
@@ -168,11 +184,7 @@ Json parse_strict_json(std::string_view text, const std::string& name) {
 
 std::string pretty_json(const Json& value) {
     std::string out;
-    try {
-        write(out, value, 0);
-    } catch (const Json::type_error&) {
-        throw Error(ErrorCode::encoding, "", "a text is not UTF-8", "rename the file or the item");
-    }
+    write(out, value, 0);
     out += '\n';
     return out;
 }
@@ -229,9 +241,7 @@ const Json& require(const Json& object, const std::string& place, const std::str
 std::string read_text(const Json& value, const std::string& place) {
     if (!value.is_string()) wrong_type(place, value, "a text");
     auto text = value.get<std::string>();
-    if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
-        throw Error(ErrorCode::out_of_range, place, "the text holds control characters",
-                    "write it on one line");
+    check_text(text, place);
     return text;
 }
 

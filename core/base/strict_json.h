@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 /// byte-order mark is read over.
 Json parse_strict_json(std::string_view text, const std::string& name);
 
-/// Text with two blanks of indentation; what fits on a line stands on one. Throws Error(encoding) for strings
-/// that are not UTF-8.
+/// Text with two blanks of indentation; what fits on a line stands on one. Strings as `json_text` writes
+/// them. Throws Error(encoding) that names the place of a string that is not UTF-8.
 std::string pretty_json(const Json& value);
 
 /// "object", "array", "text", "number" ...: how messages call it.
@@ -48,7 +48,7 @@ const Json& expect_list(const Json& value, const std::string& place);
 /// Throws Error(missing_key).
 const Json& require(const Json& object, const std::string& place, const std::string& key,
                     const std::string& remedy);
-/// Text without control characters; throws Error(wrong_type, out_of_range).
+/// Throws Error(wrong_type, and what check_text throws).
 std::string read_text(const Json& value, const std::string& place);
 
 } // namespace strict

@@ -43,6 +43,8 @@ std::string file_stem(std::size_t place, const std::string& operation_name) {
     return (number.size() < 2 ? "0" + number : number) + "-" + name;
 }
 
+constexpr const char* report_file_name = "report.json";
+
 /// The program of one operation, sharing its motions.
 ClProgram program_of(const Project& project, const std::shared_ptr<const OperationResult>& result) {
     ClProgram program;
@@ -67,12 +69,24 @@ std::string program_file_name(const Project& project, const PlanResult& result, 
                              result.operations[program]->name);
 }
 
+std::vector<std::string> program_file_names(const Project& project) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < project.operations.size(); ++i)
+        names.push_back(program_file_name(i + 1, project.operations[i]->common().name));
+    names.emplace_back(report_file_name);
+    return names;
+}
+
 std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
-                                 const Progress& progress) {
+                                 const Progress& progress, const std::function<void()>& before) {
     if (result.operations.empty())
         throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
     const NewFolder made(folder);
     OutputSet files;
+    const auto add = [&](const fs::path& path) -> OutputFile& {
+        keep_inputs(project, path);
+        return files.add(path);
+    };
     std::vector<fs::path> paths;
     const double n = double(result.operations.size());
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
@@ -84,14 +98,14 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
             const std::vector<std::string> endings = writer.files(program);
             for (std::size_t k = 0; k < endings.size(); ++k) {
                 paths.push_back(folder / (stem + endings[k] + writer.extension));
-                writer.write(program, k, files.add(paths.back()), part);
+                writer.write(program, k, add(paths.back()), part);
             }
         }
     }
-    paths.push_back(folder / "report.json");
-    files.add(paths.back()).write(report_json(project, result));
+    paths.push_back(folder / report_file_name);
+    add(paths.back()).write(report_json(project, result));
     progress.check();
-    files.commit();
+    files.commit(before);
     return paths;
 }
 

@@ -1,5 +1,6 @@
 #include "core/job/project.h"
 
+#include "core/base/file.h"
 #include "core/mesh/mesh_format.h"
 
 #include <algorithm>
@@ -128,6 +129,18 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
     for (const long number : operation.further_tools())
         further.push_back(tool_by_number(tools, number, operation));
     return further;
+}
+
+void keep_referenced(const Project& project, const fs::path& output) {
+    std::vector<fs::path> inputs = {project.part_path(), project.stock_path()};
+    if (is_machine_file(project.machine)) inputs.push_back(project.machine_path());
+    for (const fs::path& input : inputs)
+        if (!input.empty()) refuse_to_overwrite(input, output);
+}
+
+void keep_inputs(const Project& project, const fs::path& output) {
+    if (!project.path.empty()) refuse_to_overwrite(project.path, output);
+    keep_referenced(project, output);
 }
 
 void move_project(Project& project, const fs::path& path) {

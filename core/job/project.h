@@ -69,10 +69,16 @@ std::string project_to_json(const Project& project);
 Machine project_machine(const Project& project);
 /// Place, size and time of writing of a file as text: another one once the file was written anew or is gone.
 std::string file_stamp(const std::filesystem::path& path);
+/// Throws Error(unwritable) where `output` is the project's file or that of its part, stock or machine, by
+/// whatever name.
+void keep_inputs(const Project& project, const std::filesystem::path& output);
+/// The same but for the project's own file: a project may be saved over itself.
+void keep_referenced(const Project& project, const std::filesystem::path& output);
 /// Gives the project a new place and rewrites relative files of part, stock and machine so that they still
 /// name the same files.
 void move_project(Project& project, const std::filesystem::path& path);
-/// Writes beside and renames; relative files are written relative to `path`. Throws Error(unwritable).
+/// Writes beside and renames; relative files are written relative to `path`. Throws Error(unwritable,
+/// also for the file of its part, stock or machine; what check_text throws).
 void save_project(const Project& project, const std::filesystem::path& path);
 
 /// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. A

@@ -1,6 +1,7 @@
 // The project file: reading with every key checked, and writing what reads back the same.
 #include "core/base/file.h"
 #include "core/base/parameter_json.h"
+#include "core/base/text.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
 
@@ -130,6 +131,7 @@ std::string project_to_json(const Project& project) {
     const ParameterView<StockSpec> view(stock, stock_parameters());
     for (const std::string& key : stock_keys(stock.kind))
         write_parameter(file["stock"], "stock", view, view.parameter(key), unit);
+    check_text(project.machine, "machine");
     file["machine"] = project.machine;
     file["verification"] = write_struct(project.limits, verify_limit_parameters(), "verification", unit);
     file["tools"] = Json::array();
@@ -149,6 +151,7 @@ void save_project(const Project& project, const std::filesystem::path& path) {
     Project moved = project;
     move_project(moved, path);
     const std::string text = project_to_json(moved);
+    keep_referenced(project, path);
     OutputFile file(path);
     file.write(text);
     file.commit();

@@ -5,6 +5,7 @@
 #include "core/verify/verify.h"
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,10 +49,12 @@ std::string findings_line(const Project& project, std::span<const VerifyProgram>
                           const Verification& result);
 
 /// Writes stock.stl (closed), deviation.vtp (VTK PolyData: points, `Normals`, `deviation`, `flag`) and
-/// verify.json into `folder` (made if missing), lengths in the project's units: all of them or none. Returns
-/// the paths. Throws Error(unwritable, no_facets where nothing of the stock is left).
+/// verify.json into `folder` (made if missing), lengths in the project's units: all of them or none, and
+/// never over a file that the project reads. `before` as in write_plan. Returns the paths. Throws
+/// Error(unwritable, no_facets where nothing of the stock is left).
 std::vector<std::filesystem::path>
 write_verification(const Project& project, std::span<const VerifyProgram> programs,
-                   const Verification& result, const std::filesystem::path& folder, const Progress& progress);
+                   const Verification& result, const std::filesystem::path& folder, const Progress& progress,
+                   const std::function<void()>& before = {});
 
 } // namespace facetmill

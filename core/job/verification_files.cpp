@@ -86,11 +86,13 @@ void write_vtp(const DeviationSurface& s, OutputFile& file, double per, const Pr
 
 std::vector<fs::path> write_verification(const Project& project, std::span<const VerifyProgram> programs,
                                          const Verification& result, const fs::path& folder,
-                                         const Progress& progress) {
+                                         const Progress& progress, const std::function<void()>& before) {
     const NewFolder made(folder);
     OutputSet files;
     const std::vector<fs::path> paths = {folder / "stock.stl", folder / "deviation.vtp",
                                          folder / "verify.json"};
+    for (const fs::path& path : paths)
+        keep_inputs(project, path);
     StlStream stl(files.add(paths[0]), project.unit);
     stock_triangles(
         *result.stock, [&](const Vec3& a, const Vec3& b, const Vec3& c) { stl.add(a, b, c); },
@@ -99,7 +101,7 @@ std::vector<fs::path> write_verification(const Project& project, std::span<const
     write_vtp(*result.surface, files.add(paths[1]), mm_per(project.unit), progress.part(0.7, 1.0));
     files.add(paths[2]).write(verify_json(project, programs, result));
     progress.check();
-    files.commit();
+    files.commit(before);
     return paths;
 }
 

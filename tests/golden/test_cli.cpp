@@ -4,6 +4,7 @@
 #include "tests/golden/run_cli.h"
 #include "tests/support/test_runner.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -309,6 +310,69 @@ private slots:
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 1);
         QVERIFY(process.readAllStandardError().startsWith("facetmill-cli: error [unwritable] stdout: "));
+    }
+
+    void more_work_than_usual_wants_a_word() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        s.write("p.facetmill", changed("\"tolerance\": 0.1", "\"tolerance\": 1e-9"));
+        const CliRun plan = run_cli({"plan", "p.facetmill", "-o", "out"}, s.path());
+        QCOMPARE(plan.code(), QByteArray("limit_exceeded"));
+        QVERIFY(plan.err.contains("operation 'Finish'") && plan.err.contains("--yes-large"));
+        s.write("p.facetmill", good_project);
+        const CliRun simulate =
+            run_cli({"simulate", "p.facetmill", "--spacing", "1e-9", "-o", "out"}, s.path());
+        QCOMPARE(simulate.code(), QByteArray("limit_exceeded"));
+        QVERIFY(simulate.err.contains("--spacing"));
+        QCOMPARE(s.files(), (QStringList{"p.facetmill", "part.stl"}));
+    }
+
+    /// A job whose result nobody could be told has failed, and a failed job leaves nothing.
+    void a_full_stdout_leaves_no_files() {
+        Sandbox s;
+        s.write("part.stl", small_part);
+        s.write("p.facetmill", good_project);
+        const QStringList before = s.files();
+        for (const QStringList& job :
+             {QStringList{"sample", "pillar", "-o", "out.stl"},
+              QStringList{"plan", "p.facetmill", "-o", "out"},
+              QStringList{"drop", "part.stl", "--cutter", "ball:2", "--grid", "2x2", "-o", "out.txt"}}) {
+            QProcess process;
+            process.setWorkingDirectory(s.path());
+            process.setStandardOutputFile("/dev/full");
+            process.start(FACETMILL_CLI, job);
+            QVERIFY(process.waitForFinished());
+            QCOMPARE(process.exitCode(), 1);
+            QCOMPARE(s.files(), before);
+        }
+    }
+
+    /// By whatever name: an input that is called as an output, and a second name of one.
+    void inputs_are_never_overwritten() {
+        Sandbox s;
+        s.write("report.json", good_project);
+        s.write("part.stl", small_part);
+        const auto refused = [&](const QStringList& job, const char* input) {
+            const QByteArray before = bytes_of(s.path() + "/" + input);
+            const CliRun run = run_cli(job, s.path());
+            return run.code() == "unwritable" && bytes_of(s.path() + "/" + input) == before;
+        };
+        QVERIFY(refused({"plan", "report.json", "-o", "."}, "report.json"));
+        QVERIFY(QFile::rename(s.path() + "/report.json", s.path() + "/p.facetmill"));
+        QVERIFY(QFile::link("../part.stl", s.path() + "/link.stl") && QDir(s.path()).mkdir("out"));
+        QVERIFY(QFile::link("../part.stl", s.path() + "/out/01-Finish.apt"));
+        QVERIFY(refused({"plan", "p.facetmill", "-o", "out"}, "part.stl"));
+        QVERIFY(QFile::remove(s.path() + "/out/01-Finish.apt"));
+        const QByteArray machine =
+            bytes_of(QString::fromStdString(data_path("../resources/machines/generic-3-axis.json")));
+        QVERIFY(!machine.isEmpty());
+        s.write("verify.json", machine);
+        s.write("m.facetmill", changed("\"tools\"", "\"machine\": \"verify.json\", \"tools\""));
+        QVERIFY(refused({"simulate", "m.facetmill", "-o", "."}, "verify.json"));
+        for (const char* input : {"m.facetmill", "part.stl", "verify.json"})
+            QVERIFY(refused({"report", "m.facetmill", "-o", input}, input));
+        QVERIFY(refused({"drop", "part.stl", "--cutter", "ball:2", "--grid", "2x2", "-o", "./part.stl"},
+                        "part.stl"));
     }
 
     void the_reference_page_prints() {

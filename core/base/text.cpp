@@ -1,0 +1,103 @@
+#include "core/base/text.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <array>
+
+namespace facetmill {
+
+namespace {
+
+/// A character as it stands in UTF-8; no bytes where what stands there is not UTF-8.
+struct Character {
+    std::size_t bytes = 0;
+    char32_t code = 0;
+};
+
+Character character_at(std::string_view s, std::size_t i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
+    const unsigned char c = byte(i);
+    if (c < 0x80) return {1, c};
+    const std::size_t n = c >= 0xC2 && c < 0xE0   ? 2
+                          : c >= 0xE0 && c < 0xF0 ? 3
+                          : c >= 0xF0 && c < 0xF5 ? 4
+                                                  : 0;
+    if (n == 0 || i + n > s.size()) return {};
+    char32_t code = c & (0xFF >> (n + 1));
+    for (std::size_t k = 1; k < n; ++k) {
+        if ((byte(i + k) & 0xC0) != 0x80) return {};
+        code = code << 6 | (byte(i + k) & 0x3F);
+    }
+    static constexpr std::array<char32_t, 5> first_of_length = {0, 0, 0x80, 0x800, 0x10000};
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    if (code < first_of_length[n] || surrogate || code > 0x10FFFF) return {};
+    return {n, code};
+}
+
+/// A terminal, a line or a page would obey it instead of showing it.
+bool is_hidden(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c <= 0x9F) || (c >= 0x2028 && c <= 0x202E)
+           || (c >= 0x2066 && c <= 0x2069);
+}
+
+} // namespace
+
+std::string printable(std::string_view text, std::size_t max_bytes) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const Character c = character_at(text, i);
+        const std::size_t step = std::max<std::size_t>(c.bytes, 1);
+        if (out.size() + step > max_bytes) {
+            out += "...";
+            break;
+        }
+        if (c.bytes == 0 || is_hidden(c.code))
+            out += '?';
+        else
+            out.append(text.substr(i, step));
+        i += step;
+    }
+    return out;
+}
+
+void check_text(std::string_view text, const std::string& place) {
+    for (std::size_t i = 0; i < text.size();) {
+        const Character c = character_at(text, i);
+        if (c.bytes == 0)
+            throw Error(ErrorCode::encoding, place, "the text is not UTF-8: '" + printable(text) + "'",
+                        "rename the file or the item");
+        if (is_hidden(c.code))
+            throw Error(ErrorCode::out_of_range, place,
+                        "the text holds control characters: '" + printable(text) + "'",
+                        "write it on one line without them");
+        i += c.bytes;
+    }
+}
+
+std::string json_text(std::string_view text, const std::string& place) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string out = "\"";
+    for (std::size_t i = 0; i < text.size();) {
+        const Character c = character_at(text, i);
+        if (c.bytes == 0)
+            throw Error(ErrorCode::encoding, place, "the text is not UTF-8: '" + printable(text) + "'",
+                        "rename the file or the item");
+        if (c.code == '"' || c.code == '\\')
+            (out += '\\') += char(c.code);
+        else if (c.code == '\n')
+            out += "\\n";
+        else if (c.code == '\t')
+            out += "\\t";
+        else if (is_hidden(c.code)) {
+            out += "\\u";
+            for (int shift = 12; shift >= 0; shift -= 4)
+                out += digits[c.code >> shift & 15];
+        } else
+            out.append(text.substr(i, c.bytes));
+        i += c.bytes;
+    }
+    return out + '"';
+}
+
+} // namespace facetmill

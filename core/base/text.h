@@ -1,0 +1,21 @@
+// Texts that come in from elsewhere, and texts that go out to a terminal, a report or a page. Characters that
+// move what stands beside them (controls of both sets, line and paragraph separators, bidirectional
+// embeddings, overrides and isolates) are neither let in nor let out: every text that leaves passes
+// `printable` (error.h) or `json_text`.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace facetmill {
+
+/// Every text that enters a project passes here: throws Error(encoding) where it is not UTF-8 and
+/// Error(out_of_range) where it holds a character that `printable` would replace. `place` is put into the
+/// error.
+void check_text(std::string_view text, const std::string& place);
+
+/// The same text as a JSON string, quotes included; what `printable` would replace is escaped. Throws
+/// Error(encoding), whose place is `place`, where it is not UTF-8.
+std::string json_text(std::string_view text, const std::string& place);
+
+} // namespace facetmill
