@@ -67,8 +67,8 @@ public:
     /// the cutter can go: what the layers leave on the slopes that the part has, or what the planned passes
     /// were found to leave, whichever is more.
     ///
-    /// Throws Error(out_of_range) for a depth that is no length above 0 or longer than the flutes, a
-    /// step-over wider than the cutter, tessellation tolerances that use up the tolerance;
+    /// Throws Error(out_of_range) for an undercut cutter, a depth that is no length above 0 or longer than
+    /// the flutes, a step-over wider than the cutter, tessellation tolerances that use up the tolerance;
     /// Error(empty_result) where the part has no facets or nothing of the stock can be cut, with the reason;
     /// Error(limit_exceeded) for parts that ask for more than 20 million places or 100 000 layers.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;

@@ -65,6 +65,11 @@ RoughMeasures::RoughMeasures(const RoughSettings& settings, const PlanContext& c
       min_work(std::min(min_share * diameter, min_of_tolerance * budget)),
       stepover(stepover_of(settings, context, diameter)) {
     check_depth(settings, context);
+    // On each layer material would stay over its wide end, in the way of the neck, the shank and every rapid.
+    if (is_undercut(profile))
+        throw Error(ErrorCode::out_of_range, "tool",
+                    "roughing with a tool that is narrower above its end leaves material hanging over it",
+                    "rough with a tool whose taper angle is 0 or more");
 }
 
 StockField rough_stock(const RoughSettings& settings, const PlanContext& context,

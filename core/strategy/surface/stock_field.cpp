@@ -15,6 +15,10 @@ constexpr double piece_radii = 2;
 
 } // namespace
 
+bool is_undercut(const CutterProfile& profile) {
+    return profile.radius_at(profile.height()) < profile.max_radius() * (1 - tolerance::same_shape);
+}
+
 StockCutter::StockCutter(const CutterProfile& profile)
     : radius_(profile.max_radius()), height_(profile.height()) {
     table_.resize(pieces + 2);
@@ -24,6 +28,7 @@ StockCutter::StockCutter(const CutterProfile& profile)
         table_[i] = profile.height_at(radius_ * (i == pieces ? 1 - 1e-15 : 1 - rest * rest));
     }
     table_[pieces + 1] = table_[pieces];
+    if (is_undercut(profile)) find_covered(profile);
     std::size_t flat = 0; // knots 0 to flat are 0
     while (flat <= pieces && table_[flat] == 0)
         ++flat;
@@ -33,6 +38,22 @@ StockCutter::StockCutter(const CutterProfile& profile)
         while (flat_radius_ > 0 && above(flat_radius_) != 0)
             flat_radius_ *= 1 - 1e-4;
     }
+}
+
+void StockCutter::find_covered(const CutterProfile& profile) {
+    covered_.resize(pieces + 2);
+    for (std::size_t i = 0; i <= pieces; ++i) {
+        const double rest = 1 - double(i) / double(pieces), rho = radius_ * (1 - rest * rest);
+        // Where it is widest the profile turns back; from there up it only narrows.
+        double lo = profile.height_at(radius_ * (1 - 1e-15)), hi = height_;
+        if (profile.radius_at(hi) >= rho) lo = hi;
+        for (int k = 0; k < 60 && lo < hi; ++k) {
+            const double mid = 0.5 * (lo + hi);
+            (profile.radius_at(mid) >= rho ? lo : hi) = mid;
+        }
+        covered_[i] = lo;
+    }
+    covered_[pieces + 1] = covered_[pieces];
 }
 
 StockField::StockField(const StockSolid& solid, double cell, const Progress& progress) : box_(solid.box) {
@@ -224,14 +245,14 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
         const Vec3& low = p.z() < q.z() ? p : q;
         if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
             cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
-                      p.z() + cutter.height());
+                      p.z() + cutter.covered(cutter.flat_radius()));
         const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
         near_line(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
                   [&](Cell& cell, double square, double t) {
                       const double d = std::sqrt(square);
                       const double z = p.z() + t * (q.z() - p.z());
                       const auto lower = [&](double& height, double slack) {
-                          if (height <= low.z() || height > z + cutter.height()) return;
+                          if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
                           height = std::min(height, z + cutter.above(d + slack));
                       };
                       lower(cell.middle, 0);
@@ -243,7 +264,7 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
                       [&](Cell& cell, double square, double) {
                           const double d = std::sqrt(square);
                           const auto lower = [&](double& height, double slack) {
-                              if (height <= low.z() || height > low.z() + cutter.height()) return;
+                              if (height <= low.z() || height > low.z() + cutter.covered(d + slack)) return;
                               height = std::min(height, low.z() + cutter.above(d + slack));
                           };
                           lower(cell.middle, 0);

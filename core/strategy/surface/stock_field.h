@@ -21,6 +21,9 @@
 
 namespace facetmill {
 
+/// True of a cutter that is narrower above its largest radius, as dovetails and lollipops are.
+bool is_undercut(const CutterProfile& profile);
+
 /// The lower surface of a cutter in a table.
 class StockCutter {
 public:
@@ -34,15 +37,21 @@ public:
     /// infinite beyond the radius.
     double above(double rho) const { return rho > radius_ ? infinity : table_[knot(rho) + 1]; }
     double below(double rho) const { return rho > radius_ ? infinity : table_[knot(rho)]; }
+    /// Up to this height over the tip, at least, the cutting part takes away what stands at distance rho: all
+    /// of its height, but beside the neck of an undercut one, over which material stays.
+    double covered(double rho) const {
+        return covered_.empty() || rho > radius_ ? height_ : covered_[knot(rho) + 1];
+    }
 
 private:
+    void find_covered(const CutterProfile& profile);
     static constexpr std::size_t pieces = 4096;
     /// Closer towards the rim, where a ball's surface stands upright: on a ball all steps are alike.
     std::size_t knot(double rho) const {
         return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
     }
     double radius_, height_, flat_radius_ = 0;
-    std::vector<double> table_;
+    std::vector<double> table_, covered_; ///< covered_: of an undercut cutter only
 };
 
 class StockField {

@@ -337,6 +337,24 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(Rough(settings(2)).preview_layers(c, Progress(job)), Cancelled);
     }
 
+    /// What hangs over its wide end would be met by the neck, the shank and rapids.
+    void undercut_tools_are_refused() {
+        for (const double taper : {-5.0, -45.0}) {
+            Tool dovetail = flat_tool(6);
+            dovetail.taper_angle = radians(taper);
+            dovetail.flute_length = 2;
+            const PlanContext c = context(pocket(), dovetail, 0.5);
+            std::string message;
+            QCOMPARE(code_of([&] { Rough(settings(1)).plan(c, Progress()); }, &message),
+                     std::string("out_of_range"));
+            QVERIFY(message.starts_with("tool: "));
+        }
+        Tool tapered = flat_tool(6);
+        tapered.taper_angle = radians(5);
+        tapered.flute_length = 4;
+        Rough(settings(1)).plan(context(pocket(), tapered, 0.5), Progress());
+    }
+
     void bad_values_are_refused() {
         const Tool tool = flat_tool(6);
         const PlanContext c = context(pocket(), tool, 0.5);

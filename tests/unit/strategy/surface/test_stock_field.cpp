@@ -173,6 +173,26 @@ private slots:
         QCOMPARE(over(field, 0, 0, &StockField::middle), 5.0);
     }
 
+    /// A dovetail takes away under what it leaves standing over its wide end, which so still stands as high.
+    void an_undercut_cutter_leaves_what_hangs_over_it() {
+        StockField field(block(Vec3(-20, -10, 0), Vec3(20, 10, 10)), 0.25, Progress());
+        const CutterProfile dovetail(AptCutter::from_shape(10, 0, 0, radians(-20), 5));
+        field.cut(StockCutter(dovetail), Vec3(-25, 0, 5), Vec3(25, 0, 5));
+        const double neck = dovetail.radius_at(5);
+        for (int row = 0; row < field.rows(); ++row) {
+            const double y = std::abs(field.center(0, row).y());
+            if (std::abs(y - neck) > 0.25) QCOMPARE(field.middle(80, row), y < neck ? 5.0 : 10.0);
+            if (y > neck) QCOMPARE(field.top(80, row), 10.0);
+        }
+        // A thinner layer is within what the side covers, but for the rim.
+        StockField thin(block(Vec3(-20, -10, 0), Vec3(20, 10, 10)), 0.25, Progress());
+        thin.cut(StockCutter(dovetail), Vec3(-25, 0, 9), Vec3(25, 0, 9));
+        const double covered = dovetail.radius_at(1);
+        for (int row = 0; row < thin.rows(); ++row)
+            if (const double y = std::abs(thin.center(0, row).y()); std::abs(y - covered) > 0.05)
+                QCOMPARE(thin.middle(80, row), y < covered ? 9.0 : 10.0);
+    }
+
     void bad_cells_are_refused() {
         QVERIFY_EXCEPTION_THROWN(StockField(block(Vec3(0, 0, 0), Vec3(1, 1, 1)), 0, Progress()), Error);
         const StockField empty(StockSolid(), 1, Progress());
