@@ -8,6 +8,9 @@ namespace facetmill::detail {
 
 namespace {
 
+/// Scanners write three elements and a dozen properties; names are looked for one by one.
+constexpr std::size_t max_elements = 256, max_properties = 1024;
+
 class PlyHeaderReader : TextReader {
 public:
     explicit PlyHeaderReader(const MeshSource& source) : TextReader(source), cursor_{source.bytes} {}
@@ -105,6 +108,8 @@ private:
     }
 
     void element(std::size_t offset) {
+        if (header_.elements.size() == max_elements)
+            fail(ErrorCode::limit_exceeded, offset, "the header names too many elements");
         PlyElement element;
         element.offset = offset;
         element.name = header_token("a name");
@@ -121,6 +126,8 @@ private:
 
     void property(std::size_t offset) {
         if (header_.elements.empty()) fail(ErrorCode::syntax, offset, "a property before any element");
+        if (header_.elements.back().properties.size() == max_properties)
+            fail(ErrorCode::limit_exceeded, offset, "the element has too many properties");
         PlyProperty property;
         std::string_view t = header_token("a type");
         if (t == "list") {

@@ -611,6 +611,14 @@ private slots:
         }
         // Elements without properties take no place, however many.
         COMPARE_TEXT(changed("element face", "element ghost 18446744073709551615\nelement face"), "ok");
+        // Names are looked for one by one: more than any writer has would take the square of their number.
+        std::string many_elements, many_properties;
+        for (int i = 0; i < 1100; ++i) {
+            many_elements += "element e" + std::to_string(i) + " 0\n";
+            many_properties += "property float p" + std::to_string(i) + "\n";
+        }
+        COMPARE_TEXT(changed("element face", many_elements + "element face"), "limit_exceeded");
+        COMPARE_TEXT(changed("property double x", many_properties + "property double x"), "limit_exceeded");
         // A list length that lies.
         std::string list =
             "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
