@@ -20,7 +20,7 @@ namespace facetmill::simd {
 inline constexpr int double_lanes = 4, float_lanes = 8;
 
 typedef double Double4 __attribute__((vector_size(32)));
-typedef std::int64_t Mask4 __attribute__((vector_size(32))); ///< -1 or 0
+typedef decltype(Double4() < Double4()) Mask4; ///< 64 bits each, -1 or 0; compilers differ in their name
 typedef float Float8 __attribute__((vector_size(32)));
 typedef std::int32_t Int8 __attribute__((vector_size(32))); ///< as a mask -1 or 0
 

@@ -132,8 +132,8 @@ FACETMILL_LANES PlaceFloats from_origin(const double* p, double origin) {
 #endif
 
 FACETMILL_LANES float max_of(Float8 v) {
-    v = larger(v, __builtin_shuffle(v, Int8{4, 5, 6, 7, 0, 1, 2, 3}));
-    v = larger(v, __builtin_shuffle(v, Int8{2, 3, 0, 1, 6, 7, 4, 5}));
+    v = larger(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+    v = larger(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
     return v[0] > v[1] ? v[0] : v[1];
 }
 FACETMILL_LANES float lane(const Float8& a, int k) {
