@@ -30,7 +30,10 @@ constexpr double probe_share = 0.01;
 constexpr std::size_t samples_fixed = 2'000'000, samples_turning = 500'000;
 /// Lines keep off sharp edges: farther than the skin that paths leave on the wall beyond them, and rounding.
 constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm
-constexpr double finest_probe = 1e-4;                // mm: what a probe may be off where the axis turns
+/// How far apart places looked at may be, in radii of the narrowest cutter: a hollow, or a cutter's mark, is
+/// some times as wide.
+constexpr double coarsest_look = 0.5;
+constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -70,6 +73,15 @@ VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii&
     if (!(s.sample_spacing > 0)) s.sample_spacing = s.resolution;
     if (!(s.motion_bound > 0)) s.motion_bound = default_bound_share * s.resolution;
     return s;
+}
+
+void check_resolution(double resolution, const StockSolid& stock, const Radii& radii) {
+    if (resolution < stock.box.size().maxCoeff()) return;
+    throw Error(ErrorCode::out_of_range, "resolution",
+                length_text(resolution, LengthUnit::mm)
+                    + " is as long as the stock, in which nothing is seen then",
+                "use at most " + length_text(coarsest_look * radii.min, LengthUnit::mm, 3)
+                    + ", half of the narrowest cutter's radius");
 }
 
 void check_memory(double needed, const VerifySettings& used) {
@@ -229,14 +241,12 @@ void find_starts_inside(Verification& v, const Mesh& part, std::span<const Verif
 
 /// Why what was looked at says nothing of the whole; empty where it does.
 std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double min_radius) {
-    // A hollow, or a cutter's mark, is some times as wide as places looked at are apart.
-    constexpr double coarsest = 0.5;
     const double spacing = std::max(samples.spacing, v.used.resolution);
-    if (spacing > coarsest * min_radius)
+    if (spacing > coarsest_look * min_radius)
         return "places looked at are " + length_text(spacing, LengthUnit::mm, 3)
                + " apart, and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
                + ": ask for a resolution and a spacing of at most "
-               + length_text(coarsest * min_radius, LengthUnit::mm, 3);
+               + length_text(coarsest_look * min_radius, LengthUnit::mm, 3);
     constexpr double deepest_limit = 0.25; // nothing lies deeper in a cutter than its radius
     if (v.used.gouge_limit > deepest_limit * min_radius)
         return "the gouge limit is " + length_text(v.used.gouge_limit, LengthUnit::mm, 3)
@@ -321,6 +331,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
                     "no motion at feed comes near the stock",
                     "check the units and the origin of the program");
     v.used = completed(settings, stock, radii, turns);
+    check_resolution(v.used.resolution, stock, radii);
 
     auto start = std::chrono::steady_clock::now();
     const Progress cutting = progress.part(0.0, 0.6, "Removing material");

@@ -265,6 +265,23 @@ private slots:
         QCOMPARE(int(judged(part, stock, deep, coarse).verdict()), int(Verdict::failed));
     }
 
+    /// Rays farther apart than the stock is long see nothing of it: that is refused, with what would do.
+    void a_resolution_beyond_the_stock_is_refused() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        for (const double resolution : {50.0, 1e9, 1e300}) {
+            VerifySettings coarse = asked();
+            coarse.resolution = resolution;
+            try {
+                judged(part, stock_of(part.box()), lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6),
+                       coarse);
+                QFAIL("taken");
+            } catch (const Error& e) {
+                QCOMPARE(e.code(), ErrorCode::out_of_range);
+                QVERIFY2(e.where() == "resolution" && e.remedy().find("2 mm") != std::string::npos, e.what());
+            }
+        }
+    }
+
     /// A plate full of small holes is near open borders everywhere: that nothing counts there verifies
     /// nothing.
     void much_left_near_borders_is_not_verified() {
