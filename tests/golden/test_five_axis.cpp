@@ -315,7 +315,8 @@ private slots:
         row("yaw limits reversed", "out_of_range", "yaw_limits", with("\"yaw_limits\": [45, -45]"));
         row("grid of 0", "out_of_range", "grid_degrees", with("\"grid_degrees\": 0"));
         row("unknown posture", "out_of_range", "posture", with("\"posture\": \"best\""));
-        row("nothing from above", none, "from above", changed_blade("part.stl", "wall.stl"));
+        row("nothing from above", none, "from above",
+            with("\"sides\": \"top\"").replace("part.stl", "wall.stl"));
         row("holder everywhere", none, "would hit the part",
             changed_blade("\"tool\": 1", "\"tool\": 1, \"holder_clearance\": 500"));
         row("machine without rotary axes", none, "machine",

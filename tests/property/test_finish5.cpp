@@ -6,6 +6,7 @@
 #include "core/link/link.h"
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/five_axis/five_axis_record.h"
+#include "core/strategy/five_axis/five_axis_study.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
@@ -367,6 +368,7 @@ private slots:
         const PlanContext context = five_axis_context(box(Vec3(-12, -8, 0), Vec3(12, 8, 5)), cutter("ball"));
         Finish5Settings s = settings(0.1);
         s.lead_limits = {0, radians(80)};
+        s.sides = Finish5Settings::Sides::top;
         const Finish5 op(s);
         const StrategyResult path = op.plan(context, Progress());
         const Verification v =
@@ -505,6 +507,84 @@ private slots:
             ++(kept ? clear : cuts);
         }
         QVERIFY(cuts > trials(50) && clear > trials(50));
+    }
+
+    /// A plate that stands upright: nothing of it but its upper rim is seen from above. Cut side by side the
+    /// ball comes to every place that an axis reaches, judged by the ball's centre alone.
+    void a_standing_plate_is_cut_side_by_side() {
+        const Box3 box{Vec3(-8, -2, 0), Vec3(8, 2, 12)};
+        const Mesh part = facetmill::test::box(box.lo, box.hi);
+        PlanContext context = five_axis_context(part, with_holder(ball_tool(6)));
+        context.machine = find_machine("trunnion-ac");
+        Finish5Settings s = settings(0.3);
+        s.direction = {0, "auto"};
+        const Finish5 op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        std::vector<Vec3> centres;
+        for (const Pass& pass : path.passes)
+            for (std::size_t i = 0; i < pass.cl.size(); ++i) {
+                QVERIFY(pass.cl[i].axis.z() >= tolerance::lowest_axis_z * (1 - 1e-9));
+                for (int k = 0; i > 0 && k <= 8; ++k) {
+                    const CutterLocation at = on_route(pass.cl[i - 1], pass.cl[i], k / 8.0);
+                    centres.push_back(at.tip + 3 * at.axis);
+                    const Vec3 nearest = centres.back().cwiseMax(box.lo).cwiseMin(box.hi);
+                    QVERIFY((centres.back() - nearest).norm() >= 3 - path.chord_tolerance);
+                }
+            }
+        const auto nearest_centre = [&](const Vec3& p) {
+            double least = infinity;
+            for (const Vec3& c : centres)
+                least = std::min(least, (c - p).norm());
+            return least;
+        };
+        const Vec3 size = box.size();
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {0.0, 1.0}) {
+                if (axis == 2 && side == 0) continue; // it stands on it
+                for (double a = 0.05; a < 1; a += 0.15)
+                    for (double b = 0.05; b < 1; b += 0.15) {
+                        Vec3 share(a, a, a);
+                        share[(axis + 1) % 3] = b;
+                        share[axis] = side;
+                        const Vec3 p = box.lo + share.cwiseProduct(size);
+                        QVERIFY2(nearest_centre(p) <= 3 + 1.05 * s.tolerance,
+                                 qPrintable(QString("%1 %2 %3").arg(p.x()).arg(p.y()).arg(p.z())));
+                    }
+            }
+        QCOMPARE(std::count_if(path.warnings.begin(), path.warnings.end(),
+                               [](const std::string& w) {
+                                   return w.starts_with("cannot be reached: 64 mm²")
+                                          && w.find("faces down") != std::string::npos;
+                               }),
+                 1);
+        const Verification v =
+            judged(part, context, linked(path, context, op), s.tolerance, path.chord_tolerance);
+        QVERIFY(!v.gouged());
+        // Every contact point can be studied again in the view in which it was planned.
+        const auto record = path.five_axis();
+        QVERIFY(record->pieces.size() >= 5);
+        const std::size_t last = record->points.size() - 1;
+        const FiveAxisStudy study(record, Progress());
+        const FiveAxisStudy::Point point = study.point(last, Progress());
+        QVERIFY(point.planned.free && point.chosen[2].free);
+        QCOMPARE(study.reason(point, point.planned.posture.lead, point.planned.posture.yaw).block,
+                 PostureBlock::free);
+    }
+
+    /// From above alone the walls stay; a part that has none is planned as it always was.
+    void from_above_if_asked_or_if_there_is_no_other_side() {
+        const Mesh plate = facetmill::test::box(Vec3(-8, -2, 0), Vec3(8, 2, 12));
+        PlanContext context = five_axis_context(plate, with_holder(ball_tool(6)));
+        context.machine = find_machine("trunnion-ac");
+        Finish5Settings s = settings(0.3, Choice::cm2);
+        s.sides = Finish5Settings::Sides::top;
+        for (const Pass& pass : Finish5(s).plan(context, Progress()).passes)
+            for (const CutterContact& c : pass.cc)
+                QVERIFY(c.point.z() > 5);
+        const PlanContext field = five_axis_context(sheet("bend"), cutter("ball"));
+        const StrategyResult top = Finish5(s).plan(field, Progress());
+        s.sides = Finish5Settings::Sides::automatic;
+        QCOMPARE(numbers(Finish5(s).plan(field, Progress())), numbers(top));
     }
 
     void no_tool_lies_down() {

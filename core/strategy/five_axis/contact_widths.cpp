@@ -60,7 +60,7 @@ void ContactWidths::find(std::vector<EstimatedContact>& contacts, double gap,
             auto& c = contacts[i];
             find(c, gap, lead, hint);
             if (!c.usable) continue;
-            const double slope = std::abs(field_.drive().v(c.place.frame.left));
+            const double slope = std::abs(field_.across(c.place.frame.left));
             c.left = c.width_lo + c.width_hi < leave_ * slope;
         }
     });

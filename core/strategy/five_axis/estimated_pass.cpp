@@ -56,8 +56,8 @@ SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::arr
 TravelBins::TravelBins(const FiveAxisField& field) {
     lo_ = infinity;
     double hi = -infinity;
-    for (const double x : {field.context().part_box.lo.x(), field.context().part_box.hi.x()})
-        for (const double y : {field.context().part_box.lo.y(), field.context().part_box.hi.y()}) {
+    for (const double x : {field.seen_box().lo.x(), field.seen_box().hi.x()})
+        for (const double y : {field.seen_box().lo.y(), field.seen_box().hi.y()}) {
             const double u = field.drive().u(Vec3(x, y, 0));
             lo_ = std::min(lo_, u);
             hi = std::max(hi, u);

@@ -2,10 +2,12 @@
 
 #include "core/base/tolerances.h"
 #include "core/strategy/five_axis/five_axis_parameters.h"
+#include "core/strategy/five_axis/part_sides.h"
 #include "core/strategy/five_axis/partial_passes.h"
 #include "core/strategy/five_axis/pass_cutter.h"
 #include "core/strategy/five_axis/pass_placement.h"
 #include "core/strategy/five_axis/tilted_stepover.h"
+#include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/pass_order.h"
 #include "core/strategy/plan/plan_text.h"
 
@@ -29,12 +31,41 @@ constexpr double max_contacts = 2e7;
 /// The step that the search starts with, in diameters.
 constexpr double first_step_share = 0.4;
 
+/// What is said about a path, beside what it knows itself.
+struct Told {
+    const Finish5Settings& settings;
+    PlanText text;
+    int unsatisfied = 0;    ///< drive planes
+    std::size_t points = 0; ///< contact points
+    double cusp = 0;        ///< what may stay, mm
+};
+
+void warn(const Told& t, const UnfreePoints& unfree, const KeptPostures& kept, StrategyResult& result) {
+    auto& told = result.warnings;
+    if (t.unsatisfied > 0)
+        told.push_back(std::to_string(t.unsatisfied) + " of " + std::to_string(result.drive_planes)
+                       + " drive planes cross places where no step-over meets the tolerance");
+    if (unfree.count() > 0)
+        told.push_back(std::to_string(unfree.count()) + " of " + std::to_string(t.points)
+                       + " contact points have no free posture and are left to clean-up; mostly "
+                       + unfree.main_cause(t.settings.posture));
+    if (result.cleanup_points > unfree.count())
+        told.push_back(std::to_string(result.cleanup_points - unfree.count())
+                       + " places are left to clean-up because the tool cannot come there from "
+                         "its neighbours without gouging or turning too far");
+    for (std::string& warning : kept.warnings())
+        told.push_back(std::move(warning));
+    if (t.settings.stepover.is_number() && result.cusp_max > t.cusp)
+        told.push_back("the step-over of " + t.text(t.settings.stepover.number) + " leaves cusps of "
+                       + t.text(result.cusp_max) + "; the tolerance allows " + t.text(t.cusp));
+}
+
 class Planner5 {
 public:
     Planner5(const Finish5Settings& settings, const PlanContext& context, const Progress& progress,
-             bool is_piece = false, double leave = 0)
+             bool is_piece = false, double leave = 0, const Mat3& view = Mat3::Identity())
         : settings_(settings), text_{context.unit}, progress_(progress), is_piece_(is_piece),
-          field_(context, settings, progress.part(0, 0.05)), stepover_(field_, leave),
+          field_(context, settings, progress.part(0, 0.05), false, view), stepover_(field_, leave),
           partial_(stepover_, settings.pattern == Finish5Settings::Pattern::zigzag), cutter_(field_) {}
 
     StrategyResult run() {
@@ -55,6 +86,9 @@ public:
         return std::move(result_);
     }
 
+    const PassCutter& cutter() const { return cutter_; }
+    int unsatisfied() const { return unsatisfied_; } ///< drive planes
+
 private:
     using Clock = std::chrono::steady_clock;
 
@@ -71,7 +105,7 @@ private:
 
     /// What would take days is most likely a part in another unit.
     void check_size() const {
-        const Vec3 size = field_.context().part_box.size();
+        const Vec3 size = field_.seen_box().size();
         const double step =
             settings_.stepover.is_number() ? settings_.stepover.number : 0.5 * field_.radius();
         if (size.x() * size.y() <= max_contacts * step * 0.4 * field_.radius()) return;
@@ -221,28 +255,8 @@ private:
         order_by_travel(result_.passes, false,
                         std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + settings_.clearance,
                         progress_.part(1, 1));
-        warn(points);
-    }
-
-    void warn(std::size_t points) {
-        auto& told = result_.warnings;
-        const std::size_t unfree = cutter_.unfree().count();
-        if (unsatisfied_ > 0)
-            told.push_back(std::to_string(unsatisfied_) + " of " + std::to_string(result_.drive_planes)
-                           + " drive planes cross places where no step-over meets the tolerance");
-        if (unfree > 0)
-            told.push_back(std::to_string(unfree) + " of " + std::to_string(points)
-                           + " contact points have no free posture and are left to clean-up; mostly "
-                           + cutter_.unfree().main_cause(settings_.posture));
-        if (result_.cleanup_points > unfree)
-            told.push_back(std::to_string(result_.cleanup_points - unfree)
-                           + " places are left to clean-up because the tool cannot come there from "
-                             "its neighbours without gouging or turning too far");
-        for (std::string& warning : cutter_.kept().warnings())
-            told.push_back(std::move(warning));
-        if (settings_.stepover.is_number() && result_.cusp_max > field_.cusp())
-            told.push_back("the step-over of " + text_(settings_.stepover.number) + " leaves cusps of "
-                           + text_(result_.cusp_max) + "; the tolerance allows " + text_(field_.cusp()));
+        warn({settings_, text_, unsatisfied_, points, field_.cusp()}, cutter_.unfree(), cutter_.kept(),
+             result_);
     }
 
     const Finish5Settings& settings_;
@@ -258,6 +272,142 @@ private:
     int unsatisfied_ = 0; ///< drive planes
 };
 
+/// Cuts a part side by side: the pieces of part_sides.h one after the other, and their paths as one.
+class SidePlanner {
+public:
+    SidePlanner(const Finish5Settings& settings, const PlanContext& context, const PartSides& sides,
+                const Progress& progress)
+        : settings_(side_settings(settings)), text_{context.unit}, context_(context), sides_(sides),
+          progress_(progress) {}
+
+    StrategyResult run() {
+        double area = 0, done = 0;
+        for (const SidePiece& side : sides_.pieces)
+            area += side.area;
+        for (const SidePiece& side : sides_.pieces) {
+            cut(side, progress_.part(done / area, (done + side.area) / area));
+            done += side.area;
+        }
+        if (pieces_.empty())
+            throw Error(ErrorCode::empty_result, settings_.name,
+                        told_.points == 0 ? "no place of the part can be come to"
+                                          : "none of " + std::to_string(told_.points)
+                                                + " contact points has a free posture",
+                        told_.points == 0 ? "turn the part" : unfree_.main_cause(settings_.posture));
+        if (result_.stepover_max == 0) result_.stepover_min = 0;
+        order_pieces();
+        if (record_) tilted_.record = record_;
+        result_.detail = tilted_;
+        warn(told_, unfree_, *kept_, result_);
+        tell_unreached();
+        return std::move(result_);
+    }
+
+private:
+    double clear_z() const {
+        return std::max(context_.part_box.hi.z(), context_.stock_box.hi.z()) + settings_.clearance;
+    }
+
+    void cut(const SidePiece& side, const Progress& progress) {
+        PlanContext context = context_;
+        context.part = side.piece.mesh;
+        context.geometry = side.piece.geometry;
+        context.curvatures = side.piece.curvatures;
+        Planner5 planner(settings_, context, progress, true, 0, side.view);
+        StrategyResult one = planner.run();
+        order_by_travel(one.passes, false, clear_z(), progress.part(1, 1));
+        const PassCutter& cutter = planner.cutter();
+        told_.points += cutter.record()->points.size();
+        told_.unsatisfied += planner.unsatisfied();
+        unfree_.add(cutter.unfree());
+        if (kept_)
+            kept_->add(cutter.kept());
+        else
+            kept_.emplace(cutter.kept());
+        if (record_)
+            record_->append(*cutter.record(), result_.drive_planes);
+        else
+            record_ = cutter.record();
+        add(std::move(one));
+    }
+
+    void add(StrategyResult&& one) {
+        if (pieces_.empty()) result_.direction = one.direction;
+        for (Pass& pass : one.passes)
+            pass.drive += result_.drive_planes;
+        if (!one.passes.empty()) pieces_.push_back(std::move(one.passes));
+        result_.drive_planes += one.drive_planes;
+        if (one.stepover_max > 0) {
+            result_.stepover_min = result_.stepover_max > 0 ? std::min(result_.stepover_min, one.stepover_min)
+                                                            : one.stepover_min;
+            result_.stepover_max = std::max(result_.stepover_max, one.stepover_max);
+        }
+        result_.cusp_max = std::max(result_.cusp_max, one.cusp_max);
+        result_.chord_tolerance = one.chord_tolerance;
+        told_.cusp = cusp_budget(settings_, context_);
+        result_.cleanup_points += one.cleanup_points;
+        result_.cleanup.insert(result_.cleanup.end(), one.cleanup.begin(), one.cleanup.end());
+        const auto& tilted = std::get<TiltedPath>(one.detail);
+        tilted_.lead_min = std::min(tilted_.lead_min, tilted.lead_min);
+        tilted_.lead_max = std::max(tilted_.lead_max, tilted.lead_max);
+        for (std::size_t k = 0; k < tilted.stage_seconds.size(); ++k)
+            tilted_.stage_seconds[k] += tilted.stage_seconds[k];
+    }
+
+    /// One piece is followed by the one that begins nearest.
+    void order_pieces() {
+        while (!pieces_.empty()) {
+            auto next = pieces_.begin();
+            if (!result_.passes.empty()) {
+                const Vec3 at = result_.passes.back().cl.back().tip;
+                const auto far = [&](const std::vector<Pass>& piece) {
+                    return (piece.front().cl.front().tip - at).norm();
+                };
+                next = std::min_element(pieces_.begin(), pieces_.end(),
+                                        [&](const auto& a, const auto& b) { return far(a) < far(b); });
+            }
+            std::move(next->begin(), next->end(), std::back_inserter(result_.passes));
+            pieces_.erase(next);
+        }
+    }
+
+    void tell_unreached() {
+        constexpr std::size_t max_told = 5;
+        const std::size_t count = sides_.unreached.size();
+        for (std::size_t i = 0; i < std::min(count, max_told); ++i) {
+            const UnreachedPiece& piece = sides_.unreached[i];
+            result_.warnings.push_back(
+                "cannot be reached: " + area_text(piece.area) + " of the surface ("
+                + share_text(piece.area, sides_.whole_area) + ") around " + text_(piece.place)
+                + (piece.below ? ": it faces down; turn the part over and cut it in another setup"
+                               : ": part, holder or the machine's travel are in the way; use a longer or "
+                                 "smaller tool, or turn the part"));
+        }
+        if (count > max_told)
+            result_.warnings.push_back(
+                "cannot be reached: " + std::to_string(count - max_told) + " smaller places; "
+                + share_text(sides_.unreached_area, sides_.whole_area) + " of the surface in all");
+    }
+
+    std::string area_text(double mm2) const {
+        const double unit = mm_per(text_.unit);
+        return format_number(mm2 / (unit * unit), 4) + " " + std::string(unit_name(text_.unit)) + "²";
+    }
+
+    Finish5Settings settings_;
+    PlanText text_;
+    const PlanContext& context_;
+    const PartSides& sides_;
+    const Progress& progress_;
+    StrategyResult result_;
+    TiltedPath tilted_;
+    std::vector<std::vector<Pass>> pieces_;
+    UnfreePoints unfree_;
+    std::optional<KeptPostures> kept_;
+    std::shared_ptr<FiveAxisRecord> record_;
+    Told told_{settings_, text_};
+};
+
 } // namespace
 
 const ParameterTable<Finish5Settings>& finish5_parameters() {
@@ -266,6 +416,15 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
         add_common_parameters(t);
         t.set_stage("feed", Stage::strategy); // postures are chosen by time
         add_five_axis_parameters(t);
+        t.add_choice(&Finish5Settings::sides,
+                     {.key = "sides",
+                      .label = "Sides",
+                      .help = "auto: where parts of the surface that an axis reaches do not face up (walls, "
+                              "undersides, both faces of a blade), the part is cut side by side, each "
+                              "connected piece seen from its own side, with the yaw free and a posture grid "
+                              "twice as coarse; what no axis reaches is said. top: everything is cut as it "
+                              "is seen from above.",
+                      .words = {"auto", "top"}});
         t.add_records(&Finish5Settings::manual_postures, manual_posture_list,
                       {.label = "Kept postures",
                        .help = "Postures chosen by hand for single contact points, in the configuration "
@@ -283,6 +442,10 @@ StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& 
 
 StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
+    if (settings_.sides == Finish5Settings::Sides::automatic) {
+        const PartSides sides = find_sides(context, settings_, progress.part(0, 0.05, "Looking for sides"));
+        if (!sides.top_only) return SidePlanner(settings_, context, sides, progress.part(0.05, 1)).run();
+    }
     return Planner5(settings_, context, progress).run();
 }
 

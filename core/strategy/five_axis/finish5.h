@@ -21,6 +21,8 @@ namespace facetmill {
 struct Finish5Settings : OperationCommon {
     enum class Pattern { zigzag, oneway };
     enum class PostureChoice { cm2, local, global };
+    /// Whether the part is cut from above only, or side by side where it has other sides (part_sides.h).
+    enum class Sides { automatic, top };
 
     Finish5Settings() {
         name = "Finish5";
@@ -32,6 +34,7 @@ struct Finish5Settings : OperationCommon {
     std::array<double, 2> yaw_limits{radians(-45), radians(45)};
     NumberOrWord stepover{0, "adaptive"}; ///< mm
     Pattern pattern = Pattern::zigzag;
+    Sides sides = Sides::automatic;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes

@@ -26,14 +26,38 @@ constexpr double raised_piece_share = 1.0 / 8;
 /// axes have room to turn on their own.
 constexpr double turn_share = 0.75;
 
+/// The part and what is known of it, turned.
+PlanContext seen_through(const PlanContext& context, const Mat3& view, const Progress& progress) {
+    PlanContext seen = context;
+    auto mesh = std::make_shared<Mesh>(*context.part);
+    for (Vec3& p : mesh->vertices)
+        p = view * p;
+    if (context.geometry) {
+        auto geometry = std::make_shared<MeshGeometry>(*context.geometry);
+        for (auto* normals : {&geometry->vertex_normals, &geometry->facet_normals})
+            for (Vec3& n : *normals)
+                n = view * n;
+        seen.geometry = std::move(geometry);
+    } else {
+        seen.geometry = compute_geometry(*mesh, progress);
+    }
+    seen.part_box = mesh->box();
+    seen.part = std::move(mesh);
+    return seen;
+}
+
 } // namespace
 
 FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& settings,
-                             const Progress& progress, bool whole_spaces)
+                             const Progress& progress, bool whole_spaces, const Mat3& view)
     : context_(context), settings_(settings), cusp_(cusp_budget(settings_, context)),
       chord_(chord_budget(settings_.chord_tolerance, cusp_)),
-      allowance_(settings_.allowance + context.tessellation_tolerance[1]) {
-    drive_ = DriveFrame(travel_direction(settings_.direction, context_, progress.part(0, 0.5)));
+      allowance_(settings_.allowance + context.tessellation_tolerance[1]), view_(view),
+      turned_(view != Mat3::Identity()) {
+    if (turned_) seen_ = seen_through(context_, view_, progress.part(0, 0));
+    seen_box_ = turned_ ? seen_.part_box : context_.part_box;
+    drive_ =
+        DriveFrame(travel_direction(settings_.direction, turned_ ? seen_ : context_, progress.part(0, 0.5)));
     grid_ = PostureGrid::make(settings_.lead_limits[0], settings_.lead_limits[1], settings_.yaw_limits[0],
                               settings_.yaw_limits[1], settings_.grid_step);
     lift_.emplace(context_.contact, context_.tool, clearance());
@@ -52,8 +76,12 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     if (!curvatures_)
         curvatures_ = std::make_shared<std::vector<VertexCurvature>>(
             vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8)));
-    lines_.emplace(*context_.part, *geometry, drive_, lattice_share * radius_, options,
-                   progress.part(0.8, 1));
+    if (turned_)
+        lines_.emplace(*seen_.part, *seen_.geometry, drive_, lattice_share * radius_, options,
+                       progress.part(0.8, 1), view_.transpose());
+    else
+        lines_.emplace(*context_.part, *geometry, drive_, lattice_share * radius_, options,
+                       progress.part(0.8, 1));
 
     CSpaceInput input;
     input.lift = &*lift_;
@@ -85,7 +113,7 @@ ContactPlace FiveAxisField::place(const SurfaceLine& line, double s, double v, i
 bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
                                 double along) const {
     const double raise = allowance_ + cusp_ - chord_;
-    const auto slope = [&] { return std::max(std::abs(drive_.v(place.frame.left)), 0.1); };
+    const auto slope = [&] { return std::max(std::abs(across(place.frame.left)), 0.1); };
     const auto at = [&](long k) {
         // Steep across the travel the line beside is farther away than its plane.
         const double aside = std::abs(lines_->v(k) - place.v);
@@ -96,7 +124,7 @@ bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCur
     // The surface ends somewhere between this plane and the one before it: that one's line, moved here.
     const double away = lines_->v(plane) - place.v;
     if (std::abs(away) <= lines_->spacing() || !at(plane + (away > 0 ? -1 : 1))) return false;
-    const double towards = (away > 0) == (drive_.v(place.frame.left) > 0) ? 1 : -1;
+    const double towards = (away > 0) == (across(place.frame.left) > 0) ? 1 : -1;
     for (Vec3& p : curve)
         p += towards * lines_->spacing() / slope() * place.frame.left;
     return true;

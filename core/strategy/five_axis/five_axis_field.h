@@ -29,8 +29,10 @@ class FiveAxisField {
 public:
     /// `whole_spaces`: configuration spaces have their bottom everywhere, for showing; planning needs it only
     /// where the top is not below 0. Throws Error(out_of_range) whose place is the key.
+    /// `view`: a rotation after which the side of the part that is cut faces up; drive planes are upright
+    /// then. Everything else stays in part coordinates.
     FiveAxisField(const PlanContext& context, const Finish5Settings& settings, const Progress& progress,
-                  bool whole_spaces = false);
+                  bool whole_spaces = false, const Mat3& view = Mat3::Identity());
     FiveAxisField(const FiveAxisField&) = delete;
     FiveAxisField& operator=(const FiveAxisField&) = delete;
 
@@ -61,6 +63,11 @@ public:
     const PlanContext& context() const { return context_; }
     const Finish5Settings& settings() const { return settings_; }
     const DriveFrame& drive() const { return drive_; }
+    const Mat3& view() const { return view_; }
+    /// The v of a place, or what a direction has of the step-over direction.
+    double across(const Vec3& p) const { return turned_ ? drive_.v(view_ * p) : drive_.v(p); }
+    /// The part as the drive planes see it.
+    const Box3& seen_box() const { return seen_box_; }
     const SurfaceLines& lines() const { return *lines_; }
     SurfaceLines& lines() { return *lines_; }
     const ToolLift& lift() const { return *lift_; }
@@ -79,6 +86,10 @@ private:
     PlanContext context_;
     Finish5Settings settings_;
     double cusp_, chord_, allowance_, radius_ = 0;
+    Mat3 view_;
+    bool turned_;
+    PlanContext seen_; ///< part and geometry, turned by the view
+    Box3 seen_box_;
     DriveFrame drive_;
     PostureGrid grid_;
     std::optional<ToolLift> lift_;

@@ -9,4 +9,12 @@ const FiveAxisRecord::Line& FiveAxisRecord::line_of(std::size_t point) const {
                              [](std::size_t p, const Line& line) { return p < line.end; });
 }
 
+void FiveAxisRecord::append(const FiveAxisRecord& other, int drives) {
+    for (const Line& line : other.lines)
+        lines.push_back({points.size() + line.begin, points.size() + line.end, drives + line.drive,
+                         pieces.size() + line.piece});
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+}
+
 } // namespace facetmill

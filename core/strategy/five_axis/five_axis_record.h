@@ -20,13 +20,22 @@ struct FiveAxisRecord {
     struct Line {
         std::size_t begin = 0, end = 0; ///< its points, as indices of `points`
         int drive = 0;
+        std::size_t piece = 0; ///< of `pieces`
     };
-    PlanContext context;
-    Finish5Settings settings;
+    /// What lines belong to: the part, or a piece of it with the view in which it was cut.
+    struct Piece {
+        PlanContext context;
+        Mat3 view = Mat3::Identity();
+    };
+    PlanContext context;      ///< of the first piece
+    Finish5Settings settings; ///< of all pieces
+    std::vector<Piece> pieces;
     std::vector<Point> points; ///< in machining order
     std::vector<Line> lines;
 
     const Line& line_of(std::size_t point) const;
+    /// Appends what was cut of other pieces; the number of drive planes before them is `drives`.
+    void append(const FiveAxisRecord& other, int drives);
 };
 
 } // namespace facetmill

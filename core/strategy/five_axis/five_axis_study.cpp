@@ -3,7 +3,20 @@
 namespace facetmill {
 
 FiveAxisStudy::FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress)
-    : record_(std::move(record)), field_(record_->context, record_->settings, progress, true) {}
+    : record_(std::move(record)),
+      field_(record_->context, record_->settings, progress, true, record_->pieces.front().view),
+      further_(record_->pieces.size()) {}
+
+const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
+                                             const Progress& progress) const {
+    if (line.piece == 0) return field_;
+    const std::lock_guard lock(mutex_);
+    auto& own = further_[line.piece];
+    const FiveAxisRecord::Piece& piece = record_->pieces[line.piece];
+    if (!own)
+        own = std::make_unique<FiveAxisField>(piece.context, record_->settings, progress, true, piece.view);
+    return *own;
+}
 
 FiveAxisStudy::Point FiveAxisStudy::point(std::size_t index, const Progress& progress) const {
     std::vector<Point> points = line(index, progress);
@@ -20,21 +33,24 @@ std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const P
     std::vector<ContactPlace> places;
     for (std::size_t i = line.begin; i < line.end; ++i)
         places.push_back(record_->points[i].place);
-    PostureStudy study = study_postures(field_, places, progress.part(0, 0.55));
+    const FiveAxisField& field = field_of(line, progress.part(0, 0));
+    PostureStudy study = study_postures(field, places, progress.part(0, 0.55));
     std::vector<ContactPlace> coming;
-    if (&line != &record_->lines.back()) {
+    if (&line != &record_->lines.back() && (&line + 1)->piece == line.piece) {
         const FiveAxisRecord::Line& next = *(&line + 1);
         for (std::size_t i = next.begin; i < std::min(next.end, next.begin + choose_horizon); ++i)
             coming.push_back(record_->points[i].place);
     }
-    const PostureStudy next = study_postures(field_, coming, progress.part(0.55, 0.6));
+    const PostureStudy next = study_postures(field, coming, progress.part(0.55, 0.6));
     std::optional<ToolPose> before;
     for (std::size_t i = line.begin; i > 0 && !before; --i)
-        if (const auto& last = record_->points[i - 1]; last.choice.free)
+        if (record_->line_of(i - 1).piece != line.piece)
+            break;
+        else if (const auto& last = record_->points[i - 1]; last.choice.free)
             before = posture_pose(field_.cutter(), last.place.frame, last.choice.posture);
     std::array<std::vector<ChosenPosture>, 3> chosen;
     for (std::size_t m = 0; m < chosen.size(); ++m)
-        chosen[m] = choose_postures(field_, study, Finish5Settings::PostureChoice(m), before, next.points,
+        chosen[m] = choose_postures(field, study, Finish5Settings::PostureChoice(m), before, next.points,
                                     progress.part(0.6 + 0.13 * double(m), 0.73 + 0.13 * double(m)));
     std::vector<Point> points(places.size());
     for (std::size_t i = 0; i < points.size(); ++i) {

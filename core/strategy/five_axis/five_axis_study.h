@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 
 namespace facetmill {
 
@@ -35,12 +36,18 @@ public:
     CSpaceBuilder::Reason reason(const Point& point, double lead, double yaw) const {
         return field_.builder().reason(point.place.frame, lead, yaw, point.curves);
     }
+    /// Tool, machine and grid: those of all pieces.
     const FiveAxisField& field() const { return field_; }
     const FiveAxisRecord& record() const { return *record_; }
 
 private:
+    const FiveAxisField& field_of(const FiveAxisRecord::Line& line, const Progress& progress) const;
+
     std::shared_ptr<const FiveAxisRecord> record_;
     FiveAxisField field_;
+    /// Fields of the pieces after the first, made when one of their points is asked for.
+    mutable std::vector<std::unique_ptr<FiveAxisField>> further_;
+    mutable std::mutex mutex_;
 };
 
 } // namespace facetmill

@@ -6,8 +6,8 @@ namespace facetmill {
 
 namespace {
 
-std::string place_text(const FiveAxisField& field, const Vec3& point) {
-    const PlanText text{field.context().unit};
+std::string place_text(LengthUnit unit, const Vec3& point) {
+    const PlanText text{unit};
     return "the point " + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z());
 }
 
@@ -37,19 +37,20 @@ Vec3 point_of(const ManualPosture& posture) {
 } // namespace
 
 KeptPostures::KeptPostures(const FiveAxisField& field)
-    : field_(field), met_(field.settings().manual_postures.size(), false) {}
+    : field_(&field), postures_(field.settings().manual_postures), unit_(field.context().unit),
+      met_(postures_.size(), false) {}
 
 void KeptPostures::hand_over(std::vector<PlacedLine>& pass) {
     for (std::size_t k = 0; k < met_.size(); ++k) {
-        const ManualPosture& kept = field_.settings().manual_postures[k];
+        const ManualPosture& kept = postures_[k];
         const Vec3 point = point_of(kept);
-        const double v = field_.drive().v(point);
+        const double v = field_->across(point);
         if (met_[k]) continue;
         ContactPlace* nearest = nullptr;
-        double least = field_.radius(); // what is farther away is another place
+        double least = field_->radius(); // what is farther away is another place
         for (PlacedLine& line : pass)
             for (ContactPlace& place : line.places) {
-                if (v < place.v_lo - field_.chord() || v > place.v_hi + field_.chord()) continue;
+                if (v < place.v_lo - field_->chord() || v > place.v_hi + field_->chord()) continue;
                 const double away = (place.surface - point).norm();
                 if (away >= least) continue;
                 least = away;
@@ -58,7 +59,7 @@ void KeptPostures::hand_over(std::vector<PlacedLine>& pass) {
         if (!nearest) continue;
         met_[k] = true;
         if (nearest->kept)
-            warnings_.push_back("the posture kept for " + place_text(field_, point)
+            warnings_.push_back("the posture kept for " + place_text(unit_, point)
                                 + " is not used: another one is kept for the same contact point");
         else
             nearest->kept = {kept.lead, kept.yaw};
@@ -70,18 +71,23 @@ void KeptPostures::check(const PlacedLine& line, const PostureStudy& study) {
         const ContactPlace& place = line.places[i];
         if (!place.kept || study.points[i].kept) continue;
         const auto [lead, yaw] = *place.kept;
-        const PostureBlock block = field_.builder().reason(place.frame, lead, yaw, study.curves[i]).block;
-        warnings_.push_back("the posture kept for " + place_text(field_, place.surface)
+        const PostureBlock block = field_->builder().reason(place.frame, lead, yaw, study.curves[i]).block;
+        warnings_.push_back("the posture kept for " + place_text(unit_, place.surface)
                             + " is not free and not used: " + block_text(block));
     }
+}
+
+void KeptPostures::add(const KeptPostures& other) {
+    for (std::size_t k = 0; k < met_.size(); ++k)
+        met_[k] = met_[k] || other.met_[k];
+    warnings_.insert(warnings_.end(), other.warnings_.begin(), other.warnings_.end());
 }
 
 std::vector<std::string> KeptPostures::warnings() const {
     std::vector<std::string> all = warnings_;
     for (std::size_t k = 0; k < met_.size(); ++k)
         if (!met_[k])
-            all.push_back("the posture kept for "
-                          + place_text(field_, point_of(field_.settings().manual_postures[k]))
+            all.push_back("the posture kept for " + place_text(unit_, point_of(postures_[k]))
                           + " is not used: no pass comes there");
     return all;
 }

@@ -23,9 +23,13 @@ public:
 
     /// One for every posture that is not used.
     std::vector<std::string> warnings() const;
+    /// For a part that is cut piece by piece: takes over what was kept in another piece.
+    void add(const KeptPostures& other);
 
 private:
-    const FiveAxisField& field_;
+    const FiveAxisField* field_; ///< not asked for `warnings`
+    std::vector<ManualPosture> postures_;
+    LengthUnit unit_;
     std::vector<bool> met_; ///< per posture: it belongs to a contact point
     std::vector<std::string> warnings_;
 };

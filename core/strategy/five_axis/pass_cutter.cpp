@@ -21,6 +21,7 @@ PassCutter::PassCutter(const FiveAxisField& field)
     : field_(field), record_(std::make_shared<FiveAxisRecord>()), kept_(field) {
     record_->context = field.context();
     record_->settings = field.settings();
+    record_->pieces.push_back({field.context(), field.view()});
 }
 
 void PassCutter::add(std::vector<PlacedLine> pass, int drive, double v, const Progress& progress) {
@@ -57,7 +58,7 @@ void PassCutter::cut(Pending& line, std::span<const PassPoint> next, const Progr
     PlacedLine& placed = line.placed;
     placed.choices =
         choose_postures(field_, line.study, field_.settings().posture, last_pose(), next, progress);
-    FiveAxisRecord::Line recorded{record_->points.size(), 0, line.drive};
+    FiveAxisRecord::Line recorded{record_->points.size(), 0, line.drive, 0};
     for (std::size_t i = 0; i < placed.places.size(); ++i) {
         record_->points.push_back({placed.places[i], line.study.points[i].cm2_lead, placed.choices[i]});
         if (!placed.choices[i].free) unfree_.add(line.study.spaces[i]);

@@ -33,6 +33,12 @@ void UnfreePoints::add(const CSpace& space) {
     ++blocked_[std::size_t(decisive_block(space))];
 }
 
+void UnfreePoints::add(const UnfreePoints& others) {
+    count_ += others.count_;
+    for (std::size_t b = 0; b < blocked_.size(); ++b)
+        blocked_[b] += others.blocked_[b];
+}
+
 std::string UnfreePoints::main_cause(Finish5Settings::PostureChoice method) const {
     const auto worst = std::max_element(blocked_.begin(), blocked_.end()) - blocked_.begin();
     switch (PostureBlock(worst)) {

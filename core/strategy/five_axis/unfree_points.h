@@ -13,6 +13,7 @@ namespace facetmill {
 class UnfreePoints {
 public:
     void add(const CSpace& space);
+    void add(const UnfreePoints& others);
 
     std::size_t count() const { return count_; }
     /// What is decisive at most of them, and what to do about it. `method`: how postures were chosen.

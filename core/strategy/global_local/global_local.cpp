@@ -131,6 +131,7 @@ public:
         find(whole, {}, progress_.part(0, 0));
         Finish5Settings main = settings_;
         main.lead_limits = {0, settings_.lead_limit};
+        main.sides = Finish5Settings::Sides::top;
         StrategyResult result =
             Finish5(main).plan(context_, progress_.part(0, 0.65, settings_.name + ": main path"));
         result.warnings.clear(); // what is left is looked for below

@@ -178,8 +178,10 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
 }
 
 SurfaceLines::SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
-                           double spacing, const SurfaceSlice::Options& options, const Progress& progress)
-    : slicer_(mesh, geometry, frame, progress), spacing_(spacing), options_(options), up_(mesh, progress) {}
+                           double spacing, const SurfaceSlice::Options& options, const Progress& progress,
+                           const Mat3& back)
+    : slicer_(mesh, geometry, frame, progress), spacing_(spacing), options_(options), up_(mesh, progress),
+      back_(back), turned_(back != Mat3::Identity()) {}
 
 long SurfaceLines::beyond(double v, double from) const {
     const double at = (v - lo()) / spacing_;
@@ -191,6 +193,12 @@ std::vector<SurfaceLine> SurfaceLines::lines(double v) const {
     std::vector<SurfaceLine> all;
     for (const SliceChain& chain : slicer_.slice(v))
         add_usable(chain, up_, all);
+    if (turned_)
+        for (SurfaceLine& line : all)
+            for (SlicePoint& p : line.points) {
+                p.point = back_ * p.point;
+                p.normal = back_ * p.normal;
+            }
     return all;
 }
 

@@ -75,9 +75,11 @@ private:
 /// Lines of drive planes on a lattice: plane k lies at lo() + k * spacing(). Safe from many threads at once.
 class SurfaceLines {
 public:
-    /// `mesh` and `geometry` must outlive this.
+    /// `mesh` and `geometry` must outlive this. `back`, a rotation, is applied to points and normals of all
+    /// lines: for a mesh that was turned so that one of its sides faces up.
     SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame, double spacing,
-                 const SurfaceSlice::Options& options, const Progress& progress);
+                 const SurfaceSlice::Options& options, const Progress& progress,
+                 const Mat3& back = Mat3::Identity());
 
     double lo() const { return slicer_.lo(); }
     double hi() const { return slicer_.hi(); }
@@ -98,6 +100,8 @@ private:
     double spacing_;
     SurfaceSlice::Options options_;
     UpSide up_;
+    Mat3 back_;
+    bool turned_;
     mutable std::mutex mutex_;
     mutable std::map<long, std::shared_ptr<const SurfaceSlice>> slices_;
 };

@@ -1,0 +1,43 @@
+// The sides of a part, as finishing with five axes cuts them: connected pieces of its surface, each with a
+// direction from which it is looked at. Drive planes are upright in that view, so that they cross the piece
+// at a good angle, whichever way it faces: walls, undersides, both faces of a blade. How the tool stands is
+// another matter: the axis is chosen per contact point, among all that machine and part allow.
+#pragma once
+
+#include "core/strategy/five_axis/finish5.h"
+#include "core/strategy/surface/region_field.h"
+
+#include <vector>
+
+namespace facetmill {
+
+/// A piece that is cut by itself.
+struct SidePiece {
+    PartPiece piece;
+    Mat3 view = Mat3::Identity(); ///< turns the part so that the side faces up
+    double area = 0;              ///< mm^2
+};
+
+/// A connected piece of the surface that no axis of the operation reaches.
+struct UnreachedPiece {
+    double area = 0;           ///< mm^2
+    Vec3 place = Vec3::Zero(); ///< the middle of its largest facet
+    bool below = false;        ///< it faces down too steeply for any axis that the machine may take
+};
+
+struct PartSides {
+    /// Nearly all that can be reached faces up: the part is cut as a whole, from above.
+    bool top_only = true;
+    std::vector<SidePiece> pieces;             ///< none where `top_only`; the top first
+    std::vector<UnreachedPiece> unreached;     ///< the largest first; crumbs left out
+    double unreached_area = 0, whole_area = 0; ///< mm^2
+};
+
+/// Settings for the pieces of a part that is cut side by side: seen from the side the axis comes from above,
+/// whichever way a pass travels, so the yaw is free; and the grid is so much coarser that spaces are as large
+/// as before.
+Finish5Settings side_settings(const Finish5Settings& settings);
+
+PartSides find_sides(const PlanContext& context, const Finish5Settings& settings, const Progress& progress);
+
+} // namespace facetmill
