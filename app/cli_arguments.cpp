@@ -125,7 +125,7 @@ double Arguments::number(std::string_view option, double fallback) const {
 LengthUnit Arguments::unit(std::string_view option, LengthUnit fallback) const {
     if (!has(option)) return fallback;
     try {
-        return parse_length_unit(value(option), std::string(option));
+        return parse_mesh_unit(value(option), std::string(option));
     } catch (const Error& e) {
         usage_error(e.where(), e.message(), e.remedy());
     }

@@ -224,7 +224,9 @@ Command drop_command() {
         .options = {{.name = "--cutter", .value = "SHAPE", .help = "the cutter", .required = true},
                     {.name = "--grid", .value = "NXxNY", .help = "points on a grid over the part"},
                     {.name = "--points", .value = "FILE", .help = "points from a file, or:"},
-                    {.name = "--units", .value = "mm|in", .help = "unit of all numbers (default: mm)"},
+                    {.name = "--units",
+                     .value = "UNIT",
+                     .help = "unit of all numbers: mm, cm, m, in, ft (default: mm)"},
                     threads_option(),
                     {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
         .run = run_drop};

@@ -69,8 +69,8 @@ Command info_command() {
                     "each word in\n"
                     "warnings is explained in explanations.",
             .options = {{.name = "--units",
-                         .value = "mm|in",
-                         .help = "unit of the file's numbers (default: mm)"}},
+                         .value = "UNIT",
+                         .help = "unit of the file's numbers: mm, cm, m, in, ft (default: mm)"}},
             .run = run_info};
 }
 

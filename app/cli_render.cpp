@@ -211,7 +211,7 @@ void run_render(const Arguments& arguments, Session& session) {
             if (arguments.has(option))
                 throw Error(ErrorCode::usage, option, "a mesh has no operations", "give a project");
         request.part = load_mesh(input, unit, progress.part(0.0, 0.5, "Reading the part")).mesh;
-        request.unit = unit;
+        request.unit = project_unit(unit);
         request.title = std::filesystem::path(input).filename().string();
     }
     const Picture picture = render_picture(request, progress.part(0.6, 0.95, "Drawing"));
@@ -259,8 +259,8 @@ Command render_command() {
                      .value = "I",
                      .help = "with --show cspace: number of the contact point, from 0"},
                     {.name = "--units",
-                     .value = "mm|in",
-                     .help = "unit of a mesh file's numbers (default: mm)"},
+                     .value = "UNIT",
+                     .help = "unit of a mesh file's numbers: mm, cm, m, in, ft (default: mm)"},
                     threads_option(),
                     large_option(),
                     {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},

@@ -63,19 +63,20 @@ Command sample_command() {
         help += left + kind.label + ": " + kind.help + "\n";
     }
     help += "An STL file carries no unit: give the same --units to what reads it.";
-    return {.name = "sample",
-            .operands = {"NAME"},
-            .summary = "Writes a sample part as binary STL.",
-            .help = help,
-            .options = {{.name = "--tolerance",
-                         .value = "T",
-                         .help = "largest chord error, in --units (default: 0.002 in)"},
-                        {.name = "--units",
-                         .value = "mm|in",
-                         .help = "unit of the file (default: that of the sample's source)"},
-                        threads_option(),
-                        {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
-            .run = run_sample};
+    return {
+        .name = "sample",
+        .operands = {"NAME"},
+        .summary = "Writes a sample part as binary STL.",
+        .help = help,
+        .options = {{.name = "--tolerance",
+                     .value = "T",
+                     .help = "largest chord error, in --units (default: 0.002 in)"},
+                    {.name = "--units",
+                     .value = "UNIT",
+                     .help = "unit of the file: mm, cm, m, in, ft (default: that of the sample's source)"},
+                    threads_option(),
+                    {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
+        .run = run_sample};
 }
 
 } // namespace facetmill::cli

@@ -106,8 +106,7 @@ Options read_options(int argc, char** argv) {
     options.plan = parser.isSet(plan);
     options.screenshot = parser.value(screenshot);
     try {
-        if (parser.isSet(units))
-            options.unit = parse_length_unit(parser.value(units).toStdString(), "--units");
+        if (parser.isSet(units)) options.unit = parse_mesh_unit(parser.value(units).toStdString(), "--units");
     } catch (const Error& e) {
         return usage(ui::text(e.what()));
     }

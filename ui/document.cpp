@@ -250,16 +250,18 @@ void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::str
 }
 
 std::string Document::part_key(const Project& project) {
-    std::string key = file_stamp(project.part_path()) + "|" + std::string(unit_name(project.part.unit));
-    for (const auto& three : {project.part.rotate, project.part.translate})
-        for (const double v : three)
-            key += "|" + format_number(v, 17);
-    if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) {
-        key += "|" + file_stamp(stock) + "|" + std::string(unit_name(project.stock.unit));
-        for (const auto& three : {project.stock.rotate, project.stock.translate})
+    const auto placed = [](const std::filesystem::path& file, const auto& spec) {
+        std::string key = file_stamp(file) + "|" + std::string(unit_name(spec.unit)) + "|"
+                          + std::to_string(int(spec.mirror)) + "|" + format_number(spec.scale, 17);
+        for (const auto& three : {spec.rotate, spec.translate})
             for (const double v : three)
                 key += "|" + format_number(v, 17);
-    }
+        return key;
+    };
+    std::string key = placed(project.part_path(), project.part);
+    if (project.part.flip) key += "|flip";
+    if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
+        key += "|" + placed(stock, project.stock);
     return key;
 }
 

@@ -31,22 +31,28 @@ PartDialog::PartDialog(const QString& file, const MeshReport& report, LengthUnit
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(18);
     grid->setContentsMargins(12, 6, 12, 6);
-    mm_ = new QRadioButton(tr("Millimetres"), this);
-    mm_->setObjectName(QStringLiteral("unit_mm"));
-    inch_ = new QRadioButton(tr("Inches"), this);
-    inch_->setObjectName(QStringLiteral("unit_inch"));
-    int row = 0;
-    for (const auto& [button, unit, other] : {std::tuple{mm_, LengthUnit::mm, LengthUnit::inch},
-                                              std::tuple{inch_, LengthUnit::inch, LengthUnit::mm}}) {
+    const std::array<std::pair<QString, const char*>, mesh_units.size()> names{{
+        {tr("Millimetres"), "unit_mm"},
+        {tr("Centimetres"), "unit_cm"},
+        {tr("Metres"), "unit_m"},
+        {tr("Inches"), "unit_inch"},
+        {tr("Feet"), "unit_ft"},
+    }};
+    for (std::size_t i = 0; i < mesh_units.size(); ++i) {
+        const LengthUnit unit = mesh_units[i];
+        auto* choice = choices_[i] = new QRadioButton(names[i].first, this);
+        choice->setObjectName(QLatin1String(names[i].second));
+        choice->setChecked(unit == suggestion);
+        // In the unit that a project has, or where that is the same, in the other one.
+        LengthUnit other = project_unit(unit);
+        if (other == unit) other = unit == LengthUnit::mm ? LengthUnit::inch : LengthUnit::mm;
         auto* own = new QLabel(size_in(unit, unit), this);
         auto* converted = new QLabel(QStringLiteral("= ") + size_in(unit, other), this);
         converted->setForegroundRole(QPalette::PlaceholderText);
-        grid->addWidget(button, row, 0);
-        grid->addWidget(own, row, 1);
-        grid->addWidget(converted, row, 2);
-        ++row;
+        grid->addWidget(choice, int(i), 0);
+        grid->addWidget(own, int(i), 1);
+        grid->addWidget(converted, int(i), 2);
     }
-    (suggestion == LengthUnit::inch ? inch_ : mm_)->setChecked(true);
     remember_ = new QCheckBox(tr("Do not ask again for this file"), this);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -62,7 +68,9 @@ PartDialog::PartDialog(const QString& file, const MeshReport& report, LengthUnit
 }
 
 LengthUnit PartDialog::unit() const {
-    return inch_->isChecked() ? LengthUnit::inch : LengthUnit::mm;
+    for (std::size_t i = 0; i < mesh_units.size(); ++i)
+        if (choices_[i]->isChecked()) return mesh_units[i];
+    return LengthUnit::mm;
 }
 
 bool PartDialog::remember() const {

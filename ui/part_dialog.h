@@ -1,9 +1,11 @@
-// Mesh files carry no unit: shows how large the part would be in millimetres and in inches, and asks.
+// Mesh files carry no unit: shows how large the part would be in each, and asks.
 #pragma once
 
 #include "core/mesh/mesh_report.h"
 
 #include <QDialog>
+
+#include <array>
 
 class QCheckBox;
 class QRadioButton;
@@ -22,8 +24,7 @@ public:
     bool remember() const;
 
 private:
-    QRadioButton* mm_ = nullptr;
-    QRadioButton* inch_ = nullptr;
+    std::array<QRadioButton*, mesh_units.size()> choices_{}; ///< in the order of mesh_units
     QCheckBox* remember_ = nullptr;
 };
 

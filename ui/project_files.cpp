@@ -141,7 +141,8 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
     auto loaded = std::make_shared<LoadedPart>();
     Project probe;
     probe.part.file = path.string();
-    probe.part.unit = probe.unit = unit;
+    probe.part.unit = unit;
+    probe.unit = project_unit(unit);
     job_.start(
         tr("Reading %1").arg(elided(path_text(path.filename()), 30)),
         [loaded, probe, planner = planner_](const Progress& p) { *loaded = load_part(*planner, probe, p); },

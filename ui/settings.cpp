@@ -1,5 +1,7 @@
 #include "ui/settings.h"
 
+#include "ui/text.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QSettings>
@@ -42,8 +44,8 @@ std::optional<LengthUnit> remembered_unit(const QString& path) {
     QSettings s;
     s.beginGroup(QStringLiteral("units"));
     const QString name = s.value(key_of(path)).toString();
-    if (name == QLatin1String("mm")) return LengthUnit::mm;
-    if (name == QLatin1String("in")) return LengthUnit::inch;
+    for (const LengthUnit unit : mesh_units)
+        if (name == text(unit_name(unit))) return unit;
     return std::nullopt;
 }
 

@@ -10,13 +10,28 @@
 namespace facetmill {
 
 std::string_view unit_name(LengthUnit unit) {
-    return unit == LengthUnit::inch ? "in" : "mm";
+    return unit_names().at(std::size_t(unit));
+}
+
+const std::vector<std::string>& unit_names() {
+    static const std::vector<std::string> names{"mm", "in", "cm", "m", "ft"};
+    return names;
 }
 
 LengthUnit parse_length_unit(std::string_view text, const std::string& where) {
     if (text == "mm" || text == "millimetre" || text == "millimetres") return LengthUnit::mm;
     if (text == "in" || text == "inch" || text == "inches") return LengthUnit::inch;
     throw Error(ErrorCode::out_of_range, where, "unknown unit '" + printable(text) + "'", "use mm or in");
+}
+
+LengthUnit parse_mesh_unit(std::string_view text, const std::string& where) {
+    for (const LengthUnit unit : mesh_units)
+        if (text == unit_name(unit)) return unit;
+    try {
+        return parse_length_unit(text, where);
+    } catch (const Error& e) {
+        throw Error(e.code(), where, e.message(), "use mm, cm, m, in or ft");
+    }
 }
 
 double core_per_edge(Quantity quantity, LengthUnit unit) {
@@ -34,16 +49,17 @@ double core_per_edge(Quantity quantity, LengthUnit unit) {
 }
 
 std::string_view edge_unit_name(Quantity quantity, LengthUnit unit) {
-    const bool inch = unit == LengthUnit::inch;
+    static constexpr std::array<std::string_view, 5> areas{"mm²", "in²", "cm²", "m²", "ft²"},
+        feeds{"mm/min", "in/min", "cm/min", "m/min", "ft/min"};
     switch (quantity) {
     case Quantity::length:
-        return inch ? "in" : "mm";
+        return unit_name(unit);
     case Quantity::area:
-        return inch ? "in²" : "mm²";
+        return areas.at(std::size_t(unit));
     case Quantity::angle:
         return "°";
     case Quantity::feed:
-        return inch ? "in/min" : "mm/min";
+        return feeds.at(std::size_t(unit));
     case Quantity::rotation:
         return "rpm";
     case Quantity::time:

@@ -1,22 +1,49 @@
 // Units at the edges of the program. Inside, lengths are millimetres and angles radians.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace facetmill {
 
-enum class LengthUnit { mm, inch };
+/// Projects, forms and programs are in mm or inch; the numbers of a mesh file may be in any of them.
+enum class LengthUnit { mm, inch, cm, m, ft };
+
+/// In the order in which one is asked to choose.
+inline constexpr std::array mesh_units{LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::inch,
+                                       LengthUnit::ft};
 
 inline constexpr double mm_per_inch = 25.4;
 
 inline constexpr double mm_per(LengthUnit unit) {
-    return unit == LengthUnit::inch ? mm_per_inch : 1.0;
+    switch (unit) {
+    case LengthUnit::inch:
+        return mm_per_inch;
+    case LengthUnit::cm:
+        return 10;
+    case LengthUnit::m:
+        return 1000;
+    case LengthUnit::ft:
+        return 12 * mm_per_inch;
+    case LengthUnit::mm:
+        break;
+    }
+    return 1.0;
 }
-/// "mm" or "in".
+/// "mm", "in", "cm", "m" or "ft".
 std::string_view unit_name(LengthUnit unit);
+/// Names of all of them, in the order of the enumerators.
+const std::vector<std::string>& unit_names();
+/// The unit of a project around a mesh whose numbers are in `unit`: inches for inches and feet, else mm.
+inline constexpr LengthUnit project_unit(LengthUnit unit) {
+    return unit == LengthUnit::inch || unit == LengthUnit::ft ? LengthUnit::inch : LengthUnit::mm;
+}
 /// From "mm" or "in" (also "inch", "inches", "millimetre(s)"); throws Error(out_of_range) that names `where`.
 LengthUnit parse_length_unit(std::string_view text, const std::string& where);
+/// The same from the name of any unit, for the numbers of a mesh file.
+LengthUnit parse_mesh_unit(std::string_view text, const std::string& where);
 
 /// What a number measures: decides its unit in files and forms.
 enum class Quantity { none, length, area, angle, feed, rotation, ratio, count, time };

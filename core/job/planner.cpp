@@ -98,7 +98,10 @@ private:
 template <class Spec>
 MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) {
     const std::array<double, 3> none{0, 0, 0};
-    if (spec.rotate == none && spec.translate == none) return mesh;
+    if (spec.scale == 1 && spec.mirror == Mirror::none && spec.rotate == none && spec.translate == none)
+        return mesh;
+    Vec3 factors = Vec3::Constant(spec.scale);
+    if (spec.mirror != Mirror::none) factors[int(spec.mirror) - int(Mirror::x)] *= -1;
     const Mat3 turn =
         (Eigen::AngleAxisd(spec.rotate[2], Vec3::UnitZ()) * Eigen::AngleAxisd(spec.rotate[1], Vec3::UnitY())
          * Eigen::AngleAxisd(spec.rotate[0], Vec3::UnitX()))
@@ -106,9 +109,13 @@ MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) 
     const Vec3 move(spec.translate[0], spec.translate[1], spec.translate[2]);
     auto copy = std::make_shared<Mesh>();
     copy->facets = mesh->facets;
+    if (spec.mirror != Mirror::none)
+        for (auto& facet : copy->facets)
+            std::swap(facet[1], facet[2]); // counter-clockwise seen from outside again
     copy->vertices.resize(mesh->vertices.size());
-    parallel_for(mesh->vertices.size(), vertices_per_block, progress,
-                 [&](std::size_t i) { copy->vertices[i] = turn * mesh->vertices[i] + move; });
+    parallel_for(mesh->vertices.size(), vertices_per_block, progress, [&](std::size_t i) {
+        copy->vertices[i] = turn * factors.cwiseProduct(mesh->vertices[i]) + move;
+    });
     return copy;
 }
 
@@ -117,6 +124,8 @@ std::string mesh_key(const fs::path& path, const Spec& spec) {
     return Key()
         .add(std::string_view(file_stamp(path)))
         .add(unit_name(spec.unit))
+        .add(spec.scale)
+        .add(std::to_string(int(spec.mirror)))
         .add(spec.rotate)
         .add(spec.translate)
         .text();
@@ -312,7 +321,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const fs::path path = project.part_path();
     Key load_key;
     load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
-    const std::string part_key = mesh_key(path, project.part);
+    const std::string part_key = mesh_key(path, project.part) + (project.part.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
     const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock) : std::string();
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
@@ -327,11 +336,13 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         auto part = std::make_shared<PreparedPart>();
         part->mesh = placed(c.loaded->mesh, project.part, reading.part(0.6, 0.62));
         // What the part is has one answer, for planners and verifier alike.
-        const OutwardSides sides = outward_sides(*part->mesh, reading.part(0.62, 0.68));
+        const OutwardSides sides = outward_sides(*part->mesh, reading.part(0.62, 0.68),
+                                                 project.part.flip ? OpenSide::other : OpenSide::found);
         part->mesh = wound_outward(part->mesh, sides);
         part->turned_facets = sides.turned_facets;
         part->report = c.loaded->report;
         part->box = part->mesh->box();
+        if (project.part.scale != 1) add_scale_warnings(part->report, part->box);
         check_coordinates(part->box, "part");
         part->reach = reach_about_middle(*part->mesh, part->box);
         part->geometry = compute_geometry(*part->mesh, reading.part(0.68, 1.0, "Measuring the part"));
@@ -447,6 +458,7 @@ std::shared_ptr<const EarlierLeft> Planner::Cache::left(const Project& project,
     key.add(motions).add(common.tolerance).add(common.allowance).add(radius);
     if (!rest || left_key != key.text()) {
         VerifySettings settings;
+        if (project.part.flip) settings.open_side = OpenSide::other;
         settings.tolerance = common.tolerance;
         settings.allowance = common.allowance;
         settings.sample_spacing = rest_sample_share * radius;

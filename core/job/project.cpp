@@ -21,28 +21,19 @@ const ParameterTable<PartSpec>& part_parameters() {
                                 .kind = K::text,
                                 .stage = Stage::mesh,
                                 .required = "name the part's file"});
-        t.add_choice(&PartSpec::unit,
-                     {.key = "units",
-                      .label = "Units",
-                      .help = "Unit of the numbers in the mesh file. Default: the project's.",
-                      .words = {"mm", "in"},
-                      .stage = Stage::mesh});
-        t.add(&PartSpec::rotate, {.key = "rotate",
-                                  .label = "Rotate",
-                                  .help = "Turns the part about X, then Y, then Z (fixed axes).",
-                                  .kind = K::triple,
-                                  .quantity = Quantity::angle,
-                                  .minimum = -2 * pi,
-                                  .maximum = 2 * pi,
-                                  .stage = Stage::mesh});
-        t.add(&PartSpec::translate, {.key = "translate",
-                                     .label = "Translate",
-                                     .help = "Moves the part after it was turned.",
-                                     .kind = K::triple,
-                                     .quantity = Quantity::length,
-                                     .minimum = -1e6,
-                                     .maximum = 1e6,
-                                     .stage = Stage::mesh});
+        t.add_choice(&PartSpec::unit, mesh_unit_parameter());
+        t.add(&PartSpec::scale, scale_parameter("part"));
+        t.add_choice(&PartSpec::mirror, mirror_parameter("part"));
+        t.add(&PartSpec::flip,
+              {.key = "flip",
+               .label = "Flip",
+               .help = "Takes the other side of open surfaces as their outside. By itself that is the upper "
+                       "side of a sheet, and the side that is seen of what nearly closes; of closed bodies "
+                       "it is always the outside.",
+               .kind = K::boolean,
+               .stage = Stage::mesh});
+        t.add(&PartSpec::rotate, rotate_parameter("Turns the part about X, then Y, then Z (fixed axes)."));
+        t.add(&PartSpec::translate, translate_parameter("Moves the part after it was turned."));
         t.add(&PartSpec::tessellation_tolerance, {.key = "tessellation_tolerance",
                                                   .label = "Tessellation tolerance",
                                                   .help = "How far the true surface may lie outside and "
@@ -338,7 +329,8 @@ double allowed(double v, const ParameterInfo& info) {
 
 } // namespace
 
-Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& part_box) {
+Project default_project(const fs::path& part_file, LengthUnit part_unit, const Box3& part_box) {
+    const LengthUnit unit = project_unit(part_unit);
     const double per = mm_per(unit);
     // A flat part of no width still gets a tool.
     const Vec3 size = part_box.size() / per;
@@ -349,7 +341,7 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     Project p;
     p.unit = unit;
     p.part.file = fs::absolute(part_file).lexically_normal().generic_string();
-    p.part.unit = p.stock.unit = unit;
+    p.part.unit = p.stock.unit = part_unit;
     const double margin = allowed(round_down(diagonal / 40) * per, stock_parameters().find("margin")->info);
     p.stock.margin = {margin, margin, margin};
 
@@ -370,7 +362,10 @@ Project default_project(const fs::path& part_file, LengthUnit unit, const Box3& 
     common.tolerance = round_down(std::min(diagonal / 4000, diameter / 100)) * per;
     common.feed = (unit == LengthUnit::inch ? 40 : 1000) * per;
     common.spindle = 6000;
-    common.clearance = allowed(round_down(diagonal / 25) * per, operation->parameter("clearance"));
+    // Less than that is no clearance for the hand that sets the zero.
+    const double least = unit == LengthUnit::inch ? 0.05 : 1;
+    common.clearance =
+        allowed(std::max(round_down(diagonal / 25), least) * per, operation->parameter("clearance"));
     p.operations.push_back(std::move(operation));
     return p;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/parameter.h"
 #include "core/job/verify_limits.h"
+#include "core/setup/placement.h"
 #include "core/setup/stock.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/operation.h"
@@ -17,6 +18,9 @@ namespace facetmill {
 struct PartSpec {
     std::string file; ///< as written: relative to the project file, or absolute
     LengthUnit unit = LengthUnit::mm;
+    double scale = 1;                                   ///< of the file's numbers, about the file's origin
+    Mirror mirror = Mirror::none;                       ///< before the rotation
+    bool flip = false;                                  ///< the other side of open surfaces is outside
     std::array<double, 3> rotate{0, 0, 0};              ///< radians about X, then Y, then Z (fixed axes)
     std::array<double, 3> translate{0, 0, 0};           ///< mm, after the rotation
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in; mm
@@ -91,7 +95,8 @@ void check_project(const Project& project);
 /// out_of_range); nothing changes then.
 void apply_setting(Project& project, std::string_view setting);
 
-/// A new project around a part with one sensible tool and one finish3 operation for its size.
+/// A new project around a part with one sensible tool and one finish3 operation for its size; `unit` is that
+/// of the part's file.
 Project default_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);
 /// The same for a part that turns about X: a lathe-mill, round stock, roughing and finishing.
 Project default_turned_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);

@@ -260,6 +260,7 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     settings.gouge_limit = std::max(gouge_chords * settings.gouge_limit, min_gouge_limit);
     if (project.limits.gouge_limit.is_number()) settings.gouge_limit = project.limits.gouge_limit.number;
     settings.uncut_limit = project.limits.uncut_limit;
+    if (project.part.flip) settings.open_side = OpenSide::other;
     return settings;
 }
 

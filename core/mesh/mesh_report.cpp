@@ -55,6 +55,7 @@ constexpr Sentence sentences[] = {
                    "cutter may enter a gap."},
     {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
+    {"scaled", "The project scales the part: it is not as large as its file and unit say."},
     {"trailing_data", "Bytes follow the end of the mesh; they were ignored."},
     {"unit_suspect", "The part is smaller than 1 mm or larger than 10 m: the file may be in another unit."},
     {"unknown_lines", "Lines that the format does not know were ignored."},
@@ -233,9 +234,25 @@ Box3 MeshReport::box_mm() const {
     return box;
 }
 
+namespace {
+
+/// A part of such an extent (mm) is rare.
+bool is_suspect(double extent) {
+    return extent < tolerance::suspect_small_extent || extent > tolerance::suspect_large_extent;
+}
+
+} // namespace
+
 std::string units_guess_name(const MeshReport& report) {
-    if (report.file_box.size().maxCoeff() < guess_metre_below) return "m";
     return std::string(unit_name(report.unit_guess));
+}
+
+void add_scale_warnings(MeshReport& report, const Box3& box) {
+    auto& words = report.warnings;
+    std::erase(words, "unit_suspect");
+    words.emplace_back("scaled");
+    if (is_suspect(box.size().maxCoeff())) words.emplace_back("unit_suspect");
+    std::sort(words.begin(), words.end());
 }
 
 std::string explain_warning(const std::string& word) {
@@ -286,7 +303,10 @@ void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress
     report.file_area = 0.5 * sum.area / (mm * mm);
 
     const double extent = box.size().maxCoeff();
-    report.unit_guess = extent / mm < guess_inch_below ? LengthUnit::inch : LengthUnit::mm;
+    const double numbers = extent / mm;
+    report.unit_guess = numbers < guess_metre_below  ? LengthUnit::m
+                        : numbers < guess_inch_below ? LengthUnit::inch
+                                                     : LengthUnit::mm;
 
     const auto warn = [&](bool condition, const char* word) {
         if (condition) report.warnings.emplace_back(word);
@@ -299,9 +319,7 @@ void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress
     warn(report.shells > 1, "multiple_shells");
     warn(report.open_edges == 0 && volume < -tolerance::flat_volume * 0.5 * sum.area * box.diagonal(),
          "inside_out");
-    warn(facet_count > 0
-             && (extent < tolerance::suspect_small_extent || extent > tolerance::suspect_large_extent),
-         "unit_suspect");
+    warn(facet_count > 0 && is_suspect(extent), "unit_suspect");
     std::sort(report.warnings.begin(), report.warnings.end());
     report.warnings.erase(std::unique(report.warnings.begin(), report.warnings.end()), report.warnings.end());
 }

@@ -34,8 +34,8 @@ struct MeshReport {
     /// lies.
     double file_area = 0.0, file_volume = 0.0;
     LengthUnit assumed_unit = LengthUnit::mm;
-    /// By the largest extent in the file's own numbers: below `guess_inch_below` inch, else mm. A guess to
-    /// show, never acted on: an STL file has no unit.
+    /// By the largest extent in the file's own numbers: below `guess_metre_below` metres, below
+    /// `guess_inch_below` inch, else mm. A guess to show, never acted on: an STL file has no unit.
     LengthUnit unit_guess = LengthUnit::mm;
     /// Stable snake_case words, sorted; each has a sentence in `explain_warning`.
     std::vector<std::string> warnings;
@@ -49,11 +49,15 @@ struct MeshReport {
 
 /// Parts of 10 mm and less are rarer than parts of 10 inch and less.
 inline constexpr double guess_inch_below = 10.0;
-/// And below this it is more likely metres than inches: `units_guess_name` says so.
+/// And below this it is more likely metres than inches.
 inline constexpr double guess_metre_below = 0.5;
 
-/// "mm", "in", or "m" for a part smaller than `guess_metre_below` (which LengthUnit cannot say).
+/// "mm", "in" or "m".
 std::string units_guess_name(const MeshReport& report);
+
+/// What a scale other than 1 changes in the warnings of a part whose box, in its place, is `box` (mm): that
+/// it is scaled, and whether its unit is suspect.
+void add_scale_warnings(MeshReport& report, const Box3& box);
 
 /// One sentence for a warning word: what it means and what was done. Empty for a word no reader uses.
 std::string explain_warning(const std::string& word);

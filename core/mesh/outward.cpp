@@ -138,7 +138,7 @@ OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight
 
 } // namespace
 
-OutwardSides outward_sides(const Mesh& mesh, const Progress& progress) {
+OutwardSides outward_sides(const Mesh& mesh, const Progress& progress, OpenSide open) {
     OutwardSides result;
     result.sides.assign(mesh.facet_count(), OutwardSides::as_wound);
     const std::vector<Patch> patches = patches_of(mesh, progress.part(0, 0.3));
@@ -153,6 +153,8 @@ OutwardSides outward_sides(const Mesh& mesh, const Progress& progress) {
     parallel_for(patches.size(), 64, progress.part(0.5, 1.0),
                  [&](std::size_t i) { sides[i] = side_of(mesh, patches[i], sight, rays, area); });
     for (std::size_t i = 0; i < patches.size(); ++i) {
+        if (open == OpenSide::other && !patches[i].closed && sides[i] != OutwardSides::buried)
+            sides[i] = sides[i] == OutwardSides::turned ? OutwardSides::as_wound : OutwardSides::turned;
         for (const Index f : patches[i].facets)
             result.sides[f] = sides[i];
         if (sides[i] == OutwardSides::turned) result.turned_facets += patches[i].facets.size();

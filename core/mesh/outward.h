@@ -32,9 +32,12 @@ struct OutwardSides {
     std::size_t patches = 0;
 };
 
+/// Which side of open patches is outside: the one found, or the other one where someone knows better.
+enum class OpenSide : std::uint8_t { found, other };
+
 /// Linear in the facets, and for a mesh that is not closed and wound outward some million rays: seconds. The
 /// same answer for the same mesh with any number of threads.
-OutwardSides outward_sides(const Mesh& mesh, const Progress& progress);
+OutwardSides outward_sides(const Mesh& mesh, const Progress& progress, OpenSide open = OpenSide::found);
 
 /// The mesh with the facets that `sides` calls turned wound the other way; the same one where there are none.
 MeshPtr wound_outward(const MeshPtr& mesh, const OutwardSides& sides);

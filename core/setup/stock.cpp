@@ -48,29 +48,12 @@ const ParameterTable<StockSpec>& stock_parameters() {
                          "the project file.",
                .kind = K::text,
                .stage = Stage::mesh});
-        t.add_choice(&StockSpec::unit,
-                     {.key = "units",
-                      .label = "Units",
-                      .help = "Unit of the numbers in the mesh file. Default: the project's.",
-                      .words = {"mm", "in"},
-                      .stage = Stage::mesh});
-        t.add(&StockSpec::rotate, {.key = "rotate",
-                                   .label = "Rotate",
-                                   .help = "Turns the stock's mesh about X, then Y, then Z (fixed axes); the "
-                                           "part's placement does not move it.",
-                                   .kind = K::triple,
-                                   .quantity = Quantity::angle,
-                                   .minimum = -2 * pi,
-                                   .maximum = 2 * pi,
-                                   .stage = Stage::mesh});
-        t.add(&StockSpec::translate, {.key = "translate",
-                                      .label = "Translate",
-                                      .help = "Moves the stock's mesh after it was turned.",
-                                      .kind = K::triple,
-                                      .quantity = Quantity::length,
-                                      .minimum = -1e6,
-                                      .maximum = 1e6,
-                                      .stage = Stage::mesh});
+        t.add_choice(&StockSpec::unit, mesh_unit_parameter());
+        t.add(&StockSpec::scale, scale_parameter("stock's mesh"));
+        t.add_choice(&StockSpec::mirror, mirror_parameter("stock's mesh"));
+        t.add(&StockSpec::rotate, rotate_parameter("Turns the stock's mesh about X, then Y, then Z (fixed "
+                                                   "axes); the part's placement does not move it."));
+        t.add(&StockSpec::translate, translate_parameter("Moves the stock's mesh after it was turned."));
         return t;
     }();
     return table;
@@ -84,7 +67,7 @@ const std::vector<std::string>& stock_keys(StockSpec::Kind kind) {
     static const std::array<std::vector<std::string>, 3> keys{
         {{"kind", "margin"},
          {"kind", "margin", "axis", "diameter"},
-         {"kind", "file", "units", "rotate", "translate"}}};
+         {"kind", "file", "units", "scale", "mirror", "rotate", "translate"}}};
     return keys.at(std::size_t(kind));
 }
 

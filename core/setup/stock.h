@@ -3,6 +3,7 @@
 
 #include "core/base/parameter.h"
 #include "core/base/vec.h"
+#include "core/setup/placement.h"
 
 #include <array>
 #include <string>
@@ -20,7 +21,9 @@ struct StockSpec {
     NumberOrWord diameter{0.0, "auto"}; ///< cylinder; mm
     std::string file;                   ///< mesh; relative to the project file, or absolute
     LengthUnit unit = LengthUnit::mm;   ///< mesh: of the file's numbers
-    std::array<double, 3> rotate{0, 0, 0}, translate{0, 0, 0}; ///< mesh; as those of the part
+    double scale = 1;                   ///< mesh; this and what follows as those of the part
+    Mirror mirror = Mirror::none;
+    std::array<double, 3> rotate{0, 0, 0}, translate{0, 0, 0};
 };
 
 const ParameterTable<StockSpec>& stock_parameters();

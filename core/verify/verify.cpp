@@ -269,7 +269,7 @@ std::string not_judged_why(const Verification& v, const SurfaceSamples& samples,
 void compare(Verification& v, const Mesh& given, const StockSolid& stock,
              std::span<const VerifyProgram> programs, const Radii& radii, bool spacing_asked,
              const Progress& progress) {
-    const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04));
+    const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04), v.used.open_side);
     // Borrowed: it lives as long as this call.
     const MeshPtr outward = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
     const Mesh& part = *outward;

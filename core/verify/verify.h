@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/mesh/outward.h"
 #include "core/verify/program.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_model.h"
@@ -36,7 +37,8 @@ struct VerifySettings {
     double gouge_limit = 0; ///< surface that came deeper inside a cutter is gouged
     /// The share of the area to be cut (seen by a tool axis, away from open borders) that may stay uncut.
     double uncut_limit = 0.02;
-    double allowance = 0; ///< what is to be made is the part grown by this along its normals
+    OpenSide open_side = OpenSide::found; ///< of the part's open surfaces: which side is outside
+    double allowance = 0;                 ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.

@@ -70,7 +70,7 @@ private slots:
                                  "info",
                                  "info a.stl b.stl",
                                  "info part.stl --units",
-                                 "info part.stl --units cm",
+                                 "info part.stl --units yd",
                                  "info part.stl --unit mm",
                                  "info part.stl --units mm --units in",
                                  "info part.stl --units=",

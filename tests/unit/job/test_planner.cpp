@@ -397,6 +397,57 @@ private slots:
         QVERIFY((part->box.lo - part->mesh->box().lo).norm() == 0);
     }
 
+    /// Unit, scale, mirror, rotate, translate, in this order; outside stays outside.
+    void placement_scales_and_mirrors_before_it_turns() {
+        Workplace w;
+        save_stl(block(Vec3(1, 2, 3), Vec3(2, 4, 6)), w.folder / "part.stl", LengthUnit::mm, {});
+        Planner planner;
+        w.project.part.unit = LengthUnit::cm;
+        w.project.part.scale = 0.5;
+        w.project.part.mirror = Mirror::y;
+        w.project.part.rotate = {0, 0, pi / 2};
+        w.project.part.translate = {100, 0, 0};
+        const auto part = planner.prepare(w.project, {});
+        QVERIFY((part->box.lo - Vec3(110, 5, 15)).norm() < 1e-9);
+        QVERIFY((part->box.hi - Vec3(120, 10, 30)).norm() < 1e-9);
+        double volume = 0;
+        for (std::size_t f = 0; f < part->mesh->facet_count(); ++f)
+            volume += part->mesh->facet_cross(f).dot(part->mesh->corner(f, 0)) / 6;
+        QVERIFY(std::abs(volume - 750) < 1e-6);
+        QCOMPARE(part->turned_facets, std::size_t(0));
+        const auto told = [](const PreparedPart& p, const char* word) {
+            return std::count(p.report.warnings.begin(), p.report.warnings.end(), word);
+        };
+        QCOMPARE(told(*part, "scaled"), 1);
+        // Every one of them is a part of its own.
+        w.project.part.scale = 1e4;
+        QCOMPARE(told(*planner.prepare(w.project, {}), "unit_suspect"), 1);
+        w.project.part.scale = 1;
+        const auto unscaled = planner.prepare(w.project, {});
+        QCOMPARE(told(*unscaled, "scaled"), 0);
+        QVERIFY((unscaled->box.size() - Vec3(20, 10, 30)).norm() < 1e-9);
+        w.project.part.mirror = Mirror::none;
+        QVERIFY((planner.prepare(w.project, {})->box.lo - Vec3(60, 10, 30)).norm() < 1e-9);
+        QCOMPARE(planner.work().loads, 1);
+    }
+
+    /// Of an open surface someone may know better which side is outside; a closed body keeps its own.
+    void flip_takes_the_other_side_of_open_surfaces() {
+        Workplace w;
+        w.project.part.flip = true;
+        Planner planner;
+        const auto sheet = planner.prepare(w.project, {});
+        QVERIFY(sheet->mesh->facet_normal(0).z() < 0);
+        w.project.part.flip = false;
+        QVERIFY(planner.prepare(w.project, {})->mesh->facet_normal(0).z() > 0);
+        const Mesh body = block(Vec3(0, 0, 0), Vec3(1, 2, 3));
+        save_stl(body, w.folder / "part.stl", LengthUnit::mm, {});
+        w.project.part.flip = true;
+        const auto closed = planner.prepare(w.project, {});
+        QCOMPARE(closed->turned_facets, std::size_t(0));
+        QVERIFY(closed->mesh->facet_normal(0).z() < 0 && closed->mesh->facet_normal(2).z() > 0);
+    }
+
     void cancelling_leaves_a_good_cache() {
         Workplace w;
         Planner fresh;

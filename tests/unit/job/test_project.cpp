@@ -209,6 +209,25 @@ private slots:
         QCOMPARE(std::get<std::string>(value(p, "stepover")), std::string("adaptive"));
     }
 
+    /// A mesh file's numbers may be in units that no project has.
+    void units_of_mesh_files() {
+        for (const LengthUnit unit : mesh_units) {
+            const Project p = parsed(R"({"facetmill":1,"units":"mm","part":{"file":"a.stl","units":")"
+                                     + std::string(unit_name(unit)) + R"(","scale":2,"mirror":"y"}})");
+            QVERIFY(p.part.unit == unit && p.part.scale == 2 && p.part.mirror == Mirror::y);
+            QCOMPARE(project_to_json(parsed(project_to_json(p))), project_to_json(p));
+            QVERIFY(parse_mesh_unit(unit_name(unit), "") == unit);
+            const bool inch = unit == LengthUnit::inch || unit == LengthUnit::ft;
+            const Project fresh = default_project("a.stl", unit, Box3{Vec3::Zero(), Vec3::Constant(50)});
+            QVERIFY(fresh.part.unit == unit && fresh.unit == (inch ? LengthUnit::inch : LengthUnit::mm));
+        }
+        QCOMPARE(mm_per(LengthUnit::m), 1000.0);
+        QCOMPARE(mm_per(LengthUnit::cm), 10.0);
+        QVERIFY(std::abs(mm_per(LengthUnit::ft) - 304.8) < 1e-12);
+        QCOMPARE(code_of([] { parsed(R"({"facetmill":1,"units":"m","part":{"file":"a.stl"}})"); }),
+                 std::string("out_of_range"));
+    }
+
     void what_may_be_left_out() {
         const Project p =
             parsed(R"({"facetmill":1,"units":"in","part":{"file":"a.stl"},)"
@@ -407,7 +426,7 @@ private slots:
         row("machine type", changed("\"tarus-tpi-2000\"", "3"), "wrong_type", "p.facetmill: machine");
         row("unit unknown", changed("\"units\": \"in\"", "\"units\": \"ft\""), "out_of_range",
             "p.facetmill: units");
-        row("part unit unknown", changed("\"units\": \"in\", \"rotate\"", "\"units\": \"cm\", \"rotate\""),
+        row("part unit unknown", changed("\"units\": \"in\", \"rotate\"", "\"units\": \"yd\", \"rotate\""),
             "out_of_range", "p.facetmill: part.units");
         row("two rotations", changed("[0, 0, 90]", "[0, 90]"), "wrong_type", "p.facetmill: part.rotate");
         row("rotation of text", changed("[0, 0, 90]", "[0, 0, \"90\"]"), "wrong_type",
@@ -700,7 +719,7 @@ private slots:
                 QVERIFY(size > 1000 || tool.diameter >= size / 60);
                 const OperationCommon& c = p.operations[0]->common();
                 QVERIFY(c.tolerance <= tool.diameter / 99 && c.tolerance >= tool.diameter / 2000);
-                QVERIFY(c.clearance > 0 && c.clearance <= size / 10);
+                QVERIFY(c.clearance >= 1 - 1e-9 && c.clearance <= std::max(size / 10, 1.3));
                 QCOMPARE(project_to_json(parsed(project_to_json(p))), project_to_json(p));
             }
         // A sheet without width, a point: still a project.

@@ -106,6 +106,9 @@ private slots:
         for (std::size_t f = 0; f < sheet.facet_count(); ++f)
             turn(sheet, f);
         QCOMPARE(outward_sides(sheet, Progress()).turned_facets, sheet.facet_count());
+        QCOMPARE(outward_sides(sheet, Progress(), OpenSide::other).turned_facets, std::size_t(0));
+        const Mesh solid = joined(dome(10, 12), box(Vec3(20, 0, 0), Vec3(22, 1, 1)));
+        QCOMPARE(outward_sides(solid, Progress(), OpenSide::other).turned_facets, std::size_t(0));
     }
 
     /// Seen from below a sheet with a deep valley is convex, and has more of the open about it.
