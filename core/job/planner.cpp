@@ -12,6 +12,7 @@
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/global_local/rework_plan.h"
 #include "core/strategy/lathe/lathe.h"
+#include "core/strategy/plan/stock_bottom.h"
 #include "core/strategy/surface/region_edit.h"
 
 #include <charconv>
@@ -213,13 +214,14 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
     result->path = plan.path;
     context.tool = plan.tool;
     context.further_tools.clear();
-    for (const Pass& pass : plan.path.passes) {
+    keep_above_bottom(result->path, context, operation.common());
+    for (const Pass& pass : result->path.passes) {
         result->cc_points += pass.cc.size();
         result->cl_points += pass.cl.size();
     }
     result->program.multi_axis = !plan.three_axis;
     result->program.motions = link_operation(operation, plan.three_axis ? Linking::upright : Linking::tilted,
-                                             plan.path, context, progress);
+                                             result->path, context, progress);
     finish_program(*result, project, operation, context, progress);
     return result;
 }
@@ -401,6 +403,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         result->seconds_strategy = same->result->seconds_strategy;
     } else {
         result->path = operation.plan(context, progress.part(0.0, 0.85, common.name));
+        if (!operation.turning()) keep_above_bottom(result->path, context, common);
         result->seconds_strategy = seconds_since(start);
         ++work.strategies;
     }

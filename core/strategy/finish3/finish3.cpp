@@ -422,14 +422,6 @@ void Planner::add_warnings() {
     if (const UncutPlaces& u = uncut_.covered; u.height > 0)
         warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text_(u.at)
                            + ", and is not cut: turn the part for another operation");
-    double lowest = infinity;
-    for (const Pass& p : result_.passes)
-        for (const CutterLocation& c : p.cl)
-            lowest = std::min(lowest, c.tip.z());
-    const double below = context_.stock_box.lo.z() - lowest;
-    if (!context_.stock_box.empty() && below > settings_.tolerance)
-        warnings.push_back("the tip goes " + text_(below)
-                           + " below the bottom of the stock, to cut the part's lower border fully");
 
     if (held_.left_length > 0) add_held_warning();
 }

@@ -30,7 +30,7 @@ bool meets_stock(const LathePath& path, const PlanContext& context, const Progre
 const ParameterTable<LatheFinishSettings>& lathe_finish_parameters() {
     static const auto table = [] {
         ParameterTable<LatheFinishSettings> t;
-        add_common_parameters(t);
+        add_common_parameters(t, Workholding::turning);
         add_lathe_parameters(t);
         return t;
     }();

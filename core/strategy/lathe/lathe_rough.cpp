@@ -201,7 +201,7 @@ const ParameterTable<LatheRoughSettings>& lathe_rough_parameters() {
         using K = ParameterKind;
         using S = LatheRoughSettings;
         ParameterTable<S> t;
-        add_common_parameters(t);
+        add_common_parameters(t, Workholding::turning);
         t.add(&S::depth_of_cut,
               {.key = "depth_of_cut",
                .label = "Depth of cut",

@@ -76,6 +76,7 @@ struct OperationCommon {
     double feed = 1000;                ///< mm/min
     double spindle = 6000;             ///< rpm
     double clearance = 5;              ///< height of clearance moves above stock and part, mm
+    double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
 };
 
@@ -188,9 +189,15 @@ struct OperationRegistration {
                           std::function<std::unique_ptr<Operation>()> make);
 };
 
+/// Where the part is while an operation cuts it.
+enum class Workholding {
+    on_table, ///< there is something below its bottom
+    turning,
+};
+
 /// Adds the common parameters to an operation's table. S derives from OperationCommon.
 template <class S>
-void add_common_parameters(ParameterTable<S>& table);
+void add_common_parameters(ParameterTable<S>& table, Workholding holding = Workholding::on_table);
 
 } // namespace facetmill
 

@@ -5,7 +5,7 @@
 namespace facetmill {
 
 template <class S>
-void add_common_parameters(ParameterTable<S>& table) {
+void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
     using K = ParameterKind;
     // &S::name is a member pointer of OperationCommon; the table wants one of S.
     const auto member = []<class T>(T OperationCommon::*m) -> T S::* { return m; };
@@ -68,6 +68,16 @@ void add_common_parameters(ParameterTable<S>& table) {
                                       .maximum = 1e4,
                                       .open_minimum = true,
                                       .stage = Stage::link});
+    if (holding == Workholding::on_table)
+        table.add(member(&S::below_bottom),
+                  {.key = "below_bottom",
+                   .label = "Below the bottom",
+                   .help = "How far the cutter may go below the bottom of the stock, where something holds "
+                           "it. With 0 steep surface near the bottom keeps what only a lower tip would cut.",
+                   .kind = K::number,
+                   .quantity = Quantity::length,
+                   .minimum = 0,
+                   .maximum = 1000});
     table.add(member(&S::direction),
               travel_parameter({.key = "direction",
                                 .label = "Direction",
