@@ -187,7 +187,13 @@ void finish_program(OperationResult& result, const Project& project, const Opera
     program.tool_number = context.tool.number;
     program.tool_name = context.tool.name;
     program.cutter = context.tool.cutter();
-    program.feed_mm_per_min = operation.common().feed;
+    const OperationCommon& common = operation.common();
+    program.feed_mm_per_min = common.feed;
+    for (const Motion& m : program.motions.motions)
+        program.motion_feeds.push_back(common.feed_of(m.kind));
+    if (std::all_of(program.motion_feeds.begin(), program.motion_feeds.end(),
+                    [&](double feed) { return feed == common.feed; }))
+        program.motion_feeds.clear();
     program.spindle_rpm = operation.common().spindle;
     program.gauge_length = gauge_length(context.tool);
     program.part_box = context.part_box;

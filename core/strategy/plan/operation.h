@@ -74,10 +74,19 @@ struct OperationCommon {
     double tolerance = 0.05;           ///< machining tolerance tau: largest cusp left, mm
     double allowance = 0;              ///< stock left on the part, mm
     double feed = 1000;                ///< mm/min
+    NumberOrWord ramp_feed{0, "auto"}; ///< into the material; mm/min, auto: half the feed
+    NumberOrWord link_feed{0, "auto"}; ///< between cuts; mm/min, auto: the feed
     double spindle = 6000;             ///< rpm
     double clearance = 5;              ///< height of clearance moves above stock and part, mm
     double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
+
+    /// Of a motion at feed of this kind, mm/min.
+    double feed_of(MotionKind kind) const {
+        if (kind == MotionKind::approach) return ramp_feed.is_number() ? ramp_feed.number : 0.5 * feed;
+        const bool between = kind == MotionKind::link || kind == MotionKind::retract;
+        return between && link_feed.is_number() ? link_feed.number : feed;
+    }
 };
 
 struct LatheCommon;         // lathe.h
