@@ -4,6 +4,7 @@
 #include "app/cli_session.h"
 #include "core/job/program_files.h"
 #include "core/job/report.h"
+#include "core/job/verification.h"
 #include "core/output/apt.h"
 
 namespace facetmill::cli {

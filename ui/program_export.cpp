@@ -93,7 +93,8 @@ void ProgramExport::save_programs(const QString& folder) {
     job_.start(
         tr("Writing programs"),
         [=](const Progress& p) {
-            *written = write_plan(*project, *plan, target, p.part(0, 1, "Writing programs"));
+            const std::vector<double> air = feed_in_air(*project, plan, p.part(0, 0.7));
+            *written = write_plan(*project, *plan, target, p.part(0.7, 1, "Writing programs"), air);
         },
         [this, written, doubt = verification_.doubt()](const JobEnd& end) {
             if (!end.done()) return;

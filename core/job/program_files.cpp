@@ -78,7 +78,8 @@ std::vector<std::string> program_file_names(const Project& project) {
 }
 
 std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
-                                 const Progress& progress, const std::function<void()>& before) {
+                                 const Progress& progress, const std::vector<double>& air,
+                                 const std::function<void()>& before) {
     if (result.operations.empty())
         throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
     const NewFolder made(folder);
@@ -103,7 +104,7 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         }
     }
     paths.push_back(folder / report_file_name);
-    add(paths.back()).write(report_json(project, result));
+    add(paths.back()).write(report_json(project, result, air));
     progress.check();
     files.commit(before);
     return paths;

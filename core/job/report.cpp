@@ -119,7 +119,7 @@ void add_rework(Json& entry, const OperationResult& o, double per) {
 
 } // namespace
 
-std::string report_json(const Project& project, const PlanResult& result) {
+std::string report_json(const Project& project, const PlanResult& result, const std::vector<double>& air) {
     const double per = mm_per(project.unit);
     Json operations = Json::array();
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
@@ -145,6 +145,13 @@ std::string report_json(const Project& project, const PlanResult& result) {
         entry["cut_length"] = number(o->totals.cut_length / per);
         entry["rapid_length"] = number(o->totals.rapid_length / per);
         entry["time_seconds"] = number(o->totals.time_seconds);
+        double in_air = 0, turn = 0;
+        for (std::size_t k = i; k < result.operations.size() && result.owner(k) == i; ++k) {
+            in_air += air.empty() ? 0 : air.at(k);
+            turn = std::max(turn, result.operations[k]->totals.turn_max);
+        }
+        if (!air.empty()) entry["feed_in_air_length"] = number(in_air / per);
+        entry["turn_max_degrees"] = number(degrees(turn));
         entry["cusp_max"] = number(o->path.cusp_max / per);
         entry["warnings"] = std::move(warnings);
         entry["seconds_planning"] = number(o->seconds_planning);

@@ -17,6 +17,9 @@ constexpr double min_gouge_limit = 1e-4; // mm
 /// What is called a gouge, in chord tolerances: paths use up one of them, and the numbers of a machine's
 /// program, scales and thermal growth as much again.
 constexpr double gouge_chords = 2;
+/// Distance of the rays that are asked whether a motion cuts, in step-overs, between these in radii of the
+/// cutter, and their number at most.
+constexpr double air_share_of_step = 0.4, air_shares_of_radius[] = {0.08, 0.25}, max_air_rays = 1e7;
 
 const char* kind_name(Collision::Kind kind) {
     switch (kind) {
@@ -120,7 +123,8 @@ std::string uncut_text(const Verification& v, LengthUnit unit) {
            + " (" + reasons + "), limit " + percent(v.used.uncut_limit);
 }
 
-/// But for the length of the flutes, to what a CL file's digits say.
+} // namespace
+
 bool same_shape(const AptCutter& a, const AptCutter& b) {
     const double least = tolerance::same_shape * std::max(a.d, b.d);
     const auto near = [](double x, double y, double by) { return std::abs(x - y) <= by; };
@@ -166,6 +170,35 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
         programs.push_back({o->name, std::move(used), {o, &o->program.motions}, o->program.motions.turning});
     }
     return programs;
+}
+
+std::vector<double> feed_in_air(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                                const Progress& progress) {
+    if (!(plan->stock.box.size().minCoeff() > 0)) return {};
+    const std::vector<VerifyProgram> programs = verify_programs(project, plan);
+    double resolution = infinity;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const double radius = programs[i].tool.cutter.max_radius(),
+                     step = plan->operations[i]->path.stepover_min;
+        // So that no pass falls between two rays.
+        resolution =
+            std::min(resolution, std::clamp(air_share_of_step * step, air_shares_of_radius[0] * radius,
+                                            air_shares_of_radius[1] * radius));
+    }
+    if (const double rays = StockLattice::rays_over(plan->stock.box, resolution); rays > max_air_rays)
+        resolution *= std::sqrt(rays / max_air_rays);
+    StockModel stock(plan->stock, StockLattice::over(plan->stock.box, resolution), progress.part(0, 0.1));
+    MaterialRemoval removal(programs, resolution, 0);
+    removal.cut_only_along(2);
+    std::vector<double> air;
+    const double n = double(programs.size());
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        removal.cut(stock, i, 0, programs[i].motions->motions.size(), 1, false,
+                    progress.part(0.1 + 0.9 * double(i) / n, 0.1 + 0.9 * double(i + 1) / n));
+        air.push_back(removal.air_length(i));
+    }
+    progress.set(1.0);
+    return air;
 }
 
 /// The tool of a section of a CL file; appends to `remarks` what is not known of it.
@@ -312,6 +345,7 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
         one["motions"] = programs[i].motions->motions.size();
         one["gouge_max"] = n.length(v.program_gouges[i]);
         one["collisions"] = count;
+        one["feed_in_air_length"] = n.length(v.program_air[i]);
         one["verdict"] = verdict_name(v.verdict_where(count > 0 || v.program_gouges[i] > v.used.gouge_limit));
         operations.push_back(std::move(one));
     }

@@ -175,6 +175,8 @@ MotionTotals motion_totals(const ClSection& program, const Machine& machine, con
     // The first motion comes from nobody knows where: it has no length.
     for (std::size_t i = 1; i < motions.size(); ++i) {
         const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
+        const Vec3 &from = motions[i - 1].to.axis, &to = motions[i].to.axis;
+        totals.turn_max = std::max(totals.turn_max, std::atan2(from.cross(to).norm(), from.dot(to)));
         if (motions[i].kind == MotionKind::rapid) {
             totals.rapid_length += step.norm();
             rapid_seconds += rapid_time(step, machine);

@@ -39,6 +39,7 @@ struct MotionTotals {
     double cut_length = 0;   ///< mm, all motion at feed
     double rapid_length = 0; ///< mm
     double time_seconds = 0; ///< as above
+    double turn_max = 0;     ///< largest turn of the tool axis in one motion, radians
 };
 
 struct MachineMotion;

@@ -13,6 +13,8 @@ namespace {
 
 /// Straight moves of one batch: enough to keep all threads busy, few enough for a quick cancel.
 constexpr std::size_t items_per_batch = 1024;
+/// Of one move, at most.
+constexpr std::size_t most_pieces = 4096;
 
 std::string goto_name(const VerifyProgram& program, std::size_t motion) {
     return "'" + program.name + "', GOTO " + std::to_string(motion + 1);
@@ -77,6 +79,7 @@ MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double
                                                                                  : Collision::Kind::holder));
         bodies_.push_back(std::move(bodies));
     }
+    air_.assign(programs.size(), 0);
 }
 
 MaterialRemoval::~MaterialRemoval() = default;
@@ -156,15 +159,15 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
         const bool rapid = motion.kind == MotionKind::rapid;
         const bool turns = from.axis != motion.to.axis;
         for (const StraightMove& move : moves) {
-            const auto add = [&](const TurnedBody& body, bool cuts, Collision::Kind kind) {
+            const auto watched = [&](const TurnedBody& body, Collision::Kind kind) {
                 const Box3 box = move.box(body);
-                if (!apart(box, stock_box)) items.push_back({&body, move, box, program, i, cuts, kind});
+                if (!apart(box, stock_box)) items.push_back({&body, move, box, program, i, false, kind});
             };
-            if (!rapid) add(bodies.cutter, true, Collision::Kind::rapid);
+            if (!rapid) add_cut(move, program, i, stock_box, items);
             if (!watch) continue;
-            if (rapid) add(turns ? bodies.rapid.turning : bodies.rapid.still, false, Collision::Kind::rapid);
+            if (rapid) watched(turns ? bodies.rapid.turning : bodies.rapid.still, Collision::Kind::rapid);
             for (const Bodies::Checked& s : bodies.sections)
-                add(turns ? s.turning : s.still, false, rapid ? Collision::Kind::rapid : s.kind);
+                watched(turns ? s.turning : s.still, rapid ? Collision::Kind::rapid : s.kind);
             if (items.size() >= items_per_batch) flush(stock, items, progress);
         }
         if (items.size() >= items_per_batch) flush(stock, items, progress);
@@ -174,10 +177,32 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
     progress.set(1.0);
 }
 
+/// In pieces, which are asked one by one whether they cut anything.
+void MaterialRemoval::add_cut(const StraightMove& move, std::size_t program, std::size_t motion,
+                              const Box3& stock_box, std::vector<RemovalItem>& items) {
+    const TurnedBody& cutter = bodies_[program].cutter;
+    const Vec3 route = move.to - move.from;
+    const double length = route.norm();
+    const auto pieces =
+        std::size_t(std::clamp(std::ceil(length / (2 * cutter.radius())), 1.0, double(most_pieces)));
+    for (std::size_t k = 0; k < pieces; ++k) {
+        const StraightMove piece{move.from + double(k) / double(pieces) * route,
+                                 move.from + double(k + 1) / double(pieces) * route, move.axis};
+        const Box3 box = piece.box(cutter);
+        const double own = length / double(pieces);
+        if (apart(box, stock_box))
+            air_[program] += own;
+        else
+            items.push_back({&cutter, piece, box, program, motion, true, Collision::Kind::rapid, own});
+    }
+}
+
 void MaterialRemoval::flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress) {
     if (items.empty()) return;
-    RemovalBatch batch(stock.solid(), stock.lattice(), stock.tiles_, items);
+    RemovalBatch batch(stock.solid(), stock.lattice(), stock.tiles_, items, only_);
     batch.run(progress);
+    for (std::size_t n = 0; n < items.size(); ++n)
+        if (items[n].length > 0 && !batch.has_cut(n)) air_[items[n].program] += items[n].length;
     grown_ += batch.grown();
     if (grown_ > 0 && std::size_t(grown_) > max_bytes_)
         throw Error(ErrorCode::limit_exceeded, "resolution",

@@ -14,6 +14,7 @@ namespace facetmill {
 
 struct RemovalItem; // removal_batch.h
 struct RemovalTouch;
+struct StraightMove; // sweep.h
 
 struct Collision {
     /// The body that touches in a motion at feed; `rapid`: some part of the tool, in a rapid.
@@ -27,6 +28,9 @@ struct Collision {
 
 /// The share of the lattice's resolution that `motion_bound` is unless something else is asked for.
 inline constexpr double default_bound_share = 0.5;
+
+/// Rounding of ends of rays and of coordinates; mm.
+inline constexpr double air_depth = 1e-3;
 
 /// Checks the programs before anything is cut: throws Error(non_finite, coordinate_range, out_of_range,
 /// empty_result) that names program and GOTO.
@@ -43,6 +47,10 @@ public:
                     std::size_t max_bytes = std::size_t(-1));
     ~MaterialRemoval();
 
+    /// From now on only the rays along this axis (0: x) are cut, a tenth of the work where cutters are long:
+    /// for `air_length`. The other two families are no part of the stock any more.
+    void cut_only_along(int axis) { only_ = axis; }
+
     /// Bytes that the rays of a stock will have when all motions that cut are done, estimated from the tiles
     /// that the motions' boxes reach. That is mostly more than is needed; it is less where rays are cut into
     /// many stretches.
@@ -53,11 +61,17 @@ public:
     /// `collisions`. Throws Error(limit_exceeded) as soon as the rays have grown by more than `max_bytes`.
     void cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last, double until,
              bool watch, const Progress& progress);
+    /// Length of the motions of a program at feed, so far, that took nothing away: of pieces no longer than
+    /// the cutter is wide, those in which it met no ray of the stock as it stood then. What is thinner than
+    /// `air_depth` is nothing; where the axis turns, what the bound leaves of an earlier motion is something.
+    double air_length(std::size_t program) const { return air_[program]; }
     /// The collisions so far: the deepest of each motion and kind, in the order of motions.
     std::vector<Collision> collisions() const;
 
 private:
     struct Bodies;
+    void add_cut(const StraightMove& move, std::size_t program, std::size_t motion, const Box3& stock_box,
+                 std::vector<RemovalItem>& items);
     void flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress);
     void keep(const std::vector<std::vector<RemovalTouch>>& touches, const RemovalItem& first);
 
@@ -66,6 +80,8 @@ private:
     std::size_t max_bytes_;
     std::ptrdiff_t grown_ = 0;   ///< bytes of the rays cut so far
     std::vector<Bodies> bodies_; ///< per program
+    std::vector<double> air_;    ///< per program, mm
+    int only_ = -1;              ///< see cut_only_along
     std::vector<RemovalTouch> touches_;
 };
 

@@ -28,10 +28,13 @@ public:
           v_(second_across(axis)), i0_(tile_i * RayTile::side), j0_(tile_j * RayTile::side) {}
 
     bool has_changed() const { return changed_; }
+    /// Whether the last item, which is asked for that, has taken away enough to be cutting.
+    bool has_cut() const { return cut_; }
 
     /// The longest overlap with what must not touch.
     const RemovalTouch& apply(const RemovalItem& item, const SweepRays& swept) {
         touch_ = {item.program, item.motion, item.kind, {}, {}};
+        cut_ = false;
         low_ = float(item.box.lo[axis_] - middle_[axis_]);
         high_ = float(item.box.hi[axis_] - middle_[axis_]);
         const auto [ib, ie] = rays_within(item.box, u_, i0_);
@@ -86,10 +89,21 @@ private:
         const Stretch s = swept(p, piece->lo, piece->next == RayTile::none ? piece->hi : infinity);
         if (s.empty()) return;
         const float from = float(s.lo), to = float(s.hi);
-        if (item.cuts)
+        if (item.cuts) {
+            if (item.length > 0 && !cut_) cut_ = overlap(ray, from, to) > air_depth;
             changed_ |= tile_.remove(ray, from, to);
-        else
+        } else {
             see_overlaps(ray, from, to, p);
+        }
+    }
+
+    double overlap(int ray, float from, float to) const {
+        double most = 0;
+        for (const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];;
+             piece = &tile_.more[piece->next]) {
+            most = std::max(most, double(std::min(to, piece->hi)) - double(std::max(from, piece->lo)));
+            if (piece->next == RayTile::none) return most;
+        }
     }
 
     void see_overlaps(int ray, float from, float to, const Vec3& p) {
@@ -111,18 +125,18 @@ private:
     const Vec3& middle_;
     int axis_, u_, v_, i0_, j0_;
     float low_ = 0, high_ = 0; ///< of the item, along the rays
-    bool changed_ = false;
+    bool changed_ = false, cut_ = false;
     RemovalTouch touch_;
 };
 
 } // namespace
 
 RemovalBatch::RemovalBatch(const StockSolid& solid, const StockLattice& lattice, TileFamilies& tiles,
-                           const std::vector<RemovalItem>& items)
-    : solid_(solid), lattice_(lattice), tiles_(tiles), items_(items),
+                           const std::vector<RemovalItem>& items, int only)
+    : solid_(solid), lattice_(lattice), tiles_(tiles), items_(items), cut_(items.size()),
       used_(items.size(), {false, false, false}), rays_(items.size()) {
     for (int axis = 0; axis < 3; ++axis)
-        find_work(axis);
+        if (only < 0 || axis == only) find_work(axis);
     touches_.resize(work_.size());
     grown_.assign(work_.size(), 0);
 }
@@ -188,6 +202,7 @@ void RemovalBatch::apply(std::size_t w, const Progress& progress) {
         if (++done % items_per_check == 0) progress.check();
         const RemovalTouch& touch = cut.apply(items_[n], *rays_[n][axis]);
         if (touch.overlap[axis] > 0) touches_[w].push_back(touch);
+        if (cut.has_cut()) cut_[n].store(true, std::memory_order_relaxed);
     }
     if (!cut.has_changed()) return; // what nothing was cut from stays as the solid is, and costs nothing
     tile->find_bounds();

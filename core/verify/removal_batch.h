@@ -6,6 +6,7 @@
 #include "core/verify/stock_tiles.h"
 #include "core/verify/sweep.h"
 
+#include <atomic>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -20,6 +21,7 @@ struct RemovalItem {
     std::size_t program, motion;
     bool cuts;            ///< takes stock away; else what it touches is a collision
     Collision::Kind kind; ///< of that collision
+    double length = 0;    ///< above 0: it is asked whether it takes away more than `air_depth`; mm
 };
 
 /// The longest overlap of a body that must not touch with the stock, as the rays of each family saw it.
@@ -44,11 +46,14 @@ struct RemovalTouch {
 class RemovalBatch {
 public:
     /// `tiles` are those of a stock that was `solid` before any cut. All must outlive this.
+    /// Only rays of the family `only` are cut; -1: all.
     RemovalBatch(const StockSolid& solid, const StockLattice& lattice, TileFamilies& tiles,
-                 const std::vector<RemovalItem>& items);
+                 const std::vector<RemovalItem>& items, int only = -1);
     /// A cancelled call leaves some tiles cut and others not.
     void run(const Progress& progress);
 
+    /// Of an item with a length: whether it has taken something away.
+    bool has_cut(std::size_t item) const { return cut_[item].load(std::memory_order_relaxed); }
     /// Bytes by which the tiles have grown; less than 0 where they have shrunk.
     std::ptrdiff_t grown() const;
     /// A list for each tile that was reached; within it in the order of items.
@@ -69,6 +74,7 @@ private:
     TileFamilies& tiles_;
     const std::vector<RemovalItem>& items_;
     std::vector<Work> work_;
+    std::vector<std::atomic<bool>> cut_;    ///< per item
     std::vector<std::array<bool, 3>> used_; ///< per item and family: some tile wants its rays
     std::vector<std::array<std::optional<SweepRays>, 3>> rays_;
     std::vector<std::vector<RemovalTouch>> touches_; ///< per work, as `grown_`

@@ -349,6 +349,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
                                  0.1 + 0.9 * double(i + 1) / double(programs.size())));
     v.stock = std::move(model);
     v.collisions = removal.collisions();
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        v.program_air.push_back(removal.air_length(i));
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();

@@ -109,6 +109,7 @@ struct Verification {
     DeviationFigures figures, border;   ///< away from open borders; near them
     std::vector<SlopeBand> bands;       ///< 0-15, 15-30, ... 75-90 degrees
     std::vector<double> program_gouges; ///< deepest gouge that each program cut, >= 0
+    std::vector<double> program_air;    ///< MaterialRemoval::air_length of each program, mm
     std::vector<DeviationExtreme>
         gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise

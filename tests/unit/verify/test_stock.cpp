@@ -123,6 +123,23 @@ bool same_stock(const StockModel& a, const StockModel& b) {
 class TestStock : public QObject {
     Q_OBJECT
 private slots:
+    /// A channel through a block, from and to 20 mm beside it: what it cuts is cut once.
+    void motion_in_the_air_is_told() {
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(20, 20, 10));
+        const std::vector<VerifyProgram> programs{
+            program_of(AptCutter::ball(8, 20), {upright(-20, 10, 8), upright(40, 10, 8)}),
+            program_of(AptCutter::ball(8, 20),
+                       {upright(40, 10, 8), upright(-20, 10, 8), upright(-20, 10, 20)})};
+        StockModel stock = model(solid, 0.25);
+        MaterialRemoval removal(programs, 0.01, 0);
+        for (std::size_t p = 0; p < programs.size(); ++p)
+            removal.cut(stock, p, 0, programs[p].motions->motions.size(), 1, true, Progress());
+        // 20 mm cut something; pieces are no longer than the cutter is wide.
+        QVERIFY2(removal.air_length(0) <= 40 && removal.air_length(0) >= 40 - 2 * 8,
+                 qPrintable(QString::number(removal.air_length(0))));
+        QVERIFY(std::abs(removal.air_length(1) - 72) < 1e-9);
+    }
+
     void rays_lose_what_is_removed() {
         std::mt19937 random(3);
         std::uniform_int_distribution<int> place(0, 200);
