@@ -24,9 +24,15 @@ void run_plan(const Arguments& arguments, Session& session) {
     const Progress progress = session.progress();
     Planner planner;
     const auto result =
-        plan_project(planner, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.95));
-    write_plan(project, *result, folder, progress.part(0.95, 1.0, "Writing"),
-               [&] { session.print(report_json(project, *result)); });
+        plan_project(planner, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.9));
+    try {
+        result->check_reach();
+    } catch (const Error& e) {
+        throw e.within(printable(file, 400));
+    }
+    const std::vector<double> air = feed_in_air(project, result, progress.part(0.9, 0.97, "Looking for air"));
+    write_plan(project, *result, folder, progress.part(0.97, 1.0, "Writing"), air,
+               [&] { session.print(report_json(project, *result, air)); });
 }
 
 } // namespace
@@ -36,7 +42,8 @@ Command plan_command() {
             .operands = {"PROJECT"},
             .summary = "Plans a project: writes NN-NAME" + apt_writer().extension
                        + " per operation and report.json, and prints the report.",
-            .help = "Either all files appear or none. Keys and ranges of --set: facetmill-cli reference.",
+            .help = "Either all files appear or none; none where the machine cannot make a motion. Keys and "
+                    "ranges of --set: facetmill-cli reference.",
             .options = {{.name = "--op", .value = "NAME", .help = "plans only this operation"},
                         {.name = "--set",
                          .value = "NAME.key=value",

@@ -79,10 +79,14 @@ void run_simulate(const Arguments& arguments, Session& session) {
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
     std::vector<std::string> ignored, remarks;
+    std::string out_of_reach;
     if (cl_files.empty()) {
         const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
                                        progress.part(0.0, 0.3));
         part = plan->part;
+        for (const auto& o : plan->operations)
+            if (out_of_reach.empty() && !o->out_of_reach.empty())
+                out_of_reach = "'" + printable(o->name) + "': " + o->out_of_reach;
         programs = verify_programs(project, plan);
         settings = verify_settings(project, plan.get());
     } else {
@@ -113,7 +117,8 @@ void run_simulate(const Arguments& arguments, Session& session) {
     for (std::string& warning : stock_warnings(project.stock, *part, project.unit))
         remarks.push_back(std::move(warning));
     result.remarks.insert(result.remarks.begin(), remarks.begin(), remarks.end());
-    const std::string findings = findings_line(project, programs, result);
+    std::string findings = findings_line(project, programs, result);
+    if (!out_of_reach.empty()) findings += (findings.empty() ? "" : "; ") + out_of_reach;
     write_verification(project, programs, result, folder, progress.part(0.95, 1.0),
                        [&] { session.print(verify_json(project, programs, result)); });
     for (const std::string& line : ignored)
@@ -131,16 +136,17 @@ Command simulate_command() {
         .operands = {"PROJECT"},
         .summary =
             "Removes material and compares with the part: writes stock.stl, deviation.vtp, verify.json.",
-        .help = "Plans the project first, or takes CL files (" + apt_writer().label
-                + ") instead. Prints verify.json. Either all files "
-                  "appear or none.\n"
-                  "Exit status 1 also when a gouge or collision is found, more stays uncut than may, or "
-                  "nothing can "
-                  "be said of\n"
-                  "the whole: the files are written then, and the figures are on stderr. Shank and holder "
-                  "are those of the project's tool with the CL file's tool number; of a "
-                  "file without\n"
-                  "LOADTL those of tool 1 where it has the same cutter.",
+        .help =
+            "Plans the project first, or takes CL files (" + apt_writer().label
+            + ") instead. Prints verify.json. Either all files "
+              "appear or none.\n"
+              "Exit status 1 also when a gouge or collision is found, more stays uncut than may, the machine "
+              "cannot make a planned motion, or nothing can "
+              "be said of\n"
+              "the whole: the files are written then, and the figures are on stderr. Shank and holder "
+              "are those of the project's tool with the CL file's tool number; of a "
+              "file without\n"
+              "LOADTL those of tool 1 where it has the same cutter.",
         .options = {{.name = "--cl",
                      .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",

@@ -179,6 +179,35 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
     return run;
 }
 
+/// See OperationResult::out_of_reach. Of lengths the largest, else of angles the largest, else any axis that
+/// the machine does not have.
+std::string out_of_reach(const MachineMotion& motion, const ClSection& program, const Machine& machine,
+                         LengthUnit unit) {
+    using Kind = MotionFinding::Kind;
+    const MotionFinding* worst = nullptr;
+    std::size_t count = 0;
+    const auto rank = [](const MotionFinding& f) {
+        return f.kind == Kind::linear_travel ? 2 : f.kind == Kind::rotary_travel ? 1 : 0;
+    };
+    for (const MotionFinding& f : motion.findings) {
+        if (f.kind == Kind::swing) continue; // within reach of the axes
+        ++count;
+        if (!worst || rank(f) > rank(*worst) || (rank(f) == rank(*worst) && f.amount > worst->amount))
+            worst = &f;
+    }
+    if (!worst) return {};
+    const Vec3 tip = program.motions.motions[worst->motion].to.tip / mm_per(unit);
+    return finding_text(*worst, machine, unit) + ", with the tip at (" + format_number(tip.x(), 5) + ", "
+           + format_number(tip.y(), 5) + ", " + format_number(tip.z(), 5) + ") "
+           + std::string(unit_name(unit)) + "; the machine '" + printable(machine.name) + "' cannot make "
+           + std::to_string(count) + " of " + std::to_string(motion.motions.size()) + " motions";
+}
+
+bool has_limits(const Machine& machine) {
+    return std::any_of(machine.travel.begin(), machine.travel.end(),
+                       [](const Travel& t) { return t.limited(); });
+}
+
 /// All of a program but its motions, and what they take.
 void finish_program(OperationResult& result, const Project& project, const Operation& operation,
                     const PlanContext& context, const Progress& progress) {
@@ -207,6 +236,9 @@ void finish_program(OperationResult& result, const Project& project, const Opera
     result.totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
                                   progress, &followed);
     if (program.multi_axis) result.machine_run = machine_run(followed, context.machine, project.unit);
+    if (followed.motions.empty() && has_limits(context.machine))
+        followed = machine_motion(program, context.machine, {}, progress);
+    result.out_of_reach = out_of_reach(followed, program, context.machine, project.unit);
 }
 
 /// The program of an operation's rework path.
@@ -256,6 +288,14 @@ std::size_t PlanResult::owner(std::size_t program) const {
         for (const auto& further : operations[i]->further)
             if (further == operations[program]) return i;
     return program;
+}
+
+void PlanResult::check_reach() const {
+    for (const auto& o : operations)
+        if (!o->out_of_reach.empty())
+            throw Error(
+                ErrorCode::limit_exceeded, "operation '" + printable(o->name) + "'", o->out_of_reach,
+                "choose another machine or tool, turn the part, or place it elsewhere on the machine");
 }
 
 struct Planner::Cache {

@@ -42,7 +42,10 @@ struct OperationResult {
     StrategyResult path;
     ClSection program; ///< what it puts into a program file
     MotionTotals totals;
-    std::optional<MachineRun> machine_run;         ///< of a program of several axes
+    std::optional<MachineRun> machine_run; ///< of a program of several axes
+    /// Where the machine's axes do not go: the farthest place, the axis and by how much, in the project's
+    /// unit; empty where they reach everything.
+    std::string out_of_reach;
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;
@@ -73,6 +76,9 @@ struct PlanResult {
     std::vector<std::shared_ptr<const OperationResult>> operations;
     /// The place in `operations` of the program whose operation a program belongs to.
     std::size_t owner(std::size_t program) const;
+    /// Throws Error(limit_exceeded) that names the first operation that the machine cannot make, and where:
+    /// its path can be looked at, and is no program.
+    void check_reach() const;
 };
 
 /// One job at a time: not to be called from two threads at once. Every stage is keyed by the values up to it

@@ -82,6 +82,7 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
                                  const std::function<void()>& before) {
     if (result.operations.empty())
         throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
+    result.check_reach();
     const NewFolder made(folder);
     OutputSet files;
     const auto add = [&](const fs::path& path) -> OutputFile& {

@@ -27,9 +27,9 @@ const Operation& operation_of(const Project& project, const PlanResult& result, 
 /// Writes what every program writer has to say about each program ("NN-NAME" with the writer's extension,
 /// "NN-NAME-rework" for the program of a rework tool), and report.json, into `folder` (made if missing): all
 /// of them or none, and never over a file that the project reads. `before` runs when they are complete and
-/// none has appeared; none does when it throws. Returns the paths. Throws Error(unwritable, what
-/// ProgramWriter::write throws) or Cancelled; nothing is left then, not even a new folder. `air`: for the
-/// report.
+/// none has appeared; none does when it throws. Returns the paths. Throws Error(limit_exceeded of
+/// PlanResult::check_reach, unwritable, what ProgramWriter::write throws) or Cancelled; nothing is left then,
+/// not even a new folder. `air`: for the report.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress,
                                               const std::vector<double>& air = {},

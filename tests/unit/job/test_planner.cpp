@@ -6,6 +6,7 @@
 #include "core/job/program_files.h"
 #include "core/job/report.h"
 #include "core/job/stock_solid.h"
+#include "core/job/verification.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "tests/support/cancel_at.h"
@@ -17,6 +18,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <set>
 
 using namespace facetmill;
 using facetmill::test::cancelled_at;
@@ -542,7 +545,113 @@ private slots:
                 cl += pass.cl.size();
             QCOMPARE(a["cl_points"].get<std::size_t>(), cl);
             QCOMPARE(a["name"].get<std::string>(), o.name);
+            QCOMPARE(a["turn_max_degrees"].get<double>(), 0.0);
         }
+    }
+
+    void ramps_and_links_have_feeds_of_their_own() {
+        Workplace w;
+        w.project.operations.resize(1);
+        OperationCommon& common = w.project.operations[0]->common();
+        common.feed = 600;
+        Planner planner;
+        std::shared_ptr<const PlanResult> plan;
+        const auto feeds = [&] {
+            plan = planner.plan(w.project, "", {});
+            const ClSection& program = plan->operations[0]->program;
+            std::map<MotionKind, std::set<double>> found;
+            for (std::size_t i = 0; i < program.motions.motions.size(); ++i)
+                if (const MotionKind kind = program.motions.motions[i].kind; kind != MotionKind::rapid)
+                    found[kind].insert(program.feed(i));
+            return found;
+        };
+        using Feeds = std::map<MotionKind, std::set<double>>;
+        Feeds expected{{MotionKind::approach, {300}},
+                       {MotionKind::cut, {600}},
+                       {MotionKind::link, {600}},
+                       {MotionKind::retract, {600}}};
+        QVERIFY(feeds() == expected);
+        const double seconds = plan->operations[0]->totals.time_seconds;
+        common.ramp_feed = {200, {}};
+        common.link_feed = {1500, {}};
+        expected[MotionKind::approach] = {200};
+        expected[MotionKind::link] = expected[MotionKind::retract] = {1500};
+        const int links = planner.work().links;
+        QVERIFY(feeds() == expected);
+        QCOMPARE(planner.work().links, links); // the path is the same
+        QVERIFY(plan->operations[0]->totals.time_seconds < seconds);
+        const std::string apt = apt_of(*plan->operations[0]);
+        for (const char* feed :
+             {"FEDRAT/200.000000,MMPM", "FEDRAT/600.000000,MMPM", "FEDRAT/1500.000000,MMPM"})
+            QVERIFY2(apt.find(feed) != std::string::npos, feed);
+        common.ramp_feed = common.link_feed = {600, {}};
+        feeds();
+        QVERIFY(plan->operations[0]->program.motion_feeds.empty());
+    }
+
+    /// The same operation again meets hardly anything.
+    void feed_in_the_air_is_reported() {
+        Workplace w;
+        w.project.operations[1]->common().direction = w.project.operations[0]->common().direction = {0, "x"};
+        w.project.stock.margin = {2, 2, 3};
+        Planner planner;
+        const auto plan = planner.plan(w.project, "", {});
+        const std::vector<double> air = feed_in_air(w.project, plan, {});
+        QCOMPARE(air.size(), std::size_t(2));
+        const double first = plan->operations[0]->totals.cut_length;
+        QVERIFY(air[0] >= 0 && air[0] < 0.4 * first && air[1] > 0.9 * first);
+        const Json report = Json::parse(report_json(w.project, *plan, air));
+        QCOMPARE(report["operations"][1]["feed_in_air_length"].get<double>(), air[1]);
+        QVERIFY(!Json::parse(report_json(w.project, *plan))["operations"][1].contains("feed_in_air_length"));
+    }
+
+    /// A ball touches the lower border of a roof from below it.
+    void nothing_goes_below_the_stock_unless_asked() {
+        Workplace w;
+        Mesh roof;
+        roof.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 10, 0), Vec3(0, 10, 0), Vec3(5, 5, 6)};
+        roof.facets = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+        save_stl(roof, w.folder / "part.stl", LengthUnit::mm, {});
+        w.project.operations.resize(1);
+        Planner planner;
+        const auto lowest = [&] {
+            double z = infinity;
+            for (const Motion& m : planner.plan(w.project, "", {})->operations[0]->program.motions.motions)
+                z = std::min(z, m.to.tip.z());
+            return z;
+        };
+        QCOMPARE(lowest(), 0.0);
+        w.project.operations[0]->common().below_bottom = 0.75;
+        QCOMPARE(lowest(), -0.75);
+    }
+
+    /// The path can be looked at; there is no program of it.
+    void a_path_beyond_the_travel_is_no_program() {
+        Workplace w;
+        w.project.operations.resize(1);
+        w.project.machine = "own.json";
+        const auto machine = [&](const char* travel) {
+            std::ofstream file(w.folder / "own.json");
+            file << R"({"facetmill_machine":1,"label":"Own","description":"","units":"mm","axes":[)"
+                 << R"({"name":"X","kind":"linear","travel":)" << travel << R"(,"speed":100},)"
+                 << R"({"name":"Y","kind":"linear","speed":100},{"name":"Z","kind":"linear","speed":100}]})";
+        };
+        machine("[-4, 4]");
+        Planner planner;
+        const auto plan = planner.plan(w.project, "", {});
+        try {
+            write_plan(w.project, *plan, w.folder / "out", {});
+            QFAIL("a program was written");
+        } catch (const Error& e) {
+            QCOMPARE(e.code(), ErrorCode::limit_exceeded);
+            QCOMPARE(e.where(), std::string("operation 'First'"));
+            for (const char* said : {"X ends 2", "too early", "with the tip at (", "'own.json'"})
+                QVERIFY2(e.message().find(said) != std::string::npos, e.what());
+        }
+        QVERIFY(!fs::exists(w.folder / "out"));
+        machine("[-40, 40]");
+        write_plan(w.project, *planner.plan(w.project, "", {}), w.folder / "out", {});
+        QVERIFY(fs::exists(w.folder / "out" / "01-First.apt"));
     }
 
     void names_become_file_names() {
