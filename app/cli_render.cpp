@@ -9,6 +9,7 @@
 #ifdef FACETMILL_HAS_PICTURES
 #include "core/base/parallel.h"
 #include "core/base/strict_json.h"
+#include "core/job/opened_program.h"
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <iterator>
 #endif
 
 namespace facetmill::cli {
@@ -150,16 +150,10 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     } else {
         result.part = planner.prepare(project, planning.part(0.0, 0.5));
         result.stock = stock_solid(project.stock, *result.part);
-        for (const std::string& file : cl_files) {
-            ClFilePrograms cl = read_verify_programs(project, file, planning.part(0.5, 1.0, "Reading CL"));
-            for (const auto& section : cl.sections) {
-                auto operation = std::make_shared<OperationResult>();
-                operation->name = std::filesystem::path(file).filename().string();
-                operation->program = *section;
-                result.operations.push_back(std::move(operation));
-            }
-            std::move(cl.programs.begin(), cl.programs.end(), std::back_inserter(programs));
-        }
+        OpenedProgram opened =
+            open_program(project, {cl_files.begin(), cl_files.end()}, planning.part(0.5, 1.0));
+        result.operations = std::move(opened.operations);
+        programs = std::move(opened.programs);
         settings = verify_settings(project, nullptr);
     }
     if (!verifies) return result;

@@ -48,7 +48,8 @@ struct Options {
     QString file, screenshot, theme;
     std::optional<LengthUnit> unit;
     QSize size;
-    bool plan = false;
+    QStringList programs;
+    bool plan = false, verify = false;
     int exit_status = -1; ///< of --help, --version and mistakes
 };
 
@@ -67,9 +68,15 @@ Options read_options(int argc, char** argv) {
                                      QStringLiteral("Show the version and exit."));
     const QCommandLineOption plan(QStringLiteral("plan"),
                                   QStringLiteral("Plan all operations after opening FILE."));
-    const QCommandLineOption units(QStringLiteral("units"),
-                                   QStringLiteral("Unit of a mesh FILE, without asking: mm or in."),
-                                   QStringLiteral("UNIT"));
+    const QCommandLineOption cl(
+        QStringLiteral("cl"),
+        QStringLiteral("Show this program in place of a plan; more than one run in order."),
+        QStringLiteral("FILE.apt"));
+    const QCommandLineOption verify(QStringLiteral("verify"),
+                                    QStringLiteral("Verify what was planned, or the programs of --cl."));
+    const QCommandLineOption units(
+        QStringLiteral("units"), QStringLiteral("Unit of a mesh FILE, without asking: mm, cm, m, in or ft."),
+        QStringLiteral("UNIT"));
     const QCommandLineOption screenshot(
         QStringLiteral("screenshot"),
         QStringLiteral("Save a picture of the window when everything is done, and exit."),
@@ -79,7 +86,7 @@ Options read_options(int argc, char** argv) {
     const QCommandLineOption theme(QStringLiteral("theme"),
                                    QStringLiteral("Colours for this start: system, light or dark."),
                                    QStringLiteral("NAME"));
-    parser.addOptions({help, version, plan, units, screenshot, size, theme});
+    parser.addOptions({help, version, plan, cl, verify, units, screenshot, size, theme});
     parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Project or mesh to open."),
                                  QStringLiteral("[FILE]"));
     const auto usage = [&](const QString& what) {
@@ -104,6 +111,12 @@ Options read_options(int argc, char** argv) {
     if (parser.positionalArguments().size() > 1) return usage(QStringLiteral("more than one file was named"));
     if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().front();
     options.plan = parser.isSet(plan);
+    options.verify = parser.isSet(verify);
+    options.programs = parser.values(cl);
+    if (!options.programs.isEmpty() && (options.plan || options.file.isEmpty()))
+        return usage(
+            QStringLiteral("--cl shows a program on FILE, without planning: name a FILE, leave --plan "
+                           "out"));
     options.screenshot = parser.value(screenshot);
     try {
         if (parser.isSet(units)) options.unit = parse_mesh_unit(parser.value(units).toStdString(), "--units");
@@ -119,9 +132,10 @@ Options read_options(int argc, char** argv) {
     }
     const bool mesh =
         !options.file.isEmpty() && !options.file.endsWith(QStringLiteral(".facetmill"), Qt::CaseInsensitive);
-    if (mesh && !options.unit && (options.plan || !options.screenshot.isEmpty()))
+    if (mesh && !options.unit
+        && (options.plan || !options.programs.isEmpty() || !options.screenshot.isEmpty()))
         return usage(
-            QStringLiteral("name the unit of the mesh by --units mm or --units in: nobody is there to ask"));
+            QStringLiteral("name the unit of the mesh by --units, as in --units mm: nobody is there to ask"));
     options.theme = parser.value(theme);
     if (parser.isSet(theme) && options.theme != QLatin1String("system")
         && ui::theme_from_name(options.theme) == ui::Theme::system)
@@ -145,14 +159,19 @@ private:
             if (!options_.file.isEmpty()) window_.open_file(options_.file, options_.unit);
             break;
         case 1:
-            if (options_.plan && window_.document().has_part() && window_.last_failure().isEmpty())
-                window_.plan();
+            if (!window_.document().has_part() || !window_.last_failure().isEmpty()) break;
+            if (options_.plan) window_.plan();
+            if (!options_.programs.isEmpty()) window_.open_program(options_.programs);
             break;
         case 2:
             // What comes of all operations is what one wants to see.
             if (options_.plan) window_.select_last_operation();
             break;
         case 3:
+            if (options_.verify && window_.document().has_part() && window_.last_failure().isEmpty())
+                window_.verify();
+            break;
+        case 4:
             // Layout and drawing take a few turns of the event loop.
             if (!options_.screenshot.isEmpty()) QTimer::singleShot(400, this, &Script::take_picture);
             return;

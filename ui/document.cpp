@@ -86,6 +86,7 @@ void Document::open(Project project, const QString& name, bool unsaved) {
     name_ = name;
     never_saved_ = unsaved;
     records_.clear();
+    program_ = nullptr;
     part_ = nullptr;
     part_key_.clear();
     undo_.clear();
@@ -324,6 +325,7 @@ void Document::set_planning(const std::vector<int>& ids) {
 }
 
 void Document::take(const std::vector<OperationOutcome>& outcomes) {
+    program_ = nullptr;
     for (const auto& o : outcomes) {
         Record& record = records_[o.id];
         record.result = o.result; // a failed operation has none: an old path beside a failure would mislead
@@ -331,6 +333,12 @@ void Document::take(const std::vector<OperationOutcome>& outcomes) {
         record.fingerprint = o.fingerprint;
         record.planning = false;
     }
+    emit states_changed();
+}
+
+void Document::show_program(std::shared_ptr<const OpenedProgram> program) {
+    if (program == program_) return;
+    program_ = std::move(program);
     emit states_changed();
 }
 

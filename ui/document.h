@@ -2,6 +2,7 @@
 // planned, with the state of every operation. No widgets; the window listens.
 #pragma once
 
+#include "core/job/opened_program.h"
 #include "core/job/planner.h"
 #include "core/job/project.h"
 #include "ui/file_watch.h"
@@ -97,6 +98,10 @@ public:
     /// The results of all operations in order, in the project's present unit; null when one is missing or
     /// stale.
     std::shared_ptr<const PlanResult> complete_plan() const;
+    /// A program from a file that is shown in place of the plan; null: the plan is. Another project, and
+    /// whatever is planned, put it away.
+    const std::shared_ptr<const OpenedProgram>& program() const { return program_; }
+    void show_program(std::shared_ptr<const OpenedProgram> program);
     /// "Finish", or "Finish 2" when that is taken by another operation.
     std::string free_operation_name(const std::string& wish) const;
 
@@ -136,6 +141,7 @@ private:
     std::shared_ptr<const PreparedPart> part_;
     std::string part_key_;
     std::map<int, Record> records_;
+    std::shared_ptr<const OpenedProgram> program_;
     FileWatch files_; ///< part, stock and machine
 };
 

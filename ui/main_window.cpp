@@ -249,7 +249,11 @@ void MainWindow::update_title() {
 void MainWindow::update_commands() {
     commands_->refresh();
     status_->refresh();
-    verification().panel()->set_ready(planning_->can_plan());
+    verification().panel()->set_ready(planning_->can_plan() || (document_.program() && !job_.running()));
+}
+
+void MainWindow::open_program(const QStringList& files) {
+    files_->open_program(files);
 }
 
 void MainWindow::open_file(const QString& path, std::optional<LengthUnit> unit) {

@@ -65,6 +65,7 @@ void PlanRunner::plan(std::optional<std::size_t> only) {
     work->read_part = !document_.part_is_current() || !document_.has_stock();
     if (!may_be_large(*work)) return;
     messages_.dismiss();
+    document_.show_program(nullptr);
     document_.set_planning(work->ids);
     job_.start(
         tr("Planning"),

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/mesh/sample.h"
+#include "core/output/apt.h"
 #include "ui/messages.h"
 #include "ui/part_dialog.h"
 #include "ui/properties_panel.h"
@@ -85,6 +86,39 @@ void ProjectFiles::open_with_dialog() {
     const QString path = chosen_file(
         tr("Open"), tr("Meshes and projects (%1 *.facetmill);;All files (*)").arg(mesh_patterns()));
     if (!path.isEmpty()) open(path);
+}
+
+void ProjectFiles::open_program_with_dialog() {
+    const QStringList files =
+        QFileDialog::getOpenFileNames(window_, tr("Open program"), settings::last_folder(),
+                                      tr("%1 programs (*%2 *.cl *.cls *.ncl);;All files (*)")
+                                          .arg(text(apt_writer().label), text(apt_writer().extension)));
+    if (!files.isEmpty()) open_program(files);
+}
+
+void ProjectFiles::open_program(const QStringList& files) {
+    if (!document_.has_part() || files.isEmpty()) return;
+    settings::set_last_folder(QFileInfo(files.front()).absolutePath());
+    std::vector<std::filesystem::path> paths;
+    for (const QString& file : files)
+        paths.push_back(path_of(QFileInfo(file).absoluteFilePath()));
+    auto opened = std::make_shared<OpenedProgram>();
+    auto project = std::make_shared<Project>(document_.project());
+    job_.start(
+        tr("Reading %1").arg(elided(QFileInfo(files.front()).fileName(), 30)),
+        [=](const Progress& p) { *opened = facetmill::open_program(*project, paths, p); },
+        [this, opened](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            for (const std::string& line : opened->ignored)
+                messages_.information(tr("Read over: %1").arg(text(line)), false);
+            for (const std::string& remark : opened->remarks)
+                messages_.warning(sentence(text(remark)), false);
+            document_.show_program(opened);
+            messages_.show(tr("Showing %1 in place of the plan, until something is planned or File > Close "
+                              "program.")
+                               .arg(text(opened->name)));
+        });
 }
 
 void ProjectFiles::choose_stock() {

@@ -28,6 +28,9 @@ public:
     /// in which unit a mesh is; without it the user is asked.
     void open(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
     void new_from_sample(const std::string& name);
+    void open_program_with_dialog();
+    /// Shows CL files, which run one after the other, in place of the plan.
+    void open_program(const QStringList& files);
     bool save();
     bool save_as();
     /// False when that failed, with the reason in the window.

@@ -93,6 +93,9 @@ void ReportView::refresh() {
     if (!document_.has_part()) {
         html = note(tr("Open a mesh or a project, and this panel tells what it holds."),
                     palette().color(QPalette::PlaceholderText));
+    } else if (document_.program()) {
+        html = program_html(*document_.program());
+        if (node_ && node_->kind == TreeNode::Kind::part) html += part_html();
     } else if (node_
                && (node_->kind == TreeNode::Kind::operation || node_->kind == TreeNode::Kind::stock_after)
                && node_->index < document_.operation_count()) {
@@ -152,6 +155,32 @@ QString ReportView::part_html() const {
     for (const std::string& word : r.warnings)
         html += note(sentence(text(explain_warning(word))), signal.attention);
     if (list.isEmpty() && r.warnings.empty()) html += note(tr("No defects found."), signal.good);
+    return html;
+}
+
+QString ReportView::program_html(const OpenedProgram& opened) const {
+    const SignalColors signal = signal_colors(palette());
+    const LengthUnit unit = document_.unit();
+    QString html = heading(elided(text(opened.name), 30));
+    html += note(tr("A program from a file, shown in place of the plan."), signal.quiet);
+    for (std::size_t i = 0; i < opened.operations.size(); ++i) {
+        const OperationResult& o = *opened.operations[i];
+        if (opened.operations.size() > 1) html += note(elided(text(o.name), 40), signal.quiet);
+        Facts facts(palette());
+        if (!o.program.operation_name.empty())
+            facts.add(tr("Operation"), elided(text(o.program.operation_name), 40));
+        facts.add(tr("Tool"), tr("T%1, %2 %3")
+                                  .arg(o.program.tool_number)
+                                  .arg(text(opened.tools[i].shape_name()),
+                                       shown_length(opened.tools[i].diameter, unit, 4)));
+        facts.add(tr("Motions"), count_text(o.program.motions.motions.size()));
+        facts.add(tr("Cut length"), shown_length(o.totals.cut_length, unit, 5));
+        facts.add(tr("Rapid length"), shown_length(o.totals.rapid_length, unit, 5));
+        facts.add(tr("Machining time"), duration_text(o.totals.time_seconds));
+        html += facts.html();
+    }
+    for (const std::string& remark : opened.remarks)
+        html += note(sentence(text(remark)), signal.attention);
     return html;
 }
 

@@ -25,6 +25,7 @@ private:
     QString part_html() const;
     QString operation_html(std::size_t i) const;
     QString operations_html() const;
+    QString program_html(const OpenedProgram& opened) const;
 
     Document& document_;
     std::optional<TreeNode> node_;

@@ -8,6 +8,13 @@ bool ShownPaths::update() {
     const auto before = std::move(programs_);
     programs_.clear();
     ids_.clear();
+    opened_ = document_.program();
+    if (opened_) {
+        programs_ = opened_->operations;
+        for (std::size_t i = 0; i < programs_.size(); ++i)
+            ids_.push_back(-1 - int(i));
+        return programs_ != before;
+    }
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         if (const auto result = document_.result(i))
             for (const auto& program : programs_of(result)) {
@@ -15,6 +22,10 @@ bool ShownPaths::update() {
                 ids_.push_back(document_.operation_id(i));
             }
     return programs_ != before;
+}
+
+std::optional<std::size_t> ShownPaths::place_of(std::size_t source) const {
+    return opened_ ? std::optional(source) : document_.index_of(ids_.at(source));
 }
 
 std::optional<std::size_t>
@@ -25,6 +36,7 @@ ShownPaths::source_of(const std::shared_ptr<const OperationResult>& program) con
 }
 
 const Tool& ShownPaths::tool_of(std::size_t source) const {
+    if (opened_) return opened_->tools.at(source);
     const auto index = document_.index_of(ids_.at(source));
     const auto& program = programs_[source];
     const Project& project = document_.project();

@@ -21,10 +21,13 @@ public:
     std::size_t size() const { return programs_.size(); }
     bool empty() const { return programs_.empty(); }
     const std::vector<std::shared_ptr<const OperationResult>>& programs() const { return programs_; }
-    /// The operations' ids in the document, one per program.
+    /// The operations' ids in the document, one per program; of an opened program's sections less than 0.
     const std::vector<int>& ids() const { return ids_; }
     bool of_several_operations() const { return !ids_.empty() && ids_.front() != ids_.back(); }
 
+    /// Its operation's place in the document, or of a program that was opened its own; none where that is
+    /// gone.
+    std::optional<std::size_t> place_of(std::size_t source) const;
     /// Place of a program among those shown; none where it is not.
     std::optional<std::size_t> source_of(const std::shared_ptr<const OperationResult>& program) const;
     /// The tool that a program is cut with. Throws Error(missing_reference).
@@ -42,6 +45,7 @@ private:
     const Document& document_;
     std::vector<std::shared_ptr<const OperationResult>> programs_;
     std::vector<int> ids_;
+    std::shared_ptr<const OpenedProgram> opened_; ///< whose sections they are; null: planned
 };
 
 } // namespace facetmill::ui

@@ -41,8 +41,7 @@ void ToolController::follow_playback() {
 
 void ToolController::show_at(const PathPick& pick) {
     if (pick.source >= shown().size()) return;
-    const auto index = document_.index_of(shown().ids()[pick.source]);
-    if (!index) return;
+    if (!shown().place_of(pick.source)) return;
     Scene& scene = viewport_.scene();
     leave_touch();
     try {
@@ -55,13 +54,13 @@ void ToolController::show_at(const PathPick& pick) {
     at_ = pick;
     const CutterContact* cc = shown().contact_of(pick);
     scene.marks().set_marker(cc ? std::optional(Marker{cc->point, cc->normal}) : std::nullopt);
-    status_.set_readout(readout_of(pick, *index));
+    status_.set_readout(readout_of(pick));
     viewport_.refresh();
     emit placed(pick);
     emit at_place(pick.source, shown().motion_of(pick), 1);
 }
 
-QString ToolController::readout_of(const PathPick& pick, std::size_t operation) const {
+QString ToolController::readout_of(const PathPick& pick) const {
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
     const auto place = [&](const Vec3& v) {
@@ -71,8 +70,11 @@ QString ToolController::readout_of(const PathPick& pick, std::size_t operation) 
     };
     const QString unit = text(unit_name(document_.unit())), tip = place(pick.location.tip);
     const auto& program = shown().programs()[pick.source];
-    QString readout = text(document_.operation(operation).common().name);
-    if (program != document_.result(operation)) readout = text(program->name); // a further program of it
+    QString readout = text(program->name);
+    if (const auto operation = document_.index_of(shown().ids()[pick.source]);
+        operation
+        && program == document_.result(*operation)) // else a further program of it, or an opened one
+        readout = text(document_.operation(*operation).common().name);
     if (const CutterContact* cc = shown().contact_of(pick))
         return readout
                + tr("   pass %1, point %2   CC %3   CL %4 %5")
@@ -114,7 +116,7 @@ void ToolController::show_pose(const std::shared_ptr<const OperationResult>& pro
                                const std::optional<CutterLocation>& pose, const Marker& contact,
                                const QString& readout) {
     const auto source = shown().source_of(program);
-    if (!source || !document_.index_of(shown().ids()[*source])) return;
+    if (!source || !shown().place_of(*source)) return;
     Scene& scene = viewport_.scene();
     leave_touch();
     try {

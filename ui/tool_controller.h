@@ -50,7 +50,7 @@ private:
     void leave_touch();
     void follow_playback();
     void show_start();
-    QString readout_of(const PathPick& pick, std::size_t operation) const;
+    QString readout_of(const PathPick& pick) const;
     const ShownPaths& shown() const;
 
     Document& document_;

@@ -35,15 +35,15 @@ double resolution_for(const Box3& box, double triangles, double finest) {
 }
 
 struct PlaybackInput {
-    Project project;
     std::shared_ptr<const PlanResult> plan;
+    std::vector<VerifyProgram> programs;
 };
 
 StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input, double triangles,
                               double finest) {
     return [=](const Progress& progress) {
         const StockSolid& solid = input->plan->stock;
-        return std::make_unique<StockPlayback>(solid, verify_programs(input->project, input->plan),
+        return std::make_unique<StockPlayback>(solid, input->programs,
                                                resolution_for(solid.box, triangles, finest), progress);
     };
 }
@@ -86,8 +86,9 @@ VerificationController::VerificationController(Document& document, Viewport& vie
 VerificationController::~VerificationController() = default;
 
 bool VerificationController::can_verify() const {
-    if (!document_.part_is_current() || !document_.has_stock() || document_.operation_count() == 0)
-        return false;
+    if (!document_.part_is_current() || !document_.has_stock()) return false;
+    if (document_.program()) return true;
+    if (document_.operation_count() == 0) return false;
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         if (document_.state(i) != OperationState::planned) return false;
     return true;
@@ -97,10 +98,19 @@ std::shared_ptr<const PlanResult> VerificationController::plan_as_it_stands() co
     auto plan = std::make_shared<PlanResult>();
     plan->part = document_.part();
     plan->stock = stock_solid(document_.project().stock, *document_.part());
+    if (document_.program()) {
+        plan->operations = document_.program()->operations;
+        return plan;
+    }
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         for (const auto& program : programs_of(document_.result(i)))
             plan->operations.push_back(program);
     return plan;
+}
+
+std::vector<VerifyProgram>
+VerificationController::programs_as_they_stand(const std::shared_ptr<const PlanResult>& plan) const {
+    return document_.program() ? document_.program()->programs : verify_programs(document_.project(), plan);
 }
 
 void VerificationController::verify() {
@@ -109,7 +119,8 @@ void VerificationController::verify() {
     outcome->plan = plan_as_it_stands();
     outcome->part_key = Document::part_key(document_.project());
     outcome->limits = document_.project().limits;
-    for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+    outcome->program = document_.program();
+    for (std::size_t i = 0; !outcome->program && i < document_.operation_count(); ++i) {
         outcome->ids.push_back(document_.operation_id(i));
         outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));
         outcome->program_operations.insert(outcome->program_operations.end(),
@@ -118,10 +129,9 @@ void VerificationController::verify() {
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
         tr("Verifying"),
-        [outcome, project](const Progress& progress) {
+        [outcome, project, programs = programs_as_they_stand(outcome->plan)](const Progress& progress) {
             const PlanResult& plan = *outcome->plan;
-            const auto programs = verify_programs(*project, outcome->plan);
-            VerifySettings settings = verify_settings(*project, &plan);
+            VerifySettings settings = verify_settings(*project, outcome->program ? nullptr : &plan);
             settings.max_samples = max_samples;
             auto result = std::make_shared<Verification>(facetmill::verify(
                 *plan.part->mesh, plan.stock, programs, settings, progress.part(0, 0.97, "Verifying")));
@@ -181,7 +191,11 @@ bool VerificationController::busy() const {
 void VerificationController::follow_plan() {
     std::vector<std::string> key;
     std::vector<std::shared_ptr<const OperationResult>> results;
-    if (can_verify())
+    const std::shared_ptr<const OpenedProgram>& opened = document_.program();
+    if (can_verify() && opened) {
+        key.push_back(Document::part_key(document_.project()) + project_to_json(document_.project()));
+        results = opened->operations;
+    } else if (can_verify())
         for (std::size_t i = 0; i < document_.operation_count(); ++i) {
             key.push_back(Document::fingerprint(document_.project(), i));
             results.push_back(document_.result(i));
@@ -194,17 +208,20 @@ void VerificationController::follow_plan() {
         return;
     }
     auto input = std::make_shared<PlaybackInput>();
-    input->project = document_.project();
     input->plan = plan_as_it_stands();
+    input->programs = programs_as_they_stand(input->plan);
     std::vector<PlaybackTrack::Operation> operations;
-    const std::vector<VerifyProgram> programs = verify_programs(input->project, input->plan);
     double radius = infinity;
     for (std::size_t i = 0; i < results.size(); ++i)
         for (const auto& program : programs_of(results[i])) {
-            PlaybackTrack::Operation o{
-                document_.operation_id(i), program->name, {}, program, programs[operations.size()].turning};
+            PlaybackTrack::Operation o{opened ? -1 - int(i) : document_.operation_id(i),
+                                       program->name,
+                                       {},
+                                       program,
+                                       input->programs[operations.size()].turning};
+            if (opened) o.tool = opened->tools[i];
             for (const Tool& t : document_.project().tools)
-                if (t.number == program->program.tool_number) o.tool = t;
+                if (!opened && t.number == program->program.tool_number) o.tool = t;
             if (o.tool) radius = std::min(radius, o.tool->diameter / 2);
             operations.push_back(std::move(o));
         }
@@ -331,7 +348,7 @@ void VerificationController::go_to_finding(const Finding& finding) {
     viewport_.refresh();
     if (!finding.by.known() || !model_.any()) return;
     const VerificationOutcome& judged = model_.outcome();
-    if (finding.by.program < judged.program_operations.size())
+    if (finding.by.program < judged.program_operations.size()) // not those of an opened program
         emit operation_meant(judged.ids[judged.program_operations[finding.by.program]]);
 }
 

@@ -28,7 +28,7 @@ public:
     VerificationPanel* panel() { return panel_; }
     PlaybackBar* bar() { return bar_; }
 
-    /// Every operation is planned as it stands.
+    /// Every operation is planned as it stands, or a program was opened.
     bool can_verify() const;
     /// Verifies the plan as it stands in the background job; nothing when `can_verify` is false.
     void verify();
@@ -65,7 +65,9 @@ signals:
     void tool_moved(const QString& readout);
 
 private:
+    /// Of the plan, or of the program that is shown in its place.
     std::shared_ptr<const PlanResult> plan_as_it_stands() const;
+    std::vector<VerifyProgram> programs_as_they_stand(const std::shared_ptr<const PlanResult>& plan) const;
     void follow_plan();
     void show_results();
     void show_playback();

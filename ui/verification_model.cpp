@@ -79,9 +79,10 @@ void VerificationModel::clear() {
 bool VerificationModel::is_current() const {
     if (!outcome_ || !document_.part_is_current()
         || outcome_->part_key != Document::part_key(document_.project())
-        || outcome_->limits != document_.project().limits
-        || outcome_->ids.size() != document_.operation_count())
+        || outcome_->limits != document_.project().limits || outcome_->program != document_.program())
         return false;
+    if (outcome_->program) return true;
+    if (outcome_->ids.size() != document_.operation_count()) return false;
     for (std::size_t i = 0; i < outcome_->ids.size(); ++i)
         if (document_.operation_id(i) != outcome_->ids[i] || document_.state(i) != OperationState::planned
             || Document::fingerprint(document_.project(), i) != outcome_->fingerprints[i])

@@ -18,6 +18,8 @@ QString verdict_text(Verdict verdict);
 /// A verification with what it judged.
 struct VerificationOutcome {
     std::shared_ptr<const PlanResult> plan;
+    /// The program that was judged, where that was not the plan; `ids` is empty then.
+    std::shared_ptr<const OpenedProgram> program;
     std::vector<int> ids;                  ///< ids of the operations in the document
     std::vector<std::string> fingerprints; ///< Document::fingerprint of each
     /// For each of the plan's programs, the place of its operation in `ids`.

@@ -26,6 +26,7 @@ QString tr(const char* text) {
 void add_file_commands(Commands& commands, MainWindow& w) {
     const auto has_part = [&w] { return w.document().has_part(); };
     const auto idle = [&w] { return w.document().has_part() && !w.job().running(); };
+    const auto can_export = [&w, idle] { return idle() && !w.document().program(); };
     ProjectFiles& files = w.files();
     ProgramExport& exports = w.exports();
     commands.add({"new",
@@ -37,6 +38,21 @@ void add_file_commands(Commands& commands, MainWindow& w) {
     commands.add({"open", tr("&Open…"), Icon::open, {QKeySequence(QKeySequence::Open)}, [&] {
                       files.open_with_dialog();
                   }});
+    commands.add({"open_program",
+                  tr("Open p&rogram…"),
+                  {},
+                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
+                  [&] { files.open_program_with_dialog(); },
+                  idle,
+                  {},
+                  tr("Show, play back and verify an existing program (%1) without planning")
+                      .arg(text(apt_writer().label))});
+    commands.add({"close_program",
+                  tr("&Close program"),
+                  {},
+                  {},
+                  [&w] { w.document().show_program(nullptr); },
+                  [&w] { return w.document().program() != nullptr && !w.job().running(); }});
     commands.add({"save",
                   tr("&Save"),
                   Icon::save,
@@ -54,9 +70,13 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   Icon::export_program,
                   {QKeySequence(Qt::CTRL | Qt::Key_E)},
                   [&] { exports.programs_with_dialog(); },
-                  idle});
-    commands.add(
-        {"setup_sheet", tr("Export set&up sheet…"), {}, {}, [&] { exports.sheet_with_dialog(); }, idle});
+                  can_export});
+    commands.add({"setup_sheet",
+                  tr("Export set&up sheet…"),
+                  {},
+                  {},
+                  [&] { exports.sheet_with_dialog(); },
+                  can_export});
     commands.add({"picture",
                   tr("Export &picture…"),
                   Icon::picture,
@@ -81,7 +101,7 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   Icon::verify,
                   {QKeySequence(Qt::Key_F6)},
                   [&w] { w.verify(); },
-                  can_plan,
+                  [&w, can_plan] { return can_plan() || (w.document().program() && !w.job().running()); },
                   {},
                   tr("Cut a model of the stock with all operations and compare it with the part (F6)")});
     commands.add({"cancel",

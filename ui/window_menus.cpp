@@ -50,8 +50,8 @@ std::vector<MenuTable> submenus() {
 std::vector<MenuTable> menus() {
     return {{"file_menu",
              tr("&File"),
-             {"new", "samples", "open", "recent", "-", "save", "save_as", "-", "export", "setup_sheet",
-              "picture", "-", "quit"}},
+             {"new", "samples", "open", "recent", "open_program", "close_program", "-", "save", "save_as",
+              "-", "export", "setup_sheet", "picture", "-", "quit"}},
             {"edit_menu",
              tr("&Edit"),
              {"undo", "redo", "-", "add_operation", "add_tool", "edit", "duplicate", "remove", "up", "down",

@@ -132,8 +132,6 @@ bool same_shape(const AptCutter& a, const AptCutter& b) {
            && near(a.alpha, b.alpha, tolerance::same_shape) && near(a.beta, b.beta, tolerance::same_shape);
 }
 
-} // namespace
-
 std::string verdict_name(Verdict verdict) {
     switch (verdict) {
     case Verdict::verified:

@@ -16,6 +16,15 @@ namespace facetmill {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan);
 
+/// Length of the motions at feed of each planned program in which its cutter meets nothing of the stock as it
+/// stands then, mm: what the upright rays of a StockModel say that is cut with the programs; coarser than for
+/// `verify`, which is not in a hurry. Empty where the stock has no volume.
+std::vector<double> feed_in_air(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                                const Progress& progress);
+
+/// But for the length of the flutes, to what a CL file's digits say.
+bool same_shape(const AptCutter& a, const AptCutter& b);
+
 /// A CL file as programs to verify: one per operation and tool in it.
 struct ClFilePrograms {
     std::vector<VerifyProgram> programs;

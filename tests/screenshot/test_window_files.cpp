@@ -4,9 +4,12 @@
 #include "core/output/apt.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/part_dialog.h"
+#include "ui/playback_controller.h"
 #include "ui/project_tree.h"
+#include "ui/report_view.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -95,6 +98,21 @@ private slots:
         w().open_file(path, LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(std::abs(w().document().part()->box.size().x() * 25.4 - width_inch) < 1e-6 * width_inch);
+        // A scan in metres becomes a project in millimetres.
+        const QString scan = write_mesh(scratch_folder(QStringLiteral("scan")));
+        w().document().undo_stack().setClean();
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(scan);
+        QVERIFY(wait_until_settled(w()));
+        dialog = w().findChild<ui::PartDialog*>();
+        QVERIFY(dialog);
+        dialog->findChild<QRadioButton*>(QStringLiteral("unit_m"))->click();
+        dialog->accept();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().unit(), LengthUnit::mm);
+        QCOMPARE(w().document().project().part.unit, LengthUnit::m);
+        QVERIFY(std::abs(w().document().part()->box.size().x() * 25.4 - 1000 * width_inch)
+                < 1e-6 * 1000 * width_inch);
     }
 
     void drag_and_drop() {
@@ -181,6 +199,70 @@ private slots:
         // Writing into a place that cannot be.
         QVERIFY(!w().files().save_to(folder + QStringLiteral("/nowhere/job.facetmill")));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("nowhere")));
+    }
+
+    /// A program from elsewhere is shown, played back and verified, and nothing is planned.
+    void a_program_from_a_file() {
+        QVERIFY(open_part());
+        const QString folder = scratch_folder(QStringLiteral("program"));
+        const Box3 box = w().document().part()->box;
+        const double per = 25.4;
+        QByteArray apt = "PARTNO X\nUNITS/INCHES\nCUTTER/0.5,0.25,0,0.25,0,0,1\nLOADTL/7\nRAPID\n";
+        std::size_t gotos = 0;
+        const auto go = [&](double x, double y, double z) {
+            apt += QStringLiteral("GOTO/%1,%2,%3\n").arg(x / per).arg(y / per).arg(z / per).toUtf8();
+            ++gotos;
+        };
+        go(box.lo.x(), box.lo.y(), box.hi.z() + 20);
+        for (int row = 0; row <= 8; ++row) {
+            const double y = box.lo.y() + row / 8.0 * box.size().y();
+            go(row % 2 == 0 ? box.lo.x() : box.hi.x(), y, box.hi.z());
+            go(row % 2 == 0 ? box.hi.x() : box.lo.x(), y, box.hi.z());
+        }
+        QFile file(folder + QStringLiteral("/other.apt"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(apt + "FINI\n") > 0);
+        file.close();
+
+        QVERIFY(!action(w(), "close_program")->isEnabled());
+        w().open_program({file.fileName()});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QVERIFY(w().document().program() && w().viewport().scene().has(Layer::cl));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral("other.apt")));
+        QVERIFY(!action(w(), "export")->isEnabled()); // it is a file already
+        ui::VerificationController& verification = w().verification();
+        QVERIFY(verification.playback().loaded());
+        QCOMPARE(verification.playback().track().motion_count(), gotos);
+        verification.playback().go_to(double(gotos));
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("opened-program"));
+        QTest::keyClick(&w(), Qt::Key_F6);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(verification.model().any() && verification.model().current());
+        QCOMPARE(verification.model().verdict(), ui::Verdict::failed); // far above the part
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+
+        action(w(), "close_program")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!w().document().program() && !verification.playback().loaded());
+        QVERIFY(!w().viewport().scene().has(Layer::cl));
+        QCOMPARE(verification.model().verdict(), ui::Verdict::stale);
+        w().open_program({folder + QStringLiteral("/none.apt")});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("none.apt")));
+        QVERIFY(!w().document().program());
+
+        // What is planned takes its place.
+        w().open_program({file.fileName()});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().program());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!w().document().program());
+        QCOMPARE(w().document().state(0), OperationState::planned);
     }
 
     /// Part and machine are files that others may write, too.
