@@ -50,27 +50,18 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
                                  .maximum = 1e6,
                                  .open_minimum = true,
                                  .stage = Stage::output});
-    const auto further_feed = [](ParameterInfo info) {
-        info.kind = K::number_or_word;
-        info.quantity = Quantity::feed;
-        info.minimum = 0;
-        info.maximum = 1e6;
-        info.open_minimum = true;
-        info.words = {"auto"};
-        info.stage = Stage::output;
-        info.advanced = true;
-        return info;
-    };
-    table.add(member(&S::ramp_feed),
-              further_feed({.key = "ramp_feed",
-                            .label = "Ramp feed",
-                            .help = "Speed of motion into the material: down to a pass, along ramps and "
-                                    "helices. auto is half the feed."}));
+    table.add(
+        member(&S::ramp_feed),
+        feed_or_auto_parameter({.key = "ramp_feed",
+                                .label = "Ramp feed",
+                                .help = "Speed of motion into the material: down to a pass, along ramps and "
+                                        "helices. auto is half the feed."}));
     table.add(member(&S::link_feed),
-              further_feed({.key = "link_feed",
-                            .label = "Link feed",
-                            .help = "Speed of motion between passes that is no rapid: over the surface and "
-                                    "away from it. auto is the feed."}));
+              feed_or_auto_parameter(
+                  {.key = "link_feed",
+                   .label = "Link feed",
+                   .help = "Speed of motion between passes that is no rapid: over the surface and "
+                           "away from it. auto is the feed."}));
     table.add(member(&S::spindle), {.key = "spindle",
                                     .label = "Spindle",
                                     .help = "Spindle speed.",

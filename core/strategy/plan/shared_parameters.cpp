@@ -51,6 +51,18 @@ ParameterInfo length_or_word_parameter(ParameterInfo info, double largest) {
     return info;
 }
 
+ParameterInfo feed_or_auto_parameter(ParameterInfo info) {
+    info.kind = ParameterKind::number_or_word;
+    info.quantity = Quantity::feed;
+    info.minimum = 0;
+    info.maximum = 1e6;
+    info.open_minimum = true;
+    info.words = {"auto"};
+    info.stage = Stage::output;
+    info.advanced = true;
+    return info;
+}
+
 ParameterInfo travel_parameter(ParameterInfo info) {
     info.kind = ParameterKind::number_or_word;
     info.quantity = Quantity::angle;

@@ -20,6 +20,8 @@ ParameterInfo normal_limit_parameter(const std::string& more = {});
 
 /// A length above 0 and at most `largest` (mm), or one of the description's words in its place.
 ParameterInfo length_or_word_parameter(ParameterInfo info, double largest = 1000);
+/// A feed above 0, or "auto".
+ParameterInfo feed_or_auto_parameter(ParameterInfo info);
 /// A direction of travel: "auto", "x", "y", or an angle from X.
 ParameterInfo travel_parameter(ParameterInfo info);
 /// The number of a tool beside the operation's own; `smallest` 0: there may be none.
