@@ -4,6 +4,8 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/tool_lift.h"
 
+#include <cmath>
+
 namespace facetmill {
 
 namespace {
@@ -24,31 +26,71 @@ ToolLift whole_tool(const CleanupJob& job) {
     return {job.context.contact, tool, {job.allowance, 0, 0}};
 }
 
-/// A pass without the locations at which shank or holder would touch.
-TiltedPass upright_where_free(const ToolLift& whole, double chord, const Pass& pass,
-                              const Progress& progress) {
-    TiltedPass kept;
-    ToolLift::Hint hint;
-    Pass run = pass;
-    run.cl.clear();
-    run.cc.clear();
-    for (std::size_t k = 0; k < pass.cl.size(); ++k) {
-        if (k % locations_per_check == 0) progress.check();
-        const ToolContact c = whole.contact_above({pass.cl[k].tip, pass.cl[k].axis}, chord, hint);
-        if (c.body == ToolBody::shank || c.body == ToolBody::holder) {
-            kept.by = c.body;
-            if (k > 0) kept.lost += (pass.cl[k].tip - pass.cl[k - 1].tip).norm();
-            if (run.cl.size() > 1) kept.passes.push_back(run);
-            run.cl.clear();
-            run.cc.clear();
-            continue;
-        }
-        run.cl.push_back(pass.cl[k]);
-        run.cc.push_back(pass.cc[k]);
-    }
-    if (run.cl.size() > 1) kept.passes.push_back(std::move(run));
-    return kept;
+/// Between places so far apart no body of a tool that moves past a corner comes nearer to it by more than
+/// `chord`.
+double body_step(const Tool& tool, double chord) {
+    double thinnest = tool.shank_length > 0 ? tool.shank_diameter : infinity;
+    for (const HolderSection& s : tool.holder)
+        thinnest = std::min(thinnest, s.diameter);
+    return std::sqrt(4 * thinnest * chord);
 }
+
+/// A pass without the motions on which shank or holder would touch.
+class FreeRuns {
+public:
+    FreeRuns(const ToolLift& whole, double chord, double step) : whole_(whole), chord_(chord), step_(step) {}
+
+    TiltedPass run(const Pass& pass, const Progress& progress) {
+        run_ = pass;
+        clear();
+        for (std::size_t k = 0; k < pass.cl.size(); ++k) {
+            if (k % locations_per_check == 0) progress.check();
+            const double length = k > 0 ? (pass.cl[k].tip - pass.cl[k - 1].tip).norm() : 0;
+            if (held(pass.cl[k].tip)) {
+                kept_.lost += length;
+                end();
+                continue;
+            }
+            if (!run_.cl.empty() && held_between(pass.cl[k - 1].tip, pass.cl[k].tip, length)) {
+                kept_.lost += length;
+                end();
+            }
+            run_.cl.push_back(pass.cl[k]);
+            run_.cc.push_back(pass.cc[k]);
+        }
+        end();
+        return std::move(kept_);
+    }
+
+private:
+    bool held(const Vec3& tip) {
+        const ToolContact c = whole_.contact_above({tip, Vec3::UnitZ()}, chord_, hint_);
+        if (c.body != ToolBody::shank && c.body != ToolBody::holder) return false;
+        kept_.by = c.body;
+        return true;
+    }
+    bool held_between(const Vec3& a, const Vec3& b, double length) {
+        if (!(step_ < infinity)) return false;
+        const auto parts = std::size_t(length / step_) + 1;
+        for (std::size_t i = 1; i < parts; ++i)
+            if (held(a + double(i) / double(parts) * (b - a))) return true;
+        return false;
+    }
+    void end() {
+        if (run_.cl.size() > 1) kept_.passes.push_back(run_);
+        clear();
+    }
+    void clear() {
+        run_.cl.clear();
+        run_.cc.clear();
+    }
+
+    const ToolLift& whole_;
+    double chord_, step_;
+    ToolLift::Hint hint_;
+    Pass run_;
+    TiltedPass kept_;
+};
 
 } // namespace
 
@@ -56,11 +98,12 @@ ClearedPasses with_clear_body(const CleanupJob& job, const std::vector<Pass>& pa
                               const Progress& progress) {
     const ToolLift whole = whole_tool(job);
     const double tilt_limit = job.settings.tilt_limit;
+    const double step = body_step(job.context.tool, job.chord);
     std::vector<TiltedPass> kept(passes.size());
     parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
         kept[i] = tilt_limit > 0 ? tilted_where_held({&whole, tilt_limit, job.chord, raise_share * job.cusp},
                                                      passes[i], progress)
-                                 : upright_where_free(whole, job.chord, passes[i], progress);
+                                 : FreeRuns(whole, job.chord, step).run(passes[i], progress);
     });
     ClearedPasses result;
     for (TiltedPass& k : kept) {

@@ -96,6 +96,7 @@ private:
         Trace t;
         t.points.push_back(start);
         double rho = scale_.step, stop = 0;
+        std::optional<Vec3> lost_at;
         bool ending = false;
         int passed = 0; // steps since the curve was lost
         while (t.points.size() < max_steps) {
@@ -104,7 +105,13 @@ private:
             const auto next = next_on_curve(last, rho, heading);
             if (!next) {
                 // Steps become shorter from here on, until it is clear that the curve goes on.
-                if (!ending) stop = ValleyScale::end_share * rho;
+                if (!ending) {
+                    // Found again and lost again on the spot, it would be followed for ever.
+                    if (lost_at && (last.tip - *lost_at).norm() < ValleyScale::end_share * scale_.step)
+                        return t;
+                    lost_at = last.tip;
+                    stop = ValleyScale::end_share * rho;
+                }
                 ending = true;
                 passed = 0;
                 rho *= 0.5;

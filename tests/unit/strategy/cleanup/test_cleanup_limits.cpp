@@ -2,6 +2,7 @@
 // half nothing is worse; at double it stays within what the constants promise, and beyond that the checks see
 // it.
 #include "core/strategy/cleanup/axis_tilt.h"
+#include "core/strategy/cleanup/body_clearance.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "tests/support/test_runner.h"
@@ -136,6 +137,39 @@ private slots:
             QVERIFY(length > 15);
         }
         QVERIFY(deepest(4 * usual, length) > input.chord);
+    }
+
+    /// A tall thin post beside a long straight move: the ball passes it, the holder above it does not, and at
+    /// both ends of the move the holder is free.
+    void holders_are_looked_at_between_points() {
+        const auto post = [](double x, double y) {
+            return 40 * std::max(0.0, 1 - std::abs(x) - std::abs(y - 6));
+        };
+        Tool tool = ball_tool(4);
+        tool.flute_length = 10;
+        tool.shank_diameter = 4;
+        tool.shank_length = 10;
+        tool.holder = {{20, 20}};
+        const Mesh part = height_field(post, Vec2(-40, -12), Vec2(40, 12), 160, 48);
+        const PlanContext context = context_of(part, tool);
+        const CleanupSettings settings;
+        const CleanupJob job(settings, context, Progress());
+        Pass pass;
+        for (const double x : {-38.0, -30.0, 30.0, 38.0}) {
+            pass.cl.push_back({Vec3(x, 0, 0), Vec3::UnitZ()});
+            pass.cc.push_back({Vec3(x, 0, 0), Vec3::UnitZ()});
+        }
+        const ClearedPasses beside = with_clear_body(job, {pass}, Progress());
+        QCOMPARE(beside.held, 60.0);
+        QCOMPARE(beside.held_by, ToolBody::holder);
+        QCOMPARE(beside.passes.size(), std::size_t(2));
+        for (const Pass& kept : beside.passes)
+            QCOMPARE(kept.cl.size(), std::size_t(2));
+        for (CutterLocation& l : pass.cl)
+            l.tip.y() = -8; // far enough from the post
+        const ClearedPasses past = with_clear_body(job, {pass}, Progress());
+        QCOMPARE(past.held, 0.0);
+        QCOMPARE(past.passes.size(), std::size_t(1));
     }
 
     /// Grooves in which a ball leaves little more than the tolerance, each turned another way.
