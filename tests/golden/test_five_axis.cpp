@@ -343,16 +343,14 @@ private slots:
     }
 
     /// The surface lies within the machine's travel, the clearance above it does not.
-    void a_machine_that_does_not_hold_the_program_is_a_warning() {
+    void a_machine_that_does_not_hold_the_program_is_told() {
         Sandbox s;
         prepared_blade(s, changed_blade("tarus-tpi-2000", "own.json"));
         s.write("own.json", own_machine(76));
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
-        QVERIFY2(run.status == 0, run.err);
-        const QJsonObject o = json(run.out)["operations"][0].toObject();
-        QVERIFY(o["machine_findings"].toInt() > 0);
-        const QByteArray warnings = QJsonDocument(o["warnings"].toArray()).toJson();
-        QVERIFY2(warnings.contains("own.json") && warnings.contains("Z ends"), warnings);
+        QVERIFY2(run.status == 1 && run.code() == "limit_exceeded", run.err);
+        QVERIFY2(run.err.contains("own.json") && run.err.contains("Z ends"), run.err);
+        QVERIFY(s.files("out").isEmpty());
     }
 };
 

@@ -158,10 +158,9 @@ private slots:
         const CliRun run = run_cli(
             {"plan", "three.facetmill", "--op", "Finish", "--set", "Finish.tolerance=0.5", "-o", "three"},
             sandbox_.path());
-        QVERIFY2(run.status == 0, run.err);
-        const QByteArray warnings =
-            QJsonDocument(json(run.out)["operations"].toArray()[0].toObject()["warnings"].toArray()).toJson();
-        QVERIFY2(warnings.contains("generic-3-axis") && warnings.contains("lathe-mill"), warnings);
+        QVERIFY2(run.status == 1 && run.code() == "limit_exceeded", run.err);
+        QVERIFY2(run.err.contains("generic-3-axis") && run.err.contains("operation 'Finish'"), run.err);
+        QVERIFY(sandbox_.files("three").isEmpty());
     }
 
     /// What the cutter cannot go to is told, with where it is, by the plan and its report.
