@@ -124,7 +124,7 @@ public:
         combo_->setObjectName(text(info.key));
         combo_->setEditable(true);
         combo_->setInsertPolicy(QComboBox::NoInsert);
-        combo_->setMinimumContentsLength(6);
+        combo_->setMinimumContentsLength(4); // beside a unit as long as "mm/min", in a small window
         combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo_->lineEdit()->setMaxLength(200);
         for (const auto& word : info.words)

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -234,11 +235,17 @@ private slots:
         QVERIFY(!plot()->empty());
         const StrategyResult& path = w().document().result(0)->path;
         const PlotContent& content = plot()->content();
-        QCOMPARE(content.x.size(), 2 * std::size_t(path.drive_planes - 1));
+        // Partial passes are among them: nearer to their neighbours than whole ones are to each other.
+        std::set<int> drives;
+        for (const Pass& pass : path.passes)
+            drives.insert(pass.drive);
+        QVERIFY(drives.size() >= std::size_t(path.drive_planes));
+        QCOMPARE(content.x.size(), 2 * (drives.size() - 1));
         const auto [least, most] =
             std::minmax_element(content.series[0].y.begin(), content.series[0].y.end());
-        QVERIFY(std::abs(*least - path.stepover_min / mm_per_inch) < 1e-9);
-        QVERIFY(std::abs(*most - path.stepover_max / mm_per_inch) < 1e-9);
+        QVERIFY(*least > 0);
+        QVERIFY(*least < path.stepover_min / mm_per_inch + 1e-9);
+        QVERIFY(*most < path.stepover_max / mm_per_inch + 1e-9);
         QVERIFY(content.y_label.contains(QStringLiteral("(in)")));
         shot(w(), QStringLiteral("charts-stepover"));
         // A click leads to the pass; arrow keys to the next one.

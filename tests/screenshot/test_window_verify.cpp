@@ -24,6 +24,9 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <algorithm>
+#include <map>
+
 using namespace facetmill;
 using namespace facetmill::test;
 using namespace facetmill::ui;
@@ -41,12 +44,13 @@ bool stock_changed(const std::vector<std::shared_ptr<const StockPatch>>& a,
 /// An operation that cuts `deeper` below the surface in the middle of its longest pass, as planned otherwise.
 std::shared_ptr<const OperationResult> with_gouge(const OperationResult& from, double deeper) {
     auto bad = std::make_shared<OperationResult>(from);
-    auto& motions = bad->program.motions.motions;
-    std::size_t cut = 0;
-    const auto cuts = std::size_t(std::count_if(motions.begin(), motions.end(),
-                                                [](const Motion& m) { return m.kind == MotionKind::cut; }));
-    for (Motion& m : motions)
-        if (m.kind == MotionKind::cut && cut++ == cuts / 2) m.to.tip.z() -= deeper;
+    std::map<std::size_t, std::vector<Motion*>> cuts; // of each pass
+    for (Motion& m : bad->program.motions.motions)
+        if (m.kind == MotionKind::cut) cuts[m.pass].push_back(&m);
+    const auto longest = std::max_element(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) {
+        return a.second.size() < b.second.size();
+    });
+    longest->second[longest->second.size() / 2]->to.tip.z() -= deeper;
     return bad;
 }
 
