@@ -196,7 +196,8 @@ private slots:
             const Judged j = judged(Finish3(s), context, 0.05);
             qInfo("%s", qPrintable(j.text(factor)));
             QVERIFY2(j.uncut == 0 && j.gouge <= s.tolerance / 20, qPrintable(j.text(factor)));
-            QVERIFY2(j.excess <= 1.1 * s.tolerance, qPrintable(j.text(factor)));
+            QVERIFY2(j.excess <= std::max(1.1 * s.tolerance, factor < 64 ? 0 : j.stated),
+                     qPrintable(j.text(factor)));
             if (factor == 0.5) finest = j.excess;
             if (factor < 64) continue;
             // Far off it shows, in what is left or in what the plan finds it leaves.
