@@ -133,13 +133,17 @@ using Refusals = std::map<std::string, int>;
 std::shared_ptr<const PlanResult> planned(Workplace& place, Refusals& refusals) {
     const auto keys = keys_of_other_tools(*place.project.operations.front());
     for (const long other : {2L, 3L}) {
+        std::shared_ptr<const PlanResult> result;
         try {
             for (const std::string& key : keys)
                 place.project.operations.front()->set(key, other);
-            return place.plan();
+            result = place.plan();
+            result->check_reach();
+            return result;
         } catch (const Error& e) {
+            // A path that the machine cannot make is no program either.
             const bool refused = e.code() == ErrorCode::empty_result || e.code() == ErrorCode::out_of_range
-                                 || e.code() == ErrorCode::missing_reference;
+                                 || e.code() == ErrorCode::missing_reference || result;
             if (!refused) throw;
             ++refusals[e.what()];
         }
