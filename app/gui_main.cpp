@@ -3,6 +3,7 @@
 #include "core/mesh/mesh_format.h"
 #include "facetmill_version.h"
 #include "ui/main_window.h"
+#include "ui/project_files.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
@@ -161,7 +162,7 @@ private:
         case 1:
             if (!window_.document().has_part() || !window_.last_failure().isEmpty()) break;
             if (options_.plan) window_.plan();
-            if (!options_.programs.isEmpty()) window_.open_program(options_.programs);
+            if (!options_.programs.isEmpty()) window_.files().open_program(options_.programs);
             break;
         case 2:
             // What comes of all operations is what one wants to see.

@@ -252,10 +252,6 @@ void MainWindow::update_commands() {
     verification().panel()->set_ready(planning_->can_plan() || (document_.program() && !job_.running()));
 }
 
-void MainWindow::open_program(const QStringList& files) {
-    files_->open_program(files);
-}
-
 void MainWindow::open_file(const QString& path, std::optional<LengthUnit> unit) {
     files_->open(path, unit);
 }

@@ -49,8 +49,6 @@ public:
     /// in which unit a mesh is; without it the user is asked.
     void open_file(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
     void new_from_sample(const std::string& name);
-    /// Shows CL files in place of the plan.
-    void open_program(const QStringList& files);
     /// Plans all operations, or one.
     void plan(std::optional<std::size_t> only = std::nullopt);
     /// Verifies the plan; what is not planned as it stands is planned first.

@@ -65,7 +65,7 @@ signals:
     void tool_moved(const QString& readout);
 
 private:
-    /// Of the plan, or of the program that is shown in its place.
+    /// The plan, or the program that is shown in its place.
     std::shared_ptr<const PlanResult> plan_as_it_stands() const;
     std::vector<VerifyProgram> programs_as_they_stand(const std::shared_ptr<const PlanResult>& plan) const;
     void follow_plan();

@@ -14,7 +14,7 @@ namespace {
 /// Straight moves of one batch: enough to keep all threads busy, few enough for a quick cancel.
 constexpr std::size_t items_per_batch = 1024;
 /// Of one move, at most.
-constexpr std::size_t most_pieces = 4096;
+constexpr std::size_t max_pieces = 4096;
 
 std::string goto_name(const VerifyProgram& program, std::size_t motion) {
     return "'" + program.name + "', GOTO " + std::to_string(motion + 1);
@@ -184,7 +184,7 @@ void MaterialRemoval::add_cut(const StraightMove& move, std::size_t program, std
     const Vec3 route = move.to - move.from;
     const double length = route.norm();
     const auto pieces =
-        std::size_t(std::clamp(std::ceil(length / (2 * cutter.radius())), 1.0, double(most_pieces)));
+        std::size_t(std::clamp(std::ceil(length / (2 * cutter.radius())), 1.0, double(max_pieces)));
     for (std::size_t k = 0; k < pieces; ++k) {
         const StraightMove piece{move.from + double(k) / double(pieces) * route,
                                  move.from + double(k + 1) / double(pieces) * route, move.axis};

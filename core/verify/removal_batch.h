@@ -52,7 +52,7 @@ public:
     /// A cancelled call leaves some tiles cut and others not.
     void run(const Progress& progress);
 
-    /// Of an item with a length: whether it has taken something away.
+    /// Whether an item with a length has taken something away.
     bool has_cut(std::size_t item) const { return cut_[item].load(std::memory_order_relaxed); }
     /// Bytes by which the tiles have grown; less than 0 where they have shrunk.
     std::ptrdiff_t grown() const;

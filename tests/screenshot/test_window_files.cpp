@@ -5,6 +5,7 @@
 #include "tests/screenshot/window_support.h"
 #include "ui/part_dialog.h"
 #include "ui/playback_controller.h"
+#include "ui/project_files.h"
 #include "ui/project_tree.h"
 #include "ui/report_view.h"
 #include "ui/settings.h"
@@ -224,7 +225,7 @@ private slots:
         file.close();
 
         QVERIFY(!action(w(), "close_program")->isEnabled());
-        w().open_program({file.fileName()});
+        w().files().open_program({file.fileName()});
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
         QVERIFY(w().document().program() && w().viewport().scene().has(Layer::cl));
@@ -248,13 +249,13 @@ private slots:
         QVERIFY(!w().document().program() && !verification.playback().loaded());
         QVERIFY(!w().viewport().scene().has(Layer::cl));
         QCOMPARE(verification.model().verdict(), ui::Verdict::stale);
-        w().open_program({folder + QStringLiteral("/none.apt")});
+        w().files().open_program({folder + QStringLiteral("/none.apt")});
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("none.apt")));
         QVERIFY(!w().document().program());
 
         // What is planned takes its place.
-        w().open_program({file.fileName()});
+        w().files().open_program({file.fileName()});
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().program());
         w().tree().select({TreeNode::Kind::operation, 0});

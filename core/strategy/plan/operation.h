@@ -81,7 +81,7 @@ struct OperationCommon {
     double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
 
-    /// Of a motion at feed of this kind, mm/min.
+    /// What a motion at feed of this kind goes at, mm/min.
     double feed_of(MotionKind kind) const {
         if (kind == MotionKind::approach) return ramp_feed.is_number() ? ramp_feed.number : 0.5 * feed;
         const bool between = kind == MotionKind::link || kind == MotionKind::retract;
