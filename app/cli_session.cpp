@@ -4,7 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
+#include <system_error>
 
 #include <unistd.h>
 
@@ -114,7 +114,7 @@ void Session::print(std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (!written)
         throw Error(ErrorCode::unwritable, "stdout",
-                    std::string("cannot write the result: ") + std::strerror(errno),
+                    "cannot write the result: " + std::generic_category().message(errno),
                     "check the pipe or the disk");
 }
 

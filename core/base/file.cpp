@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -20,6 +19,11 @@ namespace facetmill {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What the system says of an error number; strerror may not be called by two threads at once.
+std::string system_text(int number) {
+    return std::generic_category().message(number);
+}
 
 /// Temporary files that exist now. The mutex is held while one is made, removed or renamed, so that
 /// abandon_outputs finds either all of it or nothing.
@@ -117,7 +121,7 @@ InputFile::InputFile(const fs::path& path) : path_(path) {
     if (fd < 0) {
         if (errno == ENOENT || errno == ENOTDIR)
             throw Error(ErrorCode::not_found, name, "no such file", "check the path");
-        throw Error(ErrorCode::unreadable, name, std::string("cannot open the file: ") + std::strerror(errno),
+        throw Error(ErrorCode::unreadable, name, "cannot open the file: " + system_text(errno),
                     "check its permissions");
     }
     struct ::stat info {};
@@ -173,17 +177,17 @@ OutputFile::OutputFile(fs::path target, bool clear_folder) : target_(std::move(t
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error(ErrorCode::unwritable, name, "is not a regular file", "name a file on disk");
     target_ = end_of_links(target_);
-    if (fs::is_symlink(fs::symlink_status(target_, ec))) fail(std::strerror(ELOOP));
+    if (fs::is_symlink(fs::symlink_status(target_, ec))) fail(system_text(ELOOP));
     refuse_inputs(target_);
     struct ::stat old {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
-    if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(std::strerror(errno));
+    if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(system_text(errno));
     TemporariesLock lock(temporaries().mutex);
     if (clear_folder) detail::clear_leftovers(target_.parent_path());
     constexpr mode_t mine = 0600, everyones = 0666; // less what the process's umask takes away
     // The name does not repeat the target's, which may be as long as the file system allows.
     const int fd = detail::make_beside(target_.parent_path(), "", replaces ? mine : everyones, temporary_);
-    if (fd < 0) fail(std::strerror(errno));
+    if (fd < 0) fail(system_text(errno));
     temporaries().paths.push_back(temporary_);
     if (replaces) hand_on_permissions(fd, old);
     lock_ = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);
@@ -219,25 +223,24 @@ void OutputFile::fail(const std::string& what) const {
 
 void OutputFile::write(std::string_view bytes) {
     if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
-        fail(std::strerror(errno));
+        fail(system_text(errno));
 }
 
 void OutputFile::overwrite(std::size_t at, std::string_view bytes) {
-    if (::fseeko(file_, off_t(at), SEEK_SET) != 0) fail(std::strerror(errno));
+    if (::fseeko(file_, off_t(at), SEEK_SET) != 0) fail(system_text(errno));
     write(bytes);
-    if (::fseeko(file_, 0, SEEK_END) != 0) fail(std::strerror(errno));
+    if (::fseeko(file_, 0, SEEK_END) != 0) fail(system_text(errno));
 }
 
 void OutputFile::close_stream() {
     if (!file_) return;
     std::FILE* f = file_;
     file_ = nullptr;
-    if (std::fclose(f) != 0) fail(std::strerror(errno));
+    if (std::fclose(f) != 0) fail(system_text(errno));
 }
 
 void OutputFile::sync() {
-    if (::fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
-        fail(std::strerror(errno));
+    if (::fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) fail(system_text(errno));
 }
 
 void OutputFile::take_place() {
@@ -317,7 +320,7 @@ private:
         for (const OutputFile* f : folder.files) {
             struct ::stat info {};
             std::error_code ec;
-            if (::stat(f->temporary_.c_str(), &info) != 0) f->fail(std::strerror(errno));
+            if (::stat(f->temporary_.c_str(), &info) != 0) f->fail(system_text(errno));
             if (fs::is_directory(f->target_, ec)) f->fail("a folder appeared in its place");
             std::string before;
             if (fs::exists(f->target_, ec)) before = f->temporary_.filename().string() + ".before";
@@ -328,7 +331,7 @@ private:
         const bool written = folder.lock >= 0
                              && ::write(folder.lock, bytes.data(), bytes.size()) == ssize_t(bytes.size())
                              && ::fsync(folder.lock) == 0;
-        if (!written) folder.files.front()->fail(std::strerror(errno));
+        if (!written) folder.files.front()->fail(system_text(errno));
         detail::sync_folder(path);
     }
 
