@@ -24,14 +24,14 @@ MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
 
 bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
     bool blocked = false;
-    tree_.each([&](const Box3& box) { return !blocked && meets(box, p, d, infinity); },
+    tree_.each([&](const Box3& box) { return !blocked && meets(box, p, d, start_, infinity, start_); },
                [&](std::size_t facet) { blocked = blocked || hit(facet, p, d) < infinity; });
     return !blocked;
 }
 
 double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
     double nearest = infinity;
-    tree_.each([&](const Box3& box) { return meets(box, p, d, nearest); },
+    tree_.each([&](const Box3& box) { return meets(box, p, d, start_, nearest, start_); },
                [&](std::size_t facet) { nearest = std::min(nearest, hit(facet, p, d)); });
     return nearest;
 }
@@ -49,27 +49,13 @@ double MeshSight::distance(const Vec3& p, double most) const {
 
 void MeshSight::each_near(const Vec3& p, const Vec3& d, double length, double r,
                           const std::function<void(std::size_t facet)>& visit) const {
-    tree_.each(
-        [&](const Box3& box) {
-            double from = 0, to = length;
-            for (int k = 0; k < 3; ++k) {
-                const double a = box.lo[k] - r - p[k], b = box.hi[k] + r - p[k];
-                if (d[k] == 0) {
-                    if (a > 0 || b < 0) return false;
-                } else {
-                    from = std::max(from, std::min(a / d[k], b / d[k]));
-                    to = std::min(to, std::max(a / d[k], b / d[k]));
-                }
-            }
-            return from <= to;
-        },
-        visit);
+    tree_.each([&](const Box3& box) { return meets(box, p, d, 0, length, r); }, visit);
 }
 
-bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const {
-    double from = start_, to = before;
+/// Whether the line comes into the box, grown by `more`, between two lengths.
+bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d, double from, double to, double more) {
     for (int k = 0; k < 3; ++k) {
-        const double a = box.lo[k] - start_ - p[k], b = box.hi[k] + start_ - p[k];
+        const double a = box.lo[k] - more - p[k], b = box.hi[k] + more - p[k];
         if (d[k] == 0) {
             if (a > 0 || b < 0) return false;
         } else {

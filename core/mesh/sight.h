@@ -29,7 +29,7 @@ public:
     const Mesh& mesh() const { return mesh_; }
 
 private:
-    bool meets(const Box3& box, const Vec3& p, const Vec3& d, double before) const;
+    static bool meets(const Box3& box, const Vec3& p, const Vec3& d, double from, double to, double more);
     double hit(std::size_t facet, const Vec3& p, const Vec3& d) const;
 
     const Mesh& mesh_;
