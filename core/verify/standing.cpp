@@ -1,5 +1,6 @@
 #include "core/verify/standing.h"
 
+#include "core/base/golden_section.h"
 #include "core/mesh/triangle_distance.h"
 
 #include <algorithm>
@@ -19,34 +20,12 @@ struct Near {
 /// Where f, convex on [0, length], is at most `limit`; false where it never is.
 template <class F>
 bool stretch_below(const F& f, double length, double limit, double accuracy, Near& near) {
-    constexpr double golden = 0.6180339887498949;
-    double lo = 0, hi = length, x = hi - golden * (hi - lo), y = lo + golden * (hi - lo), fx = f(x),
-           fy = f(y);
-    double at = 0, least = f(0);
-    if (const double end = f(length); end < least) {
-        least = end;
-        at = length;
-    }
-    for (int k = 0; k < 60 && hi - lo > accuracy && least > limit; ++k) {
-        if (fx < fy) {
-            hi = y;
-            y = x;
-            fy = fx;
-            x = hi - golden * (hi - lo);
-            fx = f(x);
-        } else {
-            lo = x;
-            x = y;
-            fx = fy;
-            y = lo + golden * (hi - lo);
-            fy = f(y);
-        }
-        if (std::min(fx, fy) < least) {
-            least = std::min(fx, fy);
-            at = fx < fy ? x : y;
-        }
-    }
-    if (least > limit) return false;
+    LowPlace low{0, f(0)};
+    if (const LowPlace end{length, f(length)}; end.value < low.value) low = end;
+    if (low.value > limit)
+        if (const LowPlace within = golden_minimum(f, 0, length, accuracy, limit); within.value < low.value)
+            low = within;
+    if (low.value > limit) return false;
     const auto edge = [&](double in, double out) {
         if (f(out) <= limit) return out;
         while (std::abs(out - in) > accuracy) {
@@ -55,7 +34,7 @@ bool stretch_below(const F& f, double length, double limit, double accuracy, Nea
         }
         return in;
     };
-    near = {edge(at, 0), edge(at, length)};
+    near = {edge(low.at, 0), edge(low.at, length)};
     return true;
 }
 
