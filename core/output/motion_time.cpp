@@ -7,9 +7,7 @@
 
 namespace facetmill {
 
-namespace {
-
-Vec3 part_origin(const ClSection& program, const Machine& machine, const MotionTimeOptions& options) {
+Vec3 program_part_origin(const ClSection& program, const Machine& machine, const MotionTimeOptions& options) {
     if (options.part_origin) return *options.part_origin;
     Box3 box = program.part_box;
     if (box.empty())
@@ -20,6 +18,8 @@ Vec3 part_origin(const ClSection& program, const Machine& machine, const MotionT
             return turning_part_origin(machine, table, turning->point, box);
     return box.empty() ? machine.table : default_part_origin(machine, box);
 }
+
+namespace {
 
 int turns_max(const Kinematics& kinematics, const Joints& from, const Joints& to) {
     const bool second = kinematics.rotary_axes() == 2
@@ -141,7 +141,8 @@ MachineMotion machine_motion(const ClSection& program, const Machine& machine,
                              const MotionTimeOptions& options, const Progress& progress) {
     const auto& motions = program.motions.motions;
     if (motions.empty()) return {};
-    const Kinematics kinematics(machine, program.gauge_length, part_origin(program, machine, options));
+    const Kinematics kinematics(machine, program.gauge_length,
+                                program_part_origin(program, machine, options));
     MachineMotion result = follow(program, kinematics, options, progress);
     set_times(result, program, kinematics);
     if (options.accelerations) add_accelerations(result, machine);

@@ -35,6 +35,10 @@ struct MotionTimeOptions {
     double largest_swing = radians(1);
 };
 
+/// Where a program's part origin lies, as the option says.
+Vec3 program_part_origin(const ClSection& program, const Machine& machine,
+                         const MotionTimeOptions& options = {});
+
 struct MotionTotals {
     double cut_length = 0;   ///< mm, all motion at feed
     double rapid_length = 0; ///< mm

@@ -55,6 +55,8 @@ public:
     int rotary_axes() const { return int(machine_.rotary.size()); }
 
     ToolPose forward(const Joints& joints) const;
+    /// Where X, Y, Z stand so that the tip is there with these rotary angles.
+    Vec3 linear(const Vec3& tip, const Joints& rotary) const { return linear_for(tip, rotary); }
 
     struct Solutions {
         int count = 0;

@@ -404,6 +404,69 @@ private slots:
         }
     }
 
+    /// A positive angle by ISO 841 turns the tool by the right hand relative to the part, and the other sign
+    /// the other way, for heads and for tables.
+    void signs_by_iso_841() {
+        const auto turned = [](double angle, const Vec3& line, const Vec3& v) {
+            return Vec3(Eigen::AngleAxisd(angle, line) * v);
+        };
+        for (const Machine& m : machines()) {
+            if (m.rotary.size() != 2) continue;
+            for (const double against : {1.0, -1.0}) {
+                Machine changed = m;
+                for (RotaryAxis& r : changed.rotary)
+                    r.sign *= against;
+                Joints at;
+                at.rotary = {0.3, -0.5};
+                // From the tool to the part: heads from the inner to the outer, tables from the outer in.
+                Vec3 axis = Vec3::UnitZ();
+                const auto& r = m.rotary;
+                for (std::size_t i = r.size(); i-- > 0;)
+                    if (r[i].carries == RotaryAxis::Carries::tool)
+                        axis = turned(against * at.rotary[i], r[i].direction, axis);
+                for (std::size_t i = 0; i < r.size(); ++i)
+                    if (r[i].carries == RotaryAxis::Carries::table)
+                        axis = turned(against * at.rotary[i], r[i].direction, axis);
+                const Vec3 seen = Kinematics(changed, length, Vec3::Zero()).forward(at).axis;
+                QVERIFY2((seen - axis).norm() < 1e-12, m.name.c_str());
+            }
+        }
+    }
+
+    /// LinuxCNC's trunnions as its documentation gives them (5-axis kinematics, xyzac-trt and xyzbc-trt):
+    /// with r the point that the table turns about, d the way from there to the cradle's axis and dt the
+    /// tool's length, P = r + Rz(-C) (d + R(-A or -B) (Q - r - d)). Its tables turn by the right hand,
+    /// against ISO 841.
+    void the_trunnions_of_linuxcnc() {
+        std::mt19937_64 rng(841);
+        for (const bool cradle_a : {true, false})
+            for (int machine = 0; machine < 10; ++machine) {
+                const Vec3 r(uniform(rng, -90, 90), uniform(rng, -90, 90), uniform(rng, -90, 90));
+                const double aside = uniform(rng, -60, 60), below = uniform(rng, -60, 60),
+                             dt = uniform(rng, 0, 200);
+                const Vec3 off = cradle_a ? Vec3(0, aside, below) : Vec3(aside, 0, below);
+                Machine m = find_machine(cradle_a ? "trunnion-ac" : "trunnion-bc");
+                for (RotaryAxis& axis : m.rotary)
+                    axis.sign = 1;
+                m.rotary[0].point = r + off;
+                m.rotary[1].point = r;
+                const Kinematics kinematics(m, dt, Vec3::Zero());
+                const Vec3 line = cradle_a ? Vec3::UnitX() : Vec3::UnitY();
+                for (int i = 0; i < test::trials(10'000); ++i) {
+                    Joints q;
+                    q.linear = {uniform(rng, -300, 300), uniform(rng, -300, 300), uniform(rng, -300, 300)};
+                    q.rotary = {uniform(rng, -pi, pi), uniform(rng, -2 * pi, 2 * pi)};
+                    const Vec3 d = off + Vec3(0, 0, dt);
+                    const Vec3 in_cradle = Eigen::AngleAxisd(-q.rotary[0], line) * Vec3(q.linear - r - d);
+                    const Vec3 p = r + Eigen::AngleAxisd(-q.rotary[1], Vec3::UnitZ()) * Vec3(d + in_cradle);
+                    const ToolPose pose = kinematics.forward(q);
+                    // Its places are those of a tip with the tool's length added along the part's Z.
+                    QVERIFY((pose.tip + Vec3(0, 0, dt) - p).norm() < 1e-9);
+                    QVERIFY((kinematics.linear(pose.tip, q) - q.linear).norm() < 1e-9);
+                }
+            }
+    }
+
     void the_part_stands_on_the_table() {
         Box3 box;
         box.add(Vec3(10, 20, 30));
