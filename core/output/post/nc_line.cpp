@@ -1,0 +1,166 @@
+#include "core/output/post/nc_line.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr long per_code_letter = 1'000'000;
+
+char capital(char c) {
+    return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+}
+bool is_letter(char c) {
+    return capital(c) >= 'A' && capital(c) <= 'Z';
+}
+bool is_figure(char c) {
+    return c >= '0' && c <= '9';
+}
+
+} // namespace
+
+bool NcLine::has_code(NcCode c) const {
+    return std::find(codes.begin(), codes.end(), c) != codes.end();
+}
+
+NcLineReader::NcLineReader(const Post& post) : parentheses_(post.comment_open == "(") {
+    word_letter_.fill(-1);
+    const auto add_word = [&](const std::string& text, NcWord w) {
+        if (text.size() == 1)
+            word_letter_[std::size_t(text[0] - 'A')] = int(w);
+        else if (!text.empty())
+            long_words_[text] = w;
+    };
+    for (std::size_t i = 0; i < nc_words; ++i)
+        add_word(post.words[i], NcWord(i));
+    for (const std::string& w : post.ignored_words)
+        add_word(w, NcWord::ignored);
+    add_word(post.block_letter, NcWord::ignored);
+    for (const auto& [text, meaning] : post.codes) {
+        if (text.size() > 1 && is_letter(text[1])) {
+            named_[text] = {meaning, &text};
+            continue;
+        }
+        double value = 0;
+        std::from_chars(text.data() + 1, text.data() + text.size(), value, std::chars_format::fixed);
+        code_letter_[std::size_t(text[0] - 'A')] = true;
+        numbered_[long(text[0]) * per_code_letter + std::lround(10 * value)] = {meaning, &text};
+    }
+}
+
+void NcLineReader::fail(const Cursor& c, const std::string& what, const std::string& remedy) {
+    throw Error(ErrorCode::syntax, c.file + ":" + std::to_string(c.number), what, remedy);
+}
+
+double NcLineReader::number(Cursor& c) {
+    const char* first = c.line.data() + c.at;
+    const char* end = c.line.data() + c.line.size();
+    if (first != end && *first == '+' && first + 1 != end && *(first + 1) != '-') ++first;
+    double value = 0;
+    const auto read = std::from_chars(first, end, value, std::chars_format::fixed);
+    if (read.ec != std::errc() || !std::isfinite(value))
+        fail(c, "a number is missing behind '" + printable(c.line.substr(0, c.at)) + "'",
+             "write decimal numbers; formulas and variables are not read");
+    c.at = std::size_t(read.ptr - c.line.data());
+    return value;
+}
+
+void NcLineReader::code(const Cursor& c, std::size_t from, const Meaning& meaning, NcLine& into) const {
+    if (meaning.code == NcCode::wcs) {
+        if (!into.wcs.empty())
+            fail(c, "two work coordinate systems in '" + printable(c.line.substr(from)) + "'", "keep one");
+        into.wcs = *meaning.text;
+    } else if (meaning.code != NcCode::none) {
+        into.codes.push_back(meaning.code);
+    }
+}
+
+void NcLineReader::word(const Cursor& c, std::size_t from, NcWord which, double value, NcLine& into) const {
+    if (which == NcWord::ignored) return;
+    if (into.has(which))
+        fail(c, "'" + printable(c.line.substr(from, c.at - from)) + "' occurs twice", "keep one of them");
+    into.value[std::size_t(which)] = value;
+    into.given |= 1u << unsigned(which);
+}
+
+void NcLineReader::named(Cursor& c, std::size_t letters, NcLine& into) const {
+    const std::size_t from = c.at;
+    std::string name;
+    std::size_t end = from;
+    while (end < c.line.size() && (is_letter(c.line[end]) || is_figure(c.line[end])))
+        name += capital(c.line[end++]);
+    if (end < c.line.size() && c.line[end] == '=') {
+        const auto known = long_words_.find(name + "=");
+        if (known == long_words_.end())
+            fail(c, "'" + printable(name) + "=' is no word of this control", "see the words of its post");
+        c.at = end + 1;
+        word(c, from, known->second, number(c), into);
+        return;
+    }
+    const auto known = named_.find(name);
+    if (known == named_.end() || name.size() != letters)
+        fail(c, "'" + printable(name) + "' is no code of this control", "see the codes of its post");
+    c.at = end;
+    code(c, from, known->second, into);
+}
+
+void NcLineReader::token(Cursor& c, NcLine& into) const {
+    const std::size_t from = c.at;
+    if (!is_letter(c.line[from]))
+        fail(c, "'" + printable(c.line.substr(from, 12)) + "' cannot be read",
+             "write letters with decimal numbers");
+    std::size_t letters = 1, end = from + 1;
+    while (end < c.line.size() && is_letter(c.line[end]))
+        ++end, ++letters;
+    std::size_t figures = end;
+    while (figures < c.line.size() && is_figure(c.line[figures]))
+        ++figures;
+    if (letters > 1 || (figures < c.line.size() && c.line[figures] == '=')) {
+        named(c, letters, into);
+        return;
+    }
+    const char letter = capital(c.line[from]);
+    c.at = from + 1;
+    const double value = number(c);
+    const std::size_t index = std::size_t(letter - 'A');
+    if (code_letter_[index]) {
+        const double tenths = 10 * value;
+        const auto known = std::abs(tenths) < per_code_letter && tenths == std::round(tenths)
+                               ? numbered_.find(long(letter) * per_code_letter + std::lround(tenths))
+                               : numbered_.end();
+        if (known != numbered_.end()) return code(c, from, known->second, into);
+    }
+    if (word_letter_[index] < 0)
+        fail(c, "'" + printable(c.line.substr(from, c.at - from)) + "' is no word of this control",
+             "see the words and codes of its post");
+    word(c, from, NcWord(word_letter_[index]), value, into);
+}
+
+void NcLineReader::read(std::string_view line, NcLine& into, const std::string& file, long number) const {
+    into.codes.clear();
+    into.wcs = {};
+    into.given = 0;
+    Cursor c{line, 0, file, number};
+    while (c.at < line.size()) {
+        const char ch = line[c.at];
+        if (ch == ' ' || ch == '\t') {
+            ++c.at;
+        } else if (parentheses_ && ch == '(') {
+            const std::size_t close = line.find_first_of("()", c.at + 1);
+            if (close == std::string_view::npos || line[close] == '(')
+                fail(c, "a comment is not closed, or holds another one", "write one ( and one )");
+            c.at = close + 1;
+        } else if (!parentheses_ && ch == ';') {
+            return;
+        } else {
+            token(c, into);
+        }
+    }
+}
+
+} // namespace facetmill

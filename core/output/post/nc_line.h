@@ -1,0 +1,57 @@
+// One line of a control's program as codes and words. Internal to the room.
+#pragma once
+
+#include "core/output/post/post.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace facetmill {
+
+struct NcLine {
+    std::vector<NcCode> codes;
+    std::string_view wcs; ///< of a code that chooses one; the post's own text
+    std::array<double, nc_words> value{};
+    unsigned given = 0; ///< a bit for each word
+    bool has(NcWord w) const { return given >> unsigned(w) & 1u; }
+    double operator[](NcWord w) const { return value[std::size_t(w)]; }
+    bool has_code(NcCode c) const;
+};
+
+class NcLineReader {
+public:
+    explicit NcLineReader(const Post& post);
+    /// Reads a line without its end. Throws Error(syntax) whose place is `where`, for whatever the control's
+    /// file does not know.
+    void read(std::string_view line, NcLine& into, const std::string& file, long number) const;
+
+private:
+    struct Meaning {
+        NcCode code = NcCode::none;
+        const std::string* text = nullptr;
+    };
+    struct Cursor {
+        std::string_view line;
+        std::size_t at = 0;
+        const std::string& file;
+        long number;
+    };
+    [[noreturn]] static void fail(const Cursor& c, const std::string& what, const std::string& remedy);
+    void token(Cursor& c, NcLine& into) const;
+    void named(Cursor& c, std::size_t letters, NcLine& into) const;
+    static double number(Cursor& c);
+    void code(const Cursor& c, std::size_t from, const Meaning& meaning, NcLine& into) const;
+    void word(const Cursor& c, std::size_t from, NcWord which, double value, NcLine& into) const;
+
+    bool parentheses_;
+    std::array<bool, 26> code_letter_{};
+    std::array<int, 26> word_letter_{};              ///< NcWord, -1: none
+    std::unordered_map<long, Meaning> numbered_;     ///< letter * 1e6 + ten times the number
+    std::unordered_map<std::string, Meaning> named_; ///< "TRAORI"
+    std::unordered_map<std::string, NcWord> long_words_;
+};
+
+} // namespace facetmill

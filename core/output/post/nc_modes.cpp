@@ -1,0 +1,183 @@
+#include "core/output/post/nc_modes.h"
+
+#include "core/base/error.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+NcModes::NcModes(const std::string& file, const Post& post, const std::string& wcs)
+    : file_(file), post_(post), wanted_wcs_(wcs) {
+    if (wanted_wcs_.empty() && !post.wcs.empty()) wanted_wcs_ = post.wcs.front();
+    absolute_ = !post.has(NcCode::absolute);
+    inverse_known_ = !post.has(NcCode::inverse_time);
+    spindle_ = !post.has(NcCode::spindle_on);
+    length_ = !post.has(NcCode::length_on) && post.word(NcWord::edge).empty();
+    counts_length_ = length_;
+}
+
+void NcModes::refuse(const std::string& what, const std::string& remedy, ErrorCode code) const {
+    throw Error(code, file_ + ":" + std::to_string(line_), what, remedy);
+}
+
+double NcModes::length(double word) const {
+    if (unit_ == 0)
+        refuse("no code says what the unit of the numbers is",
+               "write " + post_.code(NcCode::mm) + " or " + post_.code(NcCode::inch) + " at the start",
+               ErrorCode::missing_key);
+    return word * unit_;
+}
+
+/// The length of the tool counts from here on.
+void NcModes::call_length(NcCode code, const NcLine& line) {
+    if (!post_.word(NcWord::length).empty()) {
+        if (!line.has(NcWord::length))
+            refuse("a tool length is called without a number",
+                   "write " + post_.word(NcWord::length) + " and the tool's number", ErrorCode::missing_key);
+        if (!tool_ || line[NcWord::length] != double(*tool_))
+            refuse("the length of tool " + format_number(line[NcWord::length])
+                       + " is called, and another one is in the spindle",
+                   "call its own");
+    }
+    if (post_.word(NcWord::edge).empty()) length_ = true;
+    if (!length_)
+        refuse("the tip is to be led and the tool's length is not called", "call its edge before it",
+               ErrorCode::missing_key);
+    if (code != NcCode::length_on) tcp_ = code == NcCode::tcp ? Tcp::axes : Tcp::vectors;
+}
+
+void NcModes::one_code(NcCode code, const NcLine& line) {
+    switch (code) {
+    case NcCode::mm:
+        unit_ = 1;
+        break;
+    case NcCode::inch:
+        unit_ = mm_per_inch;
+        break;
+    case NcCode::absolute:
+        absolute_ = true;
+        incremental_ = false;
+        break;
+    case NcCode::incremental:
+        incremental_ = true;
+        break;
+    case NcCode::per_minute:
+    case NcCode::inverse_time:
+        if (!inverse_known_ || inverse_ != (code == NcCode::inverse_time)) feed_.reset();
+        inverse_ = code == NcCode::inverse_time;
+        inverse_known_ = true;
+        break;
+    case NcCode::length_on:
+    case NcCode::tcp:
+    case NcCode::tcp_vectors:
+        call_length(code, line);
+        break;
+    case NcCode::length_off:
+        if (!counts_length_) length_ = false;
+        tcp_ = Tcp::off;
+        break;
+    case NcCode::tcp_off:
+        tcp_ = Tcp::off;
+        break;
+    case NcCode::spindle_on:
+        spindle_ = true;
+        break;
+    case NcCode::spindle_off:
+        spindle_ = !post_.has(NcCode::spindle_on);
+        break;
+    case NcCode::tool_change:
+        if (!prepared_)
+            refuse("a tool is changed and none was named", "write the tool's number before it",
+                   ErrorCode::missing_key);
+        change_tool();
+        break;
+    case NcCode::home:
+        home_now_ = true;
+        break;
+    case NcCode::end:
+        ended_ = true;
+        break;
+    default:
+        break;
+    }
+}
+
+void NcModes::codes(const NcLine& line) {
+    bool moves = false;
+    for (const NcCode code : line.codes) {
+        if (code == NcCode::rapid || code == NcCode::feed) {
+            if (moves) refuse("two kinds of motion in one block", "keep one of them");
+            moves = true;
+            motion_ = code;
+        } else {
+            one_code(code, line);
+        }
+    }
+    if (line.wcs.empty()) return;
+    if (line.wcs != wanted_wcs_)
+        refuse("the work coordinate system is " + printable(line.wcs) + ", and the part stands in "
+                   + printable(wanted_wcs_),
+               "choose the setup's");
+    wcs_ = true;
+}
+
+void NcModes::change_tool() {
+    tool_ = prepared_;
+    change_now_ = true;
+    length_ = counts_length_;
+    tcp_ = Tcp::off;
+}
+
+void NcModes::values(const NcLine& line) {
+    if (line.has(NcWord::feed)) {
+        if (!(line[NcWord::feed] > 0)) refuse("the feed is not above 0", "give a feed");
+        feed_ = line[NcWord::feed];
+    } else if (inverse_) {
+        feed_.reset();
+    }
+    if (line.has(NcWord::speed) && !(line[NcWord::speed] > 0))
+        refuse("the spindle speed is not above 0", "give a speed");
+    if (line.has(NcWord::edge)) length_ = line[NcWord::edge] != 0;
+    if (line.has(NcWord::tool)) {
+        const double number = line[NcWord::tool];
+        if (number != std::round(number) || number < 0 || number > 1e9)
+            refuse("there is no tool " + format_number(number), "number tools from 1");
+        prepared_ = long(number);
+        if (!post_.has(NcCode::tool_change)) change_tool();
+    }
+}
+
+void NcModes::check_motion() const {
+    if (motion_ == NcCode::none)
+        refuse("a place is given and no kind of motion",
+               "write " + post_.code(NcCode::rapid) + " or " + post_.code(NcCode::feed),
+               ErrorCode::missing_key);
+    if (!absolute_ || incremental_)
+        refuse("places are not told from the origin",
+               "write " + post_.code(NcCode::absolute) + " at the start", ErrorCode::missing_key);
+    if (!post_.wcs.empty() && !wcs_)
+        refuse("no work coordinate system is chosen", "write " + wanted_wcs_, ErrorCode::missing_key);
+    if (!tool_) refuse("no tool is in the spindle", "name it first", ErrorCode::missing_key);
+    if (motion_ == NcCode::rapid) return;
+    if (!feed_)
+        refuse(inverse_ ? "a block of its own time has no time" : "there is no feed",
+               "write " + post_.word(NcWord::feed), ErrorCode::missing_key);
+    if (!inverse_known_)
+        refuse("nothing says what the feed is per",
+               "write " + post_.code(NcCode::per_minute) + " at the start", ErrorCode::missing_key);
+    if (!spindle_)
+        refuse("it cuts while the spindle stands", "write " + post_.code(NcCode::spindle_on),
+               ErrorCode::missing_key);
+}
+
+void NcModes::block(const NcLine& line, long number) {
+    line_ = number;
+    home_now_ = change_now_ = false;
+    // "T1 M6": the number belongs to the change in the same block.
+    const bool values_first = line.has(NcWord::tool);
+    if (values_first) values(line);
+    codes(line);
+    if (!values_first) values(line);
+}
+
+} // namespace facetmill

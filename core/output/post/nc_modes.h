@@ -1,0 +1,65 @@
+// The modes of a control while it runs a program: units, kinds of motion and feed, tool, its length, work
+// coordinates, who leads the tip. What no code has said is not known, and is refused where it is needed.
+// Internal to the room.
+#pragma once
+
+#include "core/output/post/nc_line.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace facetmill {
+
+class NcModes {
+public:
+    enum class Tcp { off, axes, vectors };
+
+    /// `wcs`: the only one that may be chosen; empty: the post's first.
+    NcModes(const std::string& file, const Post& post, const std::string& wcs);
+
+    /// Takes over what a block says. Throws Error for what contradicts itself, within "file:line".
+    void block(const NcLine& line, long number);
+    /// What a motion needs to be known. Throws Error(missing_key).
+    void check_motion() const;
+
+    [[noreturn]] void refuse(const std::string& what, const std::string& remedy,
+                             ErrorCode code = ErrorCode::out_of_range) const;
+
+    long line_number() const { return line_; }
+    /// A word that is a length, mm.
+    double length(double word) const;
+    double unit() const { return unit_; }
+    NcCode motion() const { return motion_; }
+    bool inverse_time() const { return inverse_; }
+    double feed() const { return *feed_; } ///< as the program has it; of a checked motion
+    Tcp tcp() const { return tcp_; }
+    bool length_counts() const { return length_; }
+    bool incremental() const { return incremental_; }
+    bool goes_home() const { return home_now_; } ///< in this block
+    bool changes_tool() const { return change_now_; }
+    std::optional<long> tool() const { return tool_; }
+    bool ended() const { return ended_; }
+
+private:
+    void codes(const NcLine& line);
+    void one_code(NcCode code, const NcLine& line);
+    void call_length(NcCode code, const NcLine& line);
+    void values(const NcLine& line);
+    void change_tool();
+
+    const std::string& file_;
+    const Post& post_;
+    std::string wanted_wcs_;
+    long line_ = 0;
+    double unit_ = 0; ///< mm; 0: not yet said
+    bool absolute_ = false, incremental_ = false, inverse_ = false, inverse_known_ = false, wcs_ = false;
+    bool spindle_ = false, length_ = false, counts_length_ = false, ended_ = false, home_now_ = false;
+    bool change_now_ = false;
+    std::optional<double> feed_;
+    NcCode motion_ = NcCode::none;
+    Tcp tcp_ = Tcp::off;
+    std::optional<long> prepared_, tool_;
+};
+
+} // namespace facetmill

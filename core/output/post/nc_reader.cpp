@@ -1,0 +1,399 @@
+#include "core/output/post/nc_reader.h"
+
+#include "core/base/error.h"
+#include "core/base/tolerances.h"
+#include "core/output/post/joint_route.h"
+#include "core/output/post/nc_line.h"
+#include "core/output/post/nc_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t lines_per_check = 4096;
+/// How far up a machine goes whose Z has no limit, above where it works; mm.
+constexpr double free_lift = 100;
+/// What the last digit of a program may miss of a travel, mm and radians.
+constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
+
+class NcRun {
+public:
+    NcRun(const std::string& file, const Post& post, const NcSetup& setup)
+        : post_(post), setup_(setup), modes_(file, post, setup.wcs),
+          kinematics_(setup.machine, 0, setup.part_origin) {
+        // An axis that the program cannot name stands at 0.
+        for (std::size_t r = 0; r < rotary_known_.size(); ++r)
+            rotary_known_[r] = r >= setup.machine.rotary.size() || post.word(rotary(r)).empty();
+    }
+
+    void block(const NcLine& line, long number);
+    NcProgram finish();
+    bool ended() const { return modes_.ended(); }
+
+private:
+    using Tcp = NcModes::Tcp;
+
+    [[noreturn]] void refuse(const std::string& what, const std::string& remedy,
+                             ErrorCode code = ErrorCode::out_of_range) const {
+        modes_.refuse(what, remedy, code);
+    }
+    Tcp tcp() const { return by_joints_ ? Tcp::off : modes_.tcp(); }
+    NcWord rotary(std::size_t r) const {
+        return NcWord(std::size_t(NcWord::a) + std::size_t(setup_.machine.rotary[r].name[0] - 'A'));
+    }
+    void take_tool(long number);
+    void go_home(const NcLine& line);
+    void motion(const NcLine& line);
+    Joints joint_target(const NcLine& line) const;
+    Joints tcp_target(const NcLine& line) const;
+    void check_travel(const Joints& to) const;
+    void come_down(const Joints& to);
+    double top(double z) const;
+    void trace(const Joints& to, bool rapid);
+    void straight(const Joints& to, const CutterLocation& location, bool rapid);
+    double seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const;
+    void add(const CutterLocation& to, bool rapid, double feed);
+    void close_section();
+
+    const Post& post_;
+    const NcSetup& setup_;
+    NcModes modes_;
+    Kinematics kinematics_; ///< with the tool that is in the spindle
+    double gauge_ = 0;
+    bool has_tool_ = false;
+    NcProgram program_;
+
+    // Where the machine stands.
+    Joints at_;
+    std::array<bool, 3> linear_known_{};
+    std::array<bool, 2> rotary_known_{};
+    bool up_ = false;               ///< Z is at the top of its travel
+    std::vector<Joints> up_places_; ///< places up there since the last one below
+    std::optional<Joints> left_;    ///< where the tool went up from
+    bool by_joints_ = false;        ///< on the way up or down: whoever leads the tip elsewhere
+
+    ClSection section_;
+    std::vector<std::uint32_t> section_lines_;
+    std::vector<RoutePlace> places_;
+};
+
+void NcRun::take_tool(long number) {
+    if (has_tool_ && !up_ && post_.has(NcCode::tool_change))
+        refuse("the tool is changed where it stands, and not up", "retract before it");
+    const auto found = setup_.tools.find(number);
+    if (found == setup_.tools.end())
+        refuse("the project has no tool " + std::to_string(number), "add it to the project's tools",
+               ErrorCode::missing_reference);
+    close_section();
+    has_tool_ = true;
+    gauge_ = found->second.gauge_length;
+    kinematics_ = Kinematics(setup_.machine, gauge_, setup_.part_origin);
+    section_ = {};
+    section_.tool_number = number;
+    section_.tool_name = found->second.name;
+    section_.cutter = found->second.cutter;
+    section_.gauge_length = gauge_;
+    section_.operation_name = "tool " + std::to_string(number);
+    section_.multi_axis = !setup_.machine.rotary.empty();
+    section_.motions.turning = setup_.turning;
+    linear_known_ = {};
+    left_.reset();
+    up_places_.clear();
+}
+
+/// Axes to the end of their travel: Z up; X and Y are not known there.
+void NcRun::go_home(const NcLine& line) {
+    const auto given = [&](std::size_t k) { return line.has(NcWord(k)); };
+    for (std::size_t k = 0; k < 6; ++k)
+        if (given(k) && k >= 3) refuse("a rotary axis goes home", "leave it where it is");
+    if (given(2)) {
+        if (given(0) || given(1))
+            refuse("the tool goes up and aside at the same time", "send Z home first, alone");
+        if (!modes_.goes_home() && line[NcWord::z] != 0)
+            refuse("a place of the machine's own is not known here", "retract to 0 of the machine");
+        if (modes_.goes_home() && modes_.incremental() && line[NcWord::z] != 0)
+            refuse("the tool goes elsewhere before it goes home", "write 0");
+        if (!up_ && linear_known_[0] && linear_known_[1] && linear_known_[2]) left_ = at_;
+        up_ = true;
+        linear_known_[2] = false;
+        up_places_.clear();
+        return;
+    }
+    if (!up_) refuse("X or Y go home while the tool is down", "send Z home first");
+    for (std::size_t k = 0; k < 2; ++k)
+        if (given(k)) linear_known_[k] = false;
+}
+
+Joints NcRun::joint_target(const NcLine& line) const {
+    Joints to = at_;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (line.has(NcWord(k)))
+            to.linear[int(k)] = modes_.length(line.value[k]) + setup_.part_origin[int(k)]
+                                + (k == 2 && modes_.length_counts() ? gauge_ : 0);
+    for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
+        if (line.has(rotary(r))) to.rotary[r] = radians(line[rotary(r)]);
+    return to;
+}
+
+Joints NcRun::tcp_target(const NcLine& line) const {
+    const bool placed = linear_known_[0] && linear_known_[1] && (linear_known_[2] || up_) && rotary_known_[0]
+                        && rotary_known_[1];
+    const bool all = line.has(NcWord::x) && line.has(NcWord::y) && line.has(NcWord::z);
+    if (!placed || (up_ && !all))
+        refuse("the tool is led by its tip from a place that is not known",
+               "bring rotary axes, X and Y to the start first, and give X, Y and Z", ErrorCode::missing_key);
+    const ToolPose now = kinematics_.forward(at_);
+    Vec3 tip = now.tip;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (line.has(NcWord(k))) tip[int(k)] = modes_.length(line.value[k]);
+    Joints to = at_;
+    if (tcp() == Tcp::vectors) {
+        Vec3 axis(0, 0, 0);
+        bool given = false;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (line.has(NcWord(std::size_t(NcWord::i) + k))) {
+                axis[int(k)] = line.value[std::size_t(NcWord::i) + k];
+                given = true;
+            }
+        if (given && !(axis.norm() > tolerance::level_angle))
+            refuse("the tool axis has no length", "give I, J and K");
+        const Vec3 unit = given ? Vec3(axis.normalized()) : now.axis;
+        const auto held = kinematics_.nearest({tip, unit}, at_);
+        if (!held) refuse("the machine cannot hold this place", "check the program and the machine");
+        return *held;
+    }
+    for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
+        if (line.has(rotary(r))) to.rotary[r] = radians(line[rotary(r)]);
+    to.linear = kinematics_.linear(tip, to);
+    return to;
+}
+
+void NcRun::check_travel(const Joints& to) const {
+    const Machine& m = setup_.machine;
+    for (int k = 0; k < m.joints(); ++k) {
+        const bool known = k < 3 ? linear_known_[std::size_t(k)] : rotary_known_[std::size_t(k - 3)];
+        const double slack = k < 3 ? travel_slack : rotary_slack;
+        if (!known || m.joint_travel(k).contains(to[k], slack)) continue;
+        const double unit = k < 3 ? 1 : radians(1);
+        const Travel& t = m.joint_travel(k);
+        refuse(m.axis_name(k) + " would stand at " + format_number(to[k] / unit) + ", and its travel is "
+                   + format_number(t.lo / unit) + " to " + format_number(t.hi / unit),
+               "check the part's place and the program");
+    }
+}
+
+double NcRun::top(double z) const {
+    const Travel& t = setup_.machine.travel[2];
+    return t.hi < infinity ? std::max(t.hi, z) : z + free_lift;
+}
+
+void NcRun::add(const CutterLocation& to, bool rapid, double feed) {
+    section_.motions.motions.push_back({rapid ? MotionKind::rapid : MotionKind::cut, to});
+    section_.motion_feeds.push_back(feed);
+    section_lines_.push_back(std::uint32_t(modes_.line_number()));
+}
+
+/// The tool from where it stands to `to` while the joints move evenly.
+void NcRun::trace(const Joints& to, bool rapid) {
+    const ToolPose end = kinematics_.forward(to);
+    straight(to, {end.tip, end.axis}, rapid);
+}
+
+double NcRun::seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const {
+    const double joints = kinematics_.time(at_, to);
+    if (rapid) return joints;
+    if (modes_.inverse_time()) return std::max(joints, 60 / modes_.feed());
+    // Where no tip moves the feed is that of the axes, in degrees.
+    double distance = tcp() == Tcp::off ? (to.linear - at_.linear).norm()
+                                        : (end.tip - section_.motions.motions.back().to.tip).norm();
+    if (distance > tolerance::smallest_chord)
+        return std::max(joints, 60 * distance / (modes_.feed() * modes_.unit()));
+    distance = std::abs(to.rotary[0] - at_.rotary[0]) + std::abs(to.rotary[1] - at_.rotary[1]);
+    return std::max(joints, 60 * degrees(distance) / modes_.feed());
+}
+
+void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapid) {
+    const CutterLocation from = section_.motions.motions.back().to;
+    const double step = (location.tip - from.tip).norm();
+    const double seconds = seconds_for(to, location, rapid);
+    const double feed = rapid                   ? 1
+                        : modes_.inverse_time() ? std::max(60 * step / std::max(seconds, 1e-9), 1e-3)
+                                                : modes_.feed() * modes_.unit();
+    places_.clear();
+    const JointMotion motion{from, location, at_, to};
+    const StrayLimit limit{tcp() == Tcp::off ? setup_.tip_tolerance : infinity, setup_.axis_tolerance};
+    if (tcp() == Tcp::vectors)
+        places_.push_back({1, to, location});
+    else
+        trace_motion(kinematics_, motion, section_.motions.turning, limit, places_);
+    for (const RoutePlace& p : places_) {
+        CutterLocation at = p.location;
+        // The control keeps the tip on its line.
+        if (tcp() != Tcp::off) at.tip = from.tip + p.t * (location.tip - from.tip);
+        add(at, rapid, feed);
+    }
+    if (!up_) program_.seconds += seconds;
+    program_.reach.add(to.linear);
+}
+
+/// From the top to the first place below, and before that whatever happened since the tool went up.
+void NcRun::come_down(const Joints& to) {
+    const double high = top(std::max(to.linear.z(), left_ ? left_->linear.z() : to.linear.z()));
+    by_joints_ = true;
+    const auto visit = [&](Joints place, bool rapid) {
+        if (section_.motions.motions.empty()) {
+            const ToolPose pose = kinematics_.forward(place);
+            add({pose.tip, pose.axis}, true, 1);
+        } else {
+            trace(place, rapid);
+        }
+        at_ = place;
+    };
+    if (left_ && !section_.motions.motions.empty()) {
+        at_ = *left_;
+        Joints above = *left_;
+        above.linear.z() = high;
+        visit(above, true);
+        for (Joints place : up_places_) {
+            place.linear.z() = high;
+            visit(place, true);
+        }
+    }
+    Joints above = at_;
+    if (!up_places_.empty()) above = up_places_.back();
+    above.linear.z() = high;
+    visit(above, true);
+    visit(to, modes_.motion() == NcCode::rapid);
+    by_joints_ = false;
+    up_ = false;
+    left_.reset();
+    up_places_.clear();
+}
+
+void NcRun::motion(const NcLine& line) {
+    constexpr unsigned linear_bits = 7u, rotary_bits = 7u << 3, vector_bits = 7u << 6;
+    const unsigned given =
+        line.given & (linear_bits | rotary_bits | (tcp() == Tcp::vectors ? vector_bits : 0u));
+    if (tcp() != Tcp::vectors && (line.given & vector_bits))
+        refuse("a tool axis is given as a vector, and no code says so", "leave it out");
+    if (given == 0) return;
+    for (const NcWord w : {NcWord::a, NcWord::b, NcWord::c}) {
+        bool there = !line.has(w);
+        for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
+            there = there || rotary(r) == w;
+        if (!there) refuse("the machine has no axis " + post_.word(w), "choose the machine it runs on");
+    }
+    ++program_.blocks;
+    if (modes_.goes_home() || line.has_code(NcCode::machine)) return go_home(line);
+    const bool level = (given & ~4u) != 0, all_before = linear_known_[0] && linear_known_[1]
+                                                        && rotary_known_[0] && rotary_known_[1]
+                                                        && linear_known_[2];
+    modes_.check_motion();
+    if (level && !up_ && !linear_known_[2])
+        refuse("the tool moves aside, and nothing says how high it is", "retract Z first");
+    const bool tip = tcp() != Tcp::off;
+    const Joints to = tip ? tcp_target(line) : joint_target(line);
+    const bool lowers = tip ? up_ : line.has(NcWord::z);
+    for (std::size_t k = 0; k < 3; ++k)
+        linear_known_[k] = linear_known_[k] || line.has(NcWord(k)) || (tip && lowers);
+    for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
+        rotary_known_[r] = rotary_known_[r] || line.has(rotary(r));
+    check_travel(to);
+    const bool placed = linear_known_[0] && linear_known_[1] && rotary_known_[0] && rotary_known_[1];
+    if (up_ && !lowers) {
+        at_ = to;
+        up_places_.push_back(to);
+        return;
+    }
+    if (up_) {
+        if (!placed)
+            refuse("the tool comes down and nothing says where an axis stands",
+                   "bring rotary axes, X and Y to the start first", ErrorCode::missing_key);
+        come_down(to);
+    } else if (!all_before) {
+        // The first height, or the first place at a known height.
+        if (placed && linear_known_[2]) {
+            const ToolPose pose = kinematics_.forward(to);
+            add({pose.tip, pose.axis}, true, 1);
+        }
+    } else {
+        trace(to, modes_.motion() == NcCode::rapid);
+    }
+    at_ = to;
+}
+
+void NcRun::block(const NcLine& line, long number) {
+    modes_.block(line, number);
+    if (modes_.changes_tool()) take_tool(*modes_.tool());
+    motion(line);
+}
+
+void NcRun::close_section() {
+    if (section_.motions.motions.empty()) return;
+    if (up_ && left_) {
+        at_ = *left_;
+        Joints above = at_;
+        above.linear.z() = top(at_.linear.z());
+        by_joints_ = true;
+        trace(above, true);
+        by_joints_ = false;
+    }
+    for (std::size_t i = 0; i < section_.motions.motions.size(); ++i)
+        if (section_.motions.motions[i].kind != MotionKind::rapid)
+            section_.feed_mm_per_min = std::max(section_.motion_feeds[i], 1e-3);
+    program_.sections.push_back(std::make_shared<const ClSection>(std::move(section_)));
+    program_.lines.push_back(std::move(section_lines_));
+    section_ = {};
+    section_lines_.clear();
+}
+
+NcProgram NcRun::finish() {
+    if (!ended())
+        refuse("the program has no end", "it may be cut short: write it anew", ErrorCode::truncated);
+    close_section();
+    const auto cuts = [](const auto& s) {
+        return std::any_of(s->motions.motions.begin(), s->motions.motions.end(),
+                           [](const Motion& m) { return m.kind != MotionKind::rapid; });
+    };
+    if (std::none_of(program_.sections.begin(), program_.sections.end(), cuts))
+        refuse("nothing is cut", "check the program", ErrorCode::empty_result);
+    return std::move(program_);
+}
+
+} // namespace
+
+NcProgram read_nc(std::string_view text, const std::string& file, const Post& post, const NcSetup& setup,
+                  const Progress& progress) {
+    const NcLineReader reader(post);
+    NcRun run(file, post, setup);
+    NcLine line;
+    long number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view one = text.substr(at, end - at);
+        if (!one.empty() && one.back() == '\r') one.remove_suffix(1);
+        at = end + 1;
+        if (std::size_t(++number) % lines_per_check == 0) progress.set(double(at) / double(text.size()));
+        if (one == "%" || one.empty()) continue;
+        if (run.ended()) break;
+        if (one.size() > post.max_block)
+            throw Error(ErrorCode::syntax, file + ":" + std::to_string(number),
+                        "the block has more than " + std::to_string(post.max_block) + " characters",
+                        "the control would not read it");
+        if (const auto odd =
+                std::find_if(one.begin(), one.end(), [](unsigned char c) { return c < 9 || c > 126; });
+            odd != one.end())
+            throw Error(ErrorCode::encoding, file + ":" + std::to_string(number),
+                        "a character is not plain text", "write ASCII");
+        reader.read(one, line, file, number);
+        run.block(line, number);
+    }
+    return run.finish();
+}
+
+} // namespace facetmill

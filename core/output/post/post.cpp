@@ -1,0 +1,418 @@
+#include "core/output/post/post.h"
+
+#include "core/base/file.h"
+#include "core/base/strict_json.h"
+#include "core/base/tolerances.h"
+#include "core/base/vec.h"
+#include "core/output/post/nc_text.h"
+#include "core/output/post/post_files.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+using namespace strict;
+
+namespace {
+
+constexpr long newest_post = 1;
+constexpr std::size_t longest_line = 200, max_lines = 40;
+
+const std::vector<std::pair<std::string, NcCode>>& code_words() {
+    static const std::vector<std::pair<std::string, NcCode>> all = {
+        {"none", NcCode::none},
+        {"rapid", NcCode::rapid},
+        {"feed", NcCode::feed},
+        {"mm", NcCode::mm},
+        {"inch", NcCode::inch},
+        {"absolute", NcCode::absolute},
+        {"incremental", NcCode::incremental},
+        {"per_minute", NcCode::per_minute},
+        {"inverse_time", NcCode::inverse_time},
+        {"length_on", NcCode::length_on},
+        {"length_off", NcCode::length_off},
+        {"machine", NcCode::machine},
+        {"home", NcCode::home},
+        {"tool_change", NcCode::tool_change},
+        {"spindle_on", NcCode::spindle_on},
+        {"spindle_off", NcCode::spindle_off},
+        {"tcp", NcCode::tcp},
+        {"tcp_vectors", NcCode::tcp_vectors},
+        {"tcp_off", NcCode::tcp_off},
+        {"end", NcCode::end},
+    };
+    return all;
+}
+
+const std::vector<std::string>& word_keys() {
+    static const std::vector<std::string> keys = {"x", "y", "z",    "a",     "b",    "c",      "i",
+                                                  "j", "k", "feed", "speed", "tool", "length", "edge"};
+    return keys;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const auto& n : names)
+        list += (list.empty() ? "" : ", ") + n;
+    return list;
+}
+
+/// One object of the file; `finish` refuses the keys nobody asked for.
+class PostReader {
+public:
+    PostReader(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
+        expect_object(object_, place_);
+    }
+    std::string at(const std::string& key) const { return member(place_, key); }
+    const Json* find(const std::string& key) {
+        known_.push_back(key);
+        const auto it = object_.find(key);
+        return it == object_.end() ? nullptr : &*it;
+    }
+    const Json& need(const std::string& key, const std::string& remedy) {
+        known_.push_back(key);
+        return require(object_, place_, key, remedy);
+    }
+    [[noreturn]] void refuse(const std::string& key, const std::string& what,
+                             const std::string& remedy) const {
+        throw Error(ErrorCode::out_of_range, at(key), what, remedy);
+    }
+    void text(const std::string& key, std::string& to, std::size_t longest = longest_line) {
+        if (const Json* v = find(key)) to = read_text(*v, at(key));
+        if (to.size() > longest) refuse(key, "the text is too long", "shorten it");
+    }
+    void integer(const std::string& key, long lo, long hi, long& to) {
+        const Json* v = find(key);
+        if (!v) return;
+        if (!v->is_number_integer()) wrong_type(at(key), *v, "a whole number");
+        const double d = v->get<double>();
+        if (!(d >= double(lo) && d <= double(hi)))
+            refuse(key, "the number is not from " + std::to_string(lo) + " to " + std::to_string(hi),
+                   "change it");
+        to = long(d);
+    }
+    void integer(const std::string& key, int lo, int hi, int& to) {
+        long v = to;
+        integer(key, long(lo), long(hi), v);
+        to = int(v);
+    }
+    void number(const std::string& key, double lo, double hi, double& to) {
+        const Json* v = find(key);
+        if (!v) return;
+        if (!v->is_number()) wrong_type(at(key), *v, "a number");
+        to = v->get<double>();
+        if (!(to >= lo && to <= hi))
+            refuse(key, "the number is not from " + format_number(lo) + " to " + format_number(hi),
+                   "change it");
+    }
+    void boolean(const std::string& key, bool& to) {
+        const Json* v = find(key);
+        if (!v) return;
+        if (!v->is_boolean()) wrong_type(at(key), *v, "true or false");
+        to = v->get<bool>();
+    }
+    std::vector<std::string> list(const std::string& key) {
+        std::vector<std::string> all;
+        if (const Json* v = find(key)) {
+            expect_list(*v, at(key));
+            for (std::size_t i = 0; i < v->size(); ++i)
+                all.push_back(read_text((*v)[i], element(at(key), i)));
+        }
+        return all;
+    }
+    void finish() const {
+        for (auto it = object_.begin(); it != object_.end(); ++it)
+            if (std::find(known_.begin(), known_.end(), it.key()) == known_.end())
+                unknown_key(it.key(), place_, known_);
+    }
+
+private:
+    const Json& object_;
+    std::string place_;
+    std::vector<std::string> known_;
+};
+
+/// The words in the braces of a line are known, and no brace stands alone.
+void check_template(const std::string& line, const std::string& place) {
+    if (line.size() > longest_line)
+        throw Error(ErrorCode::out_of_range, place, "the line is too long", "shorten it");
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '}')
+            throw Error(ErrorCode::out_of_range, place, "a '}' stands without '{'", "write {word}");
+        if (line[i] != '{') continue;
+        const std::size_t close = line.find('}', i);
+        if (close == std::string::npos)
+            throw Error(ErrorCode::out_of_range, place, "a '{' is not closed", "write {word}");
+        const std::string word = line.substr(i + 1, close - i - 1);
+        const auto& known = post_template_words();
+        if (std::find(known.begin(), known.end(), word) == known.end())
+            throw Error(ErrorCode::out_of_range, place, "there is no word {" + printable(word) + "}",
+                        "known words: " + listed(known));
+        i = close;
+    }
+}
+
+void read_numbers(PostReader& file, Post& post) {
+    const Json* object = file.find("numbers");
+    if (!object) return;
+    PostReader r(*object, "numbers");
+    r.integer("mm_decimals", 1, 6, post.mm_decimals);
+    r.integer("inch_decimals", 1, 7, post.inch_decimals);
+    r.integer("angle_decimals", 1, 7, post.angle_decimals);
+    r.integer("vector_decimals", 4, 9, post.vector_decimals);
+    r.integer("feed_decimals", 0, 4, post.feed_decimals);
+    r.boolean("trailing_zeros", post.trailing_zeros);
+    r.boolean("point", post.point);
+    r.finish();
+}
+
+void read_comments(PostReader& file, Post& post) {
+    const Json* object = file.find("comment");
+    if (!object) return;
+    PostReader r(*object, "comment");
+    r.text("open", post.comment_open, 2);
+    r.text("close", post.comment_close, 2);
+    long longest = long(post.max_comment);
+    r.integer("length", 8, 200, longest);
+    post.max_comment = std::size_t(longest);
+    r.finish();
+    if (post.comment_open != "(" && post.comment_open != ";")
+        r.refuse("open", "comments begin with ( or ;", "write one of them");
+    if (post.comment_close != (post.comment_open == "(" ? ")" : ""))
+        r.refuse("close", "what begins with ( ends with ), what begins with ; with the line",
+                 "mend it, or leave it out");
+}
+
+void read_block_numbers(PostReader& file, Post& post) {
+    const Json* object = file.find("block_numbers");
+    if (!object) return;
+    PostReader r(*object, "block_numbers");
+    post.block_letter = "N";
+    r.integer("first", 0L, 99999L, post.block_first);
+    r.integer("step", 1L, 1000L, post.block_step);
+    r.integer("last", 99L, 99999999L, post.block_last);
+    r.finish();
+}
+
+void read_words(PostReader& file, Post& post) {
+    PostReader r(file.need("words", "write the letters: { \"x\": \"X\", ... }"), "words");
+    const auto& keys = word_keys();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        std::string& word = post.words[i];
+        r.text(keys[i], word, 4);
+        if (!word.empty() && !is_nc_word(word))
+            r.refuse(keys[i], "'" + printable(word) + "' is no word",
+                     "write a letter, or letters and digits that end with '='");
+        for (std::size_t k = 0; k < i && !word.empty(); ++k)
+            if (post.words[k] == word)
+                r.refuse(keys[i], "'" + word + "' has two meanings", "give each its own");
+    }
+    if (!post.word(NcWord::edge).empty() && !post.word(NcWord::length).empty())
+        r.refuse("edge", "the length of a tool is called by an edge or by a number, not by both", "keep one");
+    post.ignored_words = r.list("ignored");
+    for (std::size_t i = 0; i < post.ignored_words.size(); ++i) {
+        const std::string& word = post.ignored_words[i];
+        if (!is_nc_word(word) || std::find(post.words.begin(), post.words.end(), word) != post.words.end())
+            throw Error(ErrorCode::out_of_range, element("words.ignored", i),
+                        "'" + printable(word) + "' is no word, or has a meaning", "leave it out");
+    }
+    r.finish();
+    for (const NcWord w : {NcWord::x, NcWord::y, NcWord::z, NcWord::feed})
+        if (post.word(w).empty())
+            throw Error(ErrorCode::missing_key, "words", "X, Y, Z or the feed has no word", "write it");
+}
+
+void read_codes(PostReader& file, Post& post) {
+    const Json& object = file.need("codes", "write what the codes mean: { \"G0\": \"rapid\", ... }");
+    expect_object(object, "codes");
+    std::vector<std::string> known;
+    for (const auto& [word, code] : code_words())
+        known.push_back(word);
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        const std::string place = member("codes", it.key()), word = read_text(it.value(), place);
+        if (!is_nc_code(it.key()))
+            throw Error(ErrorCode::out_of_range, place, "this is no code", "write it as G1, G43.4 or TRAORI");
+        const auto found = std::find(known.begin(), known.end(), word);
+        if (found == known.end())
+            throw Error(ErrorCode::out_of_range, place, "'" + printable(word) + "' is no meaning of a code",
+                        "known meanings: " + listed(known));
+        post.codes[it.key()] = code_words()[std::size_t(found - known.begin())].second;
+    }
+    for (const NcCode c : {NcCode::rapid, NcCode::feed, NcCode::mm, NcCode::inch, NcCode::end})
+        if (!post.has(c))
+            throw Error(ErrorCode::missing_key, "codes", "no code means '" + known[std::size_t(c)] + "'",
+                        "write it");
+    post.wcs = file.list("wcs");
+    for (std::size_t i = 0; i < post.wcs.size(); ++i) {
+        if (!is_nc_code(post.wcs[i]) || post.codes.contains(post.wcs[i]))
+            throw Error(ErrorCode::out_of_range, element("wcs", i),
+                        "this is no code, or it has another meaning", "write it as G54");
+        post.codes[post.wcs[i]] = NcCode::wcs;
+    }
+}
+
+void read_templates(PostReader& file, Post& post) {
+    const auto lines = [&](const char* key, std::vector<std::string>& to) {
+        to = file.list(key);
+        if (to.size() > max_lines) file.refuse(key, "there are too many lines", "leave some out");
+        for (std::size_t i = 0; i < to.size(); ++i)
+            check_template(to[i], element(key, i));
+    };
+    lines("start", post.start);
+    lines("tool_change", post.tool_change);
+    lines("operation", post.operation);
+    lines("retract", post.retract);
+    lines("tcp_on", post.tcp_on);
+    lines("tcp_off", post.tcp_off);
+    lines("end", post.end);
+    file.text("approach", post.approach);
+    check_template(post.approach, "approach");
+    file.text("tcp_approach", post.tcp_approach);
+    check_template(post.tcp_approach, "tcp_approach");
+    if (post.retract.empty())
+        throw Error(ErrorCode::missing_key, "retract", "nothing takes the tool up", "write the lines");
+    if (const Json* object = file.find("coolant")) {
+        PostReader r(*object, "coolant");
+        const char* const keys[] = {"off", "on", "mist", "flood"};
+        for (std::size_t i = 0; i < 4; ++i)
+            r.text(keys[i], post.coolant[i]);
+        r.finish();
+    }
+}
+
+void read_multi_axis(PostReader& file, Post& post) {
+    const Json* object = file.find("multi_axis");
+    if (!object) return;
+    PostReader r(*object, "multi_axis");
+    static const std::vector<std::string> kinds = {"none", "joints", "tcp", "vectors"};
+    std::string kind;
+    r.text("kind", kind);
+    const auto found = std::find(kinds.begin(), kinds.end(), kind);
+    if (found == kinds.end()) r.refuse("kind", "there is no such kind", "write one of: " + listed(kinds));
+    post.multi_axis = Post::MultiAxis(found - kinds.begin());
+    double degrees = 0.1;
+    r.number("axis_degrees", 0.001, 2, degrees);
+    post.axis_tolerance = radians(degrees);
+    r.finish();
+    const auto needs = [&](NcCode code, const char* name) {
+        if (!post.has(code))
+            r.refuse("kind", std::string("no code means '") + name + "'", "add one to codes");
+    };
+    if (post.multi_axis == Post::MultiAxis::joints) needs(NcCode::inverse_time, "inverse_time");
+    if (post.multi_axis == Post::MultiAxis::tcp) needs(NcCode::tcp, "tcp");
+    if (post.multi_axis == Post::MultiAxis::vectors) {
+        needs(NcCode::tcp_vectors, "tcp_vectors");
+        for (const NcWord w : {NcWord::i, NcWord::j, NcWord::k})
+            if (post.word(w).empty()) r.refuse("kind", "the vector has no words", "add i, j and k to words");
+    }
+    if (post.multi_axis != Post::MultiAxis::none) needs(NcCode::per_minute, "per_minute");
+}
+
+Post read_post(const Json& json, std::string_view text) {
+    PostReader file(json, "");
+    const Json& version = file.need("facetmill_post", "write 1: the version of the file");
+    if (!version.is_number_integer()) wrong_type("facetmill_post", version, "the version, 1");
+    if (version.get<double>() > double(newest_post))
+        throw Error(ErrorCode::newer_version, "facetmill_post", "the file is for a newer Facetmill",
+                    "update Facetmill");
+    if (version.get<double>() < 1) file.refuse("facetmill_post", "there is no such version", "write 1");
+    Post post;
+    post.source = std::string(text);
+    post.label = read_text(file.need("label", "name the control as people call it"), "label");
+    file.text("description", post.description, 2000);
+    post.extension = read_text(file.need("extension", "write it with the dot: .ngc"), "extension");
+    const bool plain = post.extension.size() >= 2 && post.extension.size() <= 8 && post.extension[0] == '.'
+                       && std::all_of(post.extension.begin() + 1, post.extension.end(),
+                                      [](unsigned char c) { return c < 128 && std::isalnum(c); });
+    if (!plain || post.extension == ".apt" || post.extension == ".json")
+        file.refuse("extension", "this is no extension of a program", "write a dot and letters, as .ngc");
+    std::string ends = "lf";
+    file.text("line_end", ends);
+    if (ends != "lf" && ends != "crlf") file.refuse("line_end", "there is no such end", "write lf or crlf");
+    if (ends == "crlf") post.line_end = "\r\n";
+    bool blanks = true;
+    file.boolean("blanks", blanks);
+    if (!blanks) post.separator.clear();
+    long longest = long(post.max_block);
+    file.integer("block_length", 40, 1000, longest);
+    post.max_block = std::size_t(longest);
+    file.boolean("modal", post.modal);
+    file.boolean("straight_rapids", post.straight_rapids);
+    file.number("largest_feed", 0, 1e6, post.max_feed);
+    file.integer("largest_tool", 1L, 99999999L, post.max_tool);
+    file.integer("largest_program", 1L, 99999999L, post.max_program);
+    read_numbers(file, post);
+    read_comments(file, post);
+    read_block_numbers(file, post);
+    read_words(file, post);
+    read_codes(file, post);
+    read_templates(file, post);
+    read_multi_axis(file, post);
+    file.finish();
+    return post;
+}
+
+} // namespace
+
+const std::string& Post::code(NcCode what) const {
+    static const std::string nothing;
+    for (const auto& [text, meaning] : codes)
+        if (meaning == what) return text;
+    return nothing;
+}
+
+bool Post::knows_wcs(std::string_view wanted) const {
+    return std::find(wcs.begin(), wcs.end(), wanted) != wcs.end();
+}
+
+const std::vector<std::string>& post_template_words() {
+    static const std::vector<std::string> words = {"part",      "program", "operation", "tool",
+                                                   "tool_name", "speed",   "wcs",       "coolant",
+                                                   "units",     "blend",   "safe"};
+    return words;
+}
+
+const std::vector<Post>& posts() {
+    static const auto all = [] {
+        std::vector<Post> list;
+        for (const PostFile& file : post_files) {
+            list.push_back(parse_post(file.text, std::string(file.name) + ".json"));
+            list.back().name = file.name;
+        }
+        return list;
+    }();
+    return all;
+}
+
+const Post& find_post(std::string_view name) {
+    std::vector<std::string> known;
+    for (const Post& p : posts()) {
+        if (p.name == name) return p;
+        known.push_back(p.name);
+    }
+    throw Error(ErrorCode::missing_reference, "post", "there is no post '" + printable(name) + "'",
+                "known posts: " + listed(known) + "; a name that ends with .json is a file of your own");
+}
+
+bool is_post_file(std::string_view name) {
+    return name.ends_with(".json");
+}
+
+Post parse_post(std::string_view json, const std::string& file) {
+    const Json root = parse_strict_json(json, file);
+    try {
+        return read_post(root, json);
+    } catch (const Error& e) {
+        throw e.within(file);
+    }
+}
+
+Post load_post(const std::filesystem::path& path) {
+    const InputFile file(path);
+    Post post = parse_post(file.bytes(), printable(path.string(), 400));
+    post.name = path.filename().string();
+    return post;
+}
+
+} // namespace facetmill

@@ -1,0 +1,109 @@
+// Posts: what a control's programs look like, as data files describe it (resources/posts/README.md). The
+// writer (post_writer.h) and the reader (nc_reader.h) work from the same description, so that a program is
+// read by what its control understands and not by what the writer meant.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/output/cl_program.h"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace facetmill {
+
+/// What a code of a control does: "G1", "M6", "TRAORI".
+enum class NcCode {
+    none, ///< is read over: it moves nothing and changes no number
+    rapid,
+    feed,
+    mm,
+    inch,
+    absolute,
+    incremental, ///< only where an axis goes home
+    per_minute,
+    inverse_time,
+    length_on,
+    length_off,
+    machine, ///< this block's Z counts from the top of the travel
+    home,    ///< this block's axes go to the end of their travel
+    tool_change,
+    spindle_on,
+    spindle_off,
+    tcp,         ///< X, Y, Z are the tip on the part, rotary words the axes
+    tcp_vectors, ///< the same, with the tool axis as a vector
+    tcp_off,
+    end,
+    wcs, ///< a work coordinate system; those of the post's list
+};
+
+/// What a word of a control says, a letter with a number.
+enum class NcWord { x, y, z, a, b, c, i, j, k, feed, speed, tool, length, edge, ignored };
+inline constexpr std::size_t nc_words = std::size_t(NcWord::ignored);
+
+struct Post {
+    /// How programs of several axes are told.
+    enum class MultiAxis {
+        none,    ///< not at all
+        joints,  ///< where the axes stand; straight between them
+        tcp,     ///< the tip on the part and where the rotary axes stand; the control does the rest
+        vectors, ///< the tip on the part and the tool axis
+    };
+    std::string name; ///< "linuxcnc", or the file's
+    std::string label, description;
+    std::string extension; ///< with the dot
+    std::string line_end = "\n", separator = " ";
+    std::size_t max_block = 255; ///< characters
+    std::string comment_open = "(", comment_close = ")";
+    std::size_t max_comment = 60;
+    int mm_decimals = 4, inch_decimals = 5, angle_decimals = 4, vector_decimals = 7, feed_decimals = 2;
+    bool trailing_zeros = false, point = true; ///< "1.500", "1."
+    std::string block_letter;                  ///< empty: no block numbers
+    long block_first = 10, block_step = 10, block_last = 99999;
+    std::array<std::string, nc_words> words; ///< "X", or "A3="; empty where the control has none
+    std::vector<std::string> ignored_words;  ///< of templates: read over
+    std::map<std::string, NcCode> codes;
+    std::vector<std::string> wcs;       ///< what a project may ask for; the first unless it asks
+    std::array<std::string, 4> coolant; ///< by Coolant
+    MultiAxis multi_axis = MultiAxis::none;
+    bool straight_rapids = true; ///< axes of a rapid arrive together
+    bool modal = true;           ///< words that did not change are left out
+    double axis_tolerance = 0;   ///< how far the tool axis may stray between the blocks of joint programs
+    double max_feed = 0;         ///< mm/min; 0: as the machine
+    long max_tool = 99, max_program = 9999;
+    /// Lines with words in braces, see post_template_words.
+    std::vector<std::string> start, tool_change, operation, retract, tcp_on, tcp_off, end;
+    /// Stand in the block that takes the tool down to a section's start; the second where it leads to TCP.
+    std::string approach, tcp_approach;
+    std::string source; ///< text of the file
+
+    /// The first code that does this; empty where the control has none.
+    const std::string& code(NcCode what) const;
+    bool has(NcCode what) const { return !code(what).empty(); }
+    const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
+    bool knows_wcs(std::string_view name) const;
+};
+
+/// Words that lines of a post may hold in braces: "program", "tool", "wcs" ...
+const std::vector<std::string>& post_template_words();
+
+/// The posts that are part of the program, in the order in which forms list them.
+const std::vector<Post>& posts();
+/// Throws Error(missing_reference) that lists the known names.
+const Post& find_post(std::string_view name);
+/// A post of one's own: a name that ends with ".json" is a file.
+bool is_post_file(std::string_view name);
+/// Strict: every key is known, has its type and its range, templates hold known words, and every code and
+/// word that the post writes is one that it reads. Throws Error(syntax, truncated, encoding, limit_exceeded,
+/// unknown_key, wrong_type, missing_key, out_of_range, newer_version) whose place is "file: codes.G0".
+Post parse_post(std::string_view json, const std::string& file);
+Post load_post(const std::filesystem::path& path);
+
+/// A name from a user for a comment: letters, digits, blanks and ".-_" pass, all else becomes one blank, and
+/// it is cut. No control reads anything into what is left.
+std::string nc_text(std::string_view name, std::size_t max_characters);
+
+} // namespace facetmill

@@ -1,0 +1,176 @@
+#include "core/output/post/post_blocks.h"
+
+#include "core/base/error.h"
+#include "core/base/vec.h"
+
+namespace facetmill {
+
+namespace {
+
+/// Significant digits of the feed of a block that has its own time.
+constexpr int inverse_digits = 6;
+
+} // namespace
+
+PostBlocks::PostBlocks(const Post& post, LengthUnit unit)
+    : post_(post), rapid_code_(post.code(NcCode::rapid)), feed_code_(post.code(NcCode::feed)),
+      minute_code_(post.code(NcCode::per_minute)), inverse_code_(post.code(NcCode::inverse_time)),
+      feed_scale_(1 / mm_per(unit)), number_(post.block_first) {
+    for (std::size_t i = 0; i < nc_words; ++i) {
+        Slot& s = slots_[i];
+        const NcWord w = NcWord(i);
+        if (w <= NcWord::z) {
+            s.decimals = unit == LengthUnit::inch ? post.inch_decimals : post.mm_decimals;
+            s.scale = feed_scale_;
+        } else if (w <= NcWord::c) {
+            s.decimals = post.angle_decimals;
+            s.scale = 180 / pi;
+        } else {
+            s.decimals = post.vector_decimals;
+        }
+    }
+}
+
+std::string PostBlocks::filled(const std::string& line, const TemplateValues& values) const {
+    std::string out;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] != '{') {
+            out += line[i];
+            continue;
+        }
+        const std::size_t close = line.find('}', i);
+        const auto value = values.find(std::string_view(line).substr(i + 1, close - i - 1));
+        if (value != values.end()) out += value->second;
+        i = close;
+    }
+    while (!out.empty() && out.back() == ' ')
+        out.pop_back();
+    return out;
+}
+
+void PostBlocks::line(const std::string& body) {
+    std::string number;
+    if (!post_.block_letter.empty() && body != "%") {
+        number = post_.block_letter + std::to_string(number_) + post_.separator;
+        number_ =
+            number_ + post_.block_step > post_.block_last ? post_.block_first : number_ + post_.block_step;
+    }
+    if (number.size() + body.size() > post_.max_block)
+        throw Error(ErrorCode::limit_exceeded, "post '" + printable(post_.name) + "'",
+                    "the block '" + printable(body) + "' is longer than " + std::to_string(post_.max_block)
+                        + " characters",
+                    "shorten the line of the post, or the names in it");
+    text_ += number;
+    text_ += body;
+    text_ += post_.line_end;
+}
+
+void PostBlocks::lines(const std::vector<std::string>& templates, const TemplateValues& values) {
+    for (const std::string& t : templates) {
+        const std::string body = filled(t, values);
+        if (!body.empty()) line(body);
+    }
+    for (Slot& s : slots_)
+        s.last.reset();
+    feed_.reset();
+    motion_ = NcCode::none;
+    mode_known_ = false;
+}
+
+void PostBlocks::before_next(const std::string& text, const TemplateValues& values) {
+    before_ = filled(text, values);
+}
+
+void PostBlocks::feed_mode(bool inverse_time) {
+    if (mode_known_ && inverse_ == inverse_time) return;
+    inverse_ = inverse_time;
+    mode_known_ = true;
+    feed_.reset();
+    const std::string& code = inverse_time ? inverse_code_ : minute_code_;
+    if (!code.empty()) line(code);
+}
+
+void PostBlocks::set(NcWord word, double value) {
+    Slot& s = slots_[std::size_t(word)];
+    s.next = nc_digits(value * s.scale, s.decimals);
+}
+
+bool PostBlocks::changes(NcWord word) const {
+    const Slot& s = slots_[std::size_t(word)];
+    return s.next && s.next != s.last;
+}
+
+bool PostBlocks::moves() const {
+    for (std::size_t i = 0; i < nc_words; ++i)
+        if (changes(NcWord(i))) return true;
+    return false;
+}
+
+void PostBlocks::begin(NcCode code) {
+    block_.clear();
+    const auto add = [&](const std::string& text) {
+        if (!block_.empty()) block_ += post_.separator;
+        block_ += text;
+    };
+    if (motion_ != code || !post_.modal) add(code == NcCode::rapid ? rapid_code_ : feed_code_);
+    motion_ = code;
+    if (!before_.empty()) add(before_);
+    before_.clear();
+}
+
+void PostBlocks::words() {
+    // A part of a vector that is left out would count as 0.
+    bool vector = false;
+    for (const NcWord w : {NcWord::i, NcWord::j, NcWord::k})
+        vector = vector || slots_[std::size_t(w)].next;
+    for (std::size_t i = 0; i < nc_words; ++i) {
+        Slot& s = slots_[i];
+        if (!s.next) continue;
+        const bool part = vector && NcWord(i) >= NcWord::i;
+        if (s.next != s.last || !post_.modal || part) {
+            if (!block_.empty()) block_ += post_.separator;
+            block_ += post_.words[i];
+            append_number(block_, *s.next, s.decimals, post_);
+        }
+        s.last = s.next;
+        s.next.reset();
+    }
+}
+
+void PostBlocks::end_block() {
+    line(block_);
+    ++blocks_;
+}
+
+void PostBlocks::rapid() {
+    begin(NcCode::rapid);
+    words();
+    end_block();
+}
+
+void PostBlocks::feed_per_minute(double mm_per_min) {
+    begin(NcCode::feed);
+    words();
+    const std::int64_t feed = nc_digits(mm_per_min * feed_scale_, post_.feed_decimals);
+    if (feed < 1)
+        throw Error(ErrorCode::out_of_range, "post '" + printable(post_.name) + "'",
+                    "a feed of " + format_number(mm_per_min) + " mm/min has no digits left",
+                    "raise the feed, or feed_decimals of the post");
+    if (feed_ != feed || !post_.modal) {
+        block_ += post_.separator + post_.word(NcWord::feed);
+        append_number(block_, feed, post_.feed_decimals, post_);
+    }
+    feed_ = feed;
+    end_block();
+}
+
+void PostBlocks::feed_for(double seconds) {
+    begin(NcCode::feed);
+    words();
+    block_ += post_.separator + post_.word(NcWord::feed);
+    append_significant(block_, 60 / seconds, inverse_digits, post_);
+    feed_.reset();
+    end_block();
+}
+
+} // namespace facetmill

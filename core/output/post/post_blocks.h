@@ -1,0 +1,65 @@
+// Blocks of one program, one after the other: what is modal is left out, lines are numbered and no longer
+// than the control reads. Internal to the room.
+#pragma once
+
+#include "core/output/post/nc_text.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace facetmill {
+
+/// What the words in the braces of a template stand for.
+using TemplateValues = std::map<std::string, std::string, std::less<>>;
+
+class PostBlocks {
+public:
+    PostBlocks(const Post& post, LengthUnit unit);
+
+    /// Lines of a template; those that come out empty are left out. Afterwards nothing is modal.
+    void lines(const std::vector<std::string>& templates, const TemplateValues& values);
+    /// Text that begins the next motion.
+    void before_next(const std::string& text, const TemplateValues& values);
+    void feed_mode(bool inverse_time);
+
+    /// A word for the next motion: mm, radians, or a part of a unit vector.
+    void set(NcWord word, double value);
+    /// True when any of the words set changes something as it is printed.
+    bool moves() const;
+    bool changes(NcWord word) const;
+    /// What a word would say now, and said last, in its last digit; nothing where it said nothing.
+    std::optional<std::int64_t> said(NcWord word) const { return slots_[std::size_t(word)].last; }
+    void rapid();
+    void feed_per_minute(double mm_per_min);
+    void feed_for(double seconds);
+
+    std::string& text() { return text_; }
+    std::size_t blocks() const { return blocks_; }
+
+private:
+    struct Slot {
+        std::optional<std::int64_t> last, next;
+        int decimals = 4;
+        double scale = 1; ///< of the word to the core's unit
+    };
+    void begin(NcCode code);
+    void words();
+    void end_block();
+    void line(const std::string& body);
+    std::string filled(const std::string& line, const TemplateValues& values) const;
+
+    const Post& post_;
+    std::string text_, block_, before_;
+    std::array<Slot, nc_words> slots_;
+    std::string rapid_code_, feed_code_, minute_code_, inverse_code_;
+    NcCode motion_ = NcCode::none;
+    std::optional<std::int64_t> feed_;
+    bool inverse_ = false, mode_known_ = false;
+    double feed_scale_ = 1;
+    long number_;
+    std::size_t blocks_ = 0;
+};
+
+} // namespace facetmill

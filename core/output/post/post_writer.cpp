@@ -1,0 +1,412 @@
+#include "core/output/post/post_writer.h"
+
+#include "core/base/tolerances.h"
+#include "core/output/motion_time.h"
+#include "core/output/post/joint_route.h"
+#include "core/output/post/post_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+constexpr std::size_t motions_per_check = 2048;
+constexpr std::array<NcWord, 3> linear_words = {NcWord::x, NcWord::y, NcWord::z};
+constexpr std::array<NcWord, 3> vector_words = {NcWord::i, NcWord::j, NcWord::k};
+
+NcWord rotary_word(const RotaryAxis& axis) {
+    return NcWord(std::size_t(NcWord::a) + std::size_t(axis.name[0] - 'A'));
+}
+
+class PostWriter {
+public:
+    PostWriter(const ClProgram& program, const Post& post, const PostSetup& setup)
+        : program_(program), post_(post), setup_(setup), wcs_(setup.wcs), blocks_(post, program.unit) {
+        if (wcs_.empty() && !post.wcs.empty()) wcs_ = post.wcs.front();
+    }
+
+    PostedProgram run(const Progress& progress);
+
+private:
+    [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
+        throw Error(ErrorCode::out_of_range, "post '" + printable(post_.name) + "'", what, remedy);
+    }
+    bool told_as_joints(const ClSection& s) const {
+        // Led by its tip a tool would run on chords where it is to run round a turning axis.
+        return !s.multi_axis || post_.multi_axis == Post::MultiAxis::joints || s.motions.turning;
+    }
+    void check() const;
+    void check_section(const ClSection& s) const;
+    TemplateValues values(const ClSection& s) const;
+    void section(const ClSection& s, bool first, bool change, const Progress& progress);
+    void upright(const ClSection& s, const Progress& progress);
+    void several_axes(const ClSection& s, const Progress& progress);
+    void check_findings(const ClSection& s, const MachineMotion& found) const;
+    void pieces(const ClSection& s, const Kinematics& kinematics, const MachineMotion& found, std::size_t i);
+    void rewind(const ClSection& s, const Kinematics& kinematics, const JointMotion& motion, std::size_t i);
+    void come_again(const ClSection& s, const Joints& at, const CutterLocation& location);
+    double length_out(const CutterLocation& from) const;
+    void place(const ClSection& s, const Joints& at, const CutterLocation& location);
+    void start(const ClSection& s, const Joints& at, const CutterLocation& location);
+    bool as_feed(double descent) const;
+    void go(bool rapid, double descent, double seconds, double length, double turned, double feed);
+
+    const ClProgram& program_;
+    const Post& post_;
+    const PostSetup& setup_;
+    std::string wcs_;
+    PostBlocks blocks_;
+    PostedProgram posted_;
+    Vec3 zero_ = Vec3::Zero();             ///< of X, Y, Z with the tool of the section
+    std::vector<NcWord> rotary_;           ///< of the machine's axes
+    bool joints_ = true, inverse_ = false; ///< how the section is told
+    double pending_ = 0;                   ///< seconds of motions that print as none
+    Joints now_;
+    std::vector<RoutePlace> places_;
+};
+
+void PostWriter::check() const {
+    check_writable(program_);
+    if (!wcs_.empty() && !post_.knows_wcs(wcs_)) {
+        std::string known;
+        for (const auto& w : post_.wcs)
+            known += (known.empty() ? "" : ", ") + w;
+        refuse("the control has no work coordinate system '" + printable(wcs_) + "'",
+               known.empty() ? "leave `wcs` out" : "use one of: " + known);
+    }
+    if (setup_.program_number < 1 || setup_.program_number > post_.max_program)
+        refuse("the program number " + std::to_string(setup_.program_number) + " is not from 1 to "
+                   + std::to_string(post_.max_program),
+               "change `program_number`");
+    for (const auto& s : program_.sections)
+        check_section(*s);
+    if (!post_.has(NcCode::tool_change))
+        for (std::size_t i = 1; i < program_.sections.size(); ++i)
+            if (!same_tool(*program_.sections[i - 1], *program_.sections[i]))
+                refuse("the control cannot change tools, and the program has several",
+                       "write one program for each operation: \"programs\": \"each\"");
+}
+
+void PostWriter::check_section(const ClSection& s) const {
+    const std::string name = "operation '" + printable(s.operation_name) + "'";
+    if (s.tool_number > post_.max_tool)
+        refuse(name + " has tool " + std::to_string(s.tool_number) + ", and the control numbers them to "
+                   + std::to_string(post_.max_tool),
+               "give the tool a smaller number");
+    double most = s.motion_feeds.empty() ? s.feed_mm_per_min : 0;
+    for (const double f : s.motion_feeds)
+        most = std::max(most, f);
+    const double limit = post_.max_feed > 0 ? post_.max_feed : 60 * setup_.machine.rapid_mm_per_s.maxCoeff();
+    if (most > limit * (1 + tolerance::figure_rounding))
+        refuse(name + " has a feed of " + format_number(most) + " mm/min, and the machine goes "
+                   + format_number(limit) + " at most",
+               "lower the feed");
+    if (!s.multi_axis) return;
+    if (post_.multi_axis == Post::MultiAxis::none)
+        refuse(name + " inclines the tool, and the control has three axes", "choose another post");
+    if (setup_.machine.rotary.empty())
+        refuse(name + " inclines the tool, and the machine '" + printable(setup_.machine.label)
+                   + "' has no rotary axis",
+               "choose the machine that it runs on");
+    if (told_as_joints(s) && !post_.has(NcCode::inverse_time))
+        refuse(name + " turns the part, and the control has no inverse time feed", "choose another post");
+    for (const RotaryAxis& axis : setup_.machine.rotary)
+        if (post_.word(rotary_word(axis)).empty())
+            refuse("the control has no word for the axis " + axis.name, "add it to the words of the post");
+}
+
+TemplateValues PostWriter::values(const ClSection& s) const {
+    TemplateValues v;
+    v["part"] = nc_text(program_.part_name, post_.max_comment);
+    v["operation"] = nc_text(s.operation_name, post_.max_comment);
+    v["tool_name"] = nc_text(s.tool_name, post_.max_comment);
+    v["program"] = std::to_string(setup_.program_number);
+    v["tool"] = std::to_string(s.tool_number);
+    v["speed"] = std::to_string(std::llround(std::max(s.spindle_rpm, 1.0)));
+    v["wcs"] = wcs_;
+    v["coolant"] = post_.coolant[std::size_t(s.coolant)];
+    const bool inch = program_.unit == LengthUnit::inch;
+    v["units"] = post_.code(inch ? NcCode::inch : NcCode::mm);
+    const int decimals = inch ? post_.inch_decimals : post_.mm_decimals;
+    const double per = mm_per(program_.unit);
+    append_number(v["blend"], std::max<std::int64_t>(1, nc_digits(setup_.tip_tolerance / per, decimals)),
+                  decimals, post_);
+    double safe = s.motions.clearance_z;
+    for (const Motion& m : s.motions.motions)
+        safe = std::max(safe, m.to.tip.z());
+    append_number(v["safe"], nc_digits(safe / per, decimals), decimals, post_);
+    return v;
+}
+
+/// A rapid as it is printed: does it have to be told as a motion at feed?
+bool PostWriter::as_feed(double descent) const {
+    int changes = 0;
+    for (std::size_t i = 0; i <= std::size_t(NcWord::k); ++i)
+        changes += blocks_.changes(NcWord(i));
+    return changes > 1 && (descent > 0 || !post_.straight_rapids);
+}
+
+/// Writes the words that were set. `length` is the tip's, `turned` what rotary axes turn.
+void PostWriter::go(bool rapid, double descent, double seconds, double length, double turned, double feed) {
+    if (!blocks_.moves()) {
+        if (!rapid) pending_ += seconds;
+        return;
+    }
+    if (rapid && !as_feed(descent)) {
+        blocks_.rapid();
+        return;
+    }
+    if (inverse_) {
+        blocks_.feed_for(std::max(seconds + pending_, 1e-6));
+        pending_ = 0;
+        return;
+    }
+    // What moves no tip counts by its angle.
+    if (!(length > tolerance::smallest_chord)) length = degrees(turned) * mm_per(program_.unit);
+    blocks_.feed_per_minute(rapid && seconds > 0 ? 60 * length / seconds : feed);
+}
+
+void PostWriter::place(const ClSection& s, const Joints& at, const CutterLocation& location) {
+    const bool vectors = s.multi_axis && post_.multi_axis == Post::MultiAxis::vectors && !joints_;
+    const Vec3 words = joints_ ? Vec3(at.linear - zero_) : location.tip;
+    for (std::size_t k = 0; k < 3; ++k)
+        blocks_.set(linear_words[k], words[int(k)]);
+    for (std::size_t k = 0; k < 3 && vectors; ++k)
+        blocks_.set(vector_words[k], location.axis[int(k)]);
+    for (std::size_t r = 0; r < rotary_.size() && !vectors; ++r)
+        blocks_.set(rotary_[r], at.rotary[r]);
+    posted_.reach.add(at.linear);
+}
+
+/// From the top down to the section's first place.
+void PostWriter::start(const ClSection& s, const Joints& at, const CutterLocation& location) {
+    const Vec3 words = at.linear - zero_;
+    for (std::size_t r = 0; r < rotary_.size(); ++r)
+        blocks_.set(rotary_[r], at.rotary[r]);
+    if (blocks_.moves()) blocks_.rapid();
+    blocks_.set(NcWord::x, words.x());
+    blocks_.set(NcWord::y, words.y());
+    blocks_.rapid();
+    const bool tcp = !told_as_joints(s);
+    if (tcp) blocks_.lines(post_.tcp_on, values(s));
+    joints_ = !tcp;
+    blocks_.before_next(tcp ? post_.tcp_approach : post_.approach, values(s));
+    place(s, at, location);
+    if (blocks_.moves()) blocks_.rapid();
+    // Without a Z to go down by there is no block to take the approach.
+    blocks_.before_next("", {});
+}
+
+void PostWriter::upright(const ClSection& s, const Progress& progress) {
+    const auto& motions = s.motions.motions;
+    const Machine& machine = setup_.machine;
+    const std::vector<double> seconds =
+        motion_seconds(s, machine, {.part_origin = setup_.part_origin}, progress.part(0, 0.3));
+    Box3 box;
+    for (const Motion& m : motions)
+        box.add(m.to.tip + zero_);
+    for (int k = 0; k < 3; ++k)
+        if (const Travel& t = machine.travel[std::size_t(k)];
+            !t.contains(box.lo[k], tolerance::smallest_chord)
+            || !t.contains(box.hi[k], tolerance::smallest_chord))
+            refuse("operation '" + printable(s.operation_name) + "': " + machine.axis_name(k)
+                       + " would go from " + length_text(box.lo[k], program_.unit) + " to "
+                       + length_text(box.hi[k], program_.unit)
+                       + " of the machine, and its travel ends before",
+                   "move the part, or choose a shorter tool");
+    blocks_.feed_mode(false);
+    inverse_ = false;
+    Joints at;
+    at.linear = motions.front().to.tip + zero_;
+    start(s, at, motions.front().to);
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        if (i % motions_per_check == 0) progress.part(0.3, 1).set(double(i) / double(motions.size()));
+        const Motion& m = motions[i];
+        const Vec3 step = m.to.tip - motions[i - 1].to.tip;
+        at.linear = m.to.tip + zero_;
+        place(s, at, m.to);
+        go(m.kind == MotionKind::rapid, -step.z(), seconds[i], step.norm(), 0, s.feed(i));
+        posted_.seconds += seconds[i];
+    }
+}
+
+void PostWriter::check_findings(const ClSection& s, const MachineMotion& found) const {
+    for (const MotionFinding& f : found.findings)
+        if (f.kind != MotionFinding::Kind::swing)
+            refuse("operation '" + printable(s.operation_name) + "', "
+                       + finding_text(f, setup_.machine, program_.unit),
+                   "move the part, or change the operation's limits");
+}
+
+/// Motion i in the pieces that the control needs.
+void PostWriter::pieces(const ClSection& s, const Kinematics& kinematics, const MachineMotion& found,
+                        std::size_t i) {
+    const Motion &from = s.motions.motions[i - 1], &m = s.motions.motions[i];
+    const bool rapid = m.kind == MotionKind::rapid;
+    StrayLimit limit{setup_.tip_tolerance, post_.axis_tolerance};
+    if (!joints_) limit.tip = infinity; // the control sees to it
+    places_.clear();
+    const JointMotion motion{from.to, m.to, now_, found.motions[i].at};
+    if (post_.multi_axis == Post::MultiAxis::vectors && !joints_)
+        places_.push_back({1, motion.to_joints, motion.to});
+    else if (const bool on_course = now_.rotary == found.motions[i - 1].at.rotary;
+             !lead_motion(kinematics, motion, on_course, s.motions.turning, limit, places_))
+        return rewind(s, kinematics, motion, i);
+    const Vec3 step = m.to.tip - from.to.tip;
+    const double feed_seconds = rapid ? 0 : step.norm() / s.feed(i) * 60;
+    Joints last = motion.from_joints;
+    double t = 0;
+    for (const RoutePlace& p : places_) {
+        const double share = p.t - t;
+        const double seconds = std::max(share * feed_seconds, kinematics.time(last, p.at));
+        place(s, p.at, p.location);
+        const double turned =
+            std::abs(p.at.rotary[0] - last.rotary[0]) + std::abs(p.at.rotary[1] - last.rotary[1]);
+        go(rapid, last.linear.z() - p.at.linear.z(), seconds, share * step.norm(), turned, s.feed(i));
+        posted_.seconds += seconds;
+        last = p.at;
+        t = p.t;
+    }
+    now_ = last;
+}
+
+/// How far the tool goes along its axis until it is clear of part and stock.
+double PostWriter::length_out(const CutterLocation& from) const {
+    if (setup_.keep_clear.empty()) return setup_.clearance;
+    double nearest = infinity;
+    for (int k = 0; k < 3; ++k) {
+        const double a = from.axis[k];
+        if (std::abs(a) < tolerance::level_angle) continue;
+        const double side =
+            a > 0 ? setup_.keep_clear.hi[k] + setup_.clearance : setup_.keep_clear.lo[k] - setup_.clearance;
+        nearest = std::min(nearest, (side - from.tip[k]) / a);
+    }
+    return std::max(nearest, 0.0);
+}
+
+/// Up, and down again to a place that is held otherwise.
+void PostWriter::come_again(const ClSection& s, const Joints& at, const CutterLocation& location) {
+    const bool tcp = !told_as_joints(s);
+    if (tcp) blocks_.lines(post_.tcp_off, values(s));
+    joints_ = true;
+    blocks_.lines(post_.retract, values(s));
+    blocks_.feed_mode(inverse_);
+    start(s, at, location);
+    if (tcp) blocks_.feed_mode(false);
+}
+
+void PostWriter::rewind(const ClSection& s, const Kinematics& kinematics, const JointMotion& motion,
+                        std::size_t i) {
+    ++posted_.rewinds;
+    now_ = motion.to_joints;
+    const bool rapid = s.motions.motions[i].kind == MotionKind::rapid;
+    if (rapid) {
+        come_again(s, motion.to_joints, motion.to);
+        return;
+    }
+    const auto refuse_it = [&] {
+        refuse(
+            "operation '" + printable(s.operation_name) + "', motion " + std::to_string(i + 1)
+                + ": the machine would have to rewind its rotary axes while it cuts, and there is no room to",
+            "change the operation's limits, or the part's place on the machine");
+    };
+    const double out = length_out(motion.from);
+    const CutterLocation clear{motion.from.tip + out * motion.from.axis, motion.from.axis};
+    const auto again = kinematics.nearest({motion.from.tip, motion.from.axis}, motion.to_joints);
+    const auto clear_again = kinematics.nearest({clear.tip, clear.axis}, motion.to_joints);
+    const auto clear_before = kinematics.nearest({clear.tip, clear.axis}, motion.from_joints);
+    places_.clear();
+    const StrayLimit limit{joints_ ? setup_.tip_tolerance : infinity, post_.axis_tolerance};
+    if (!again || !clear_again || !clear_before || s.motions.turning
+        || !lead_motion(kinematics, {motion.from, motion.to, *again, motion.to_joints}, true, {}, limit,
+                        places_))
+        refuse_it();
+    const auto feed = [&](const Joints& from, const Joints& to, const CutterLocation& at, double length) {
+        place(s, to, at);
+        const double seconds = std::max(length / s.feed(i) * 60, kinematics.time(from, to));
+        go(false, 0, seconds, length, 0, s.feed(i));
+        posted_.seconds += seconds;
+    };
+    feed(motion.from_joints, *clear_before, clear, out);
+    come_again(s, *clear_again, clear);
+    feed(*clear_again, *again, motion.from, out);
+    Joints last = *again;
+    double t = 0;
+    for (const RoutePlace& p : places_) {
+        feed(last, p.at, p.location, (p.t - t) * (motion.to.tip - motion.from.tip).norm());
+        last = p.at;
+        t = p.t;
+    }
+    now_ = last;
+}
+
+void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
+    const auto& motions = s.motions.motions;
+    const MachineMotion found =
+        machine_motion(s, setup_.machine, {.part_origin = setup_.part_origin}, progress.part(0, 0.6));
+    check_findings(s, found);
+    const Kinematics kinematics(setup_.machine, s.gauge_length, setup_.part_origin);
+    inverse_ = told_as_joints(s);
+    blocks_.feed_mode(inverse_);
+    now_ = found.motions.front().at;
+    start(s, now_, motions.front().to);
+    if (!told_as_joints(s)) blocks_.feed_mode(false);
+    const Progress rest = progress.part(0.6, 1);
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        if (i % motions_per_check == 0) rest.set(double(i) / double(motions.size()));
+        pieces(s, kinematics, found, i);
+    }
+    if (!told_as_joints(s)) blocks_.lines(post_.tcp_off, values(s));
+    joints_ = true;
+    blocks_.feed_mode(false);
+    inverse_ = false;
+}
+
+void PostWriter::section(const ClSection& s, bool first, bool change, const Progress& progress) {
+    const TemplateValues v = values(s);
+    zero_ = setup_.part_origin + Vec3(0, 0, s.gauge_length);
+    rotary_.clear();
+    for (const RotaryAxis& axis : setup_.machine.rotary)
+        if (const NcWord word = rotary_word(axis); !post_.word(word).empty()) rotary_.push_back(word);
+    if (first) blocks_.lines(post_.start, v);
+    blocks_.lines(post_.retract, v);
+    if (change) {
+        blocks_.lines(post_.tool_change, v);
+        posted_.tools.push_back(s.tool_number);
+    }
+    blocks_.lines(post_.operation, v);
+    joints_ = true;
+    pending_ = 0;
+    posted_.tcp = posted_.tcp || !told_as_joints(s);
+    if (s.multi_axis)
+        several_axes(s, progress);
+    else
+        upright(s, progress);
+}
+
+PostedProgram PostWriter::run(const Progress& progress) {
+    check();
+    const double n = double(program_.sections.size());
+    const ClSection* last = nullptr;
+    for (std::size_t i = 0; i < program_.sections.size(); ++i) {
+        const ClSection& s = *program_.sections[i];
+        section(s, !last, !last || !same_tool(*last, s), progress.part(double(i) / n, double(i + 1) / n));
+        last = &s;
+    }
+    blocks_.lines(post_.retract, values(*last));
+    blocks_.lines(post_.end, values(*last));
+    posted_.blocks = blocks_.blocks();
+    posted_.text = std::move(blocks_.text());
+    return std::move(posted_);
+}
+
+} // namespace
+
+PostedProgram post_program(const ClProgram& program, const Post& post, const PostSetup& setup,
+                           const Progress& progress) {
+    return PostWriter(program, post, setup).run(progress);
+}
+
+} // namespace facetmill

@@ -1,0 +1,336 @@
+// Posts: the data files, what is written for a control, and that it reads back as what was planned.
+#include "core/base/plane_geometry.h"
+#include "core/output/post/nc_text.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+#include "tests/unit/output/posted_parts.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+std::string changed_text(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    if (at == std::string::npos) qFatal("the test's text is not there: %s", from.c_str());
+    return text.replace(at, from.size(), to);
+}
+
+std::string linuxcnc_with(const std::string& from, const std::string& to) {
+    return changed_text(find_post("linuxcnc").source, from, to);
+}
+
+std::string number_text(std::int64_t digits, int decimals, bool zeros, bool point) {
+    Post p;
+    p.trailing_zeros = zeros;
+    p.point = point;
+    std::string text;
+    append_number(text, digits, decimals, p);
+    return text;
+}
+
+/// Lines that hold a letter with a number, without comments.
+std::size_t count_lines(const std::string& text) {
+    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+}
+
+} // namespace
+
+class TestPosts : public QObject {
+    Q_OBJECT
+private slots:
+    void numbers() {
+        QCOMPARE(number_text(15000, 4, false, false), std::string("1.5"));
+        QCOMPARE(number_text(15000, 4, true, false), std::string("1.5000"));
+        QCOMPARE(number_text(-5, 4, false, true), std::string("-0.0005"));
+        QCOMPARE(number_text(0, 4, false, true), std::string("0."));
+        QCOMPARE(number_text(0, 4, true, true), std::string("0.0000"));
+        QCOMPARE(number_text(30000, 4, false, false), std::string("3"));
+        QCOMPARE(number_text(-30000, 4, false, true), std::string("-3."));
+        std::string text;
+        append_significant(text, 0.00123456789, 6, Post{});
+        QCOMPARE(text, std::string("0.00123457"));
+        text.clear();
+        append_significant(text, 123456789.0, 6, Post{});
+        QCOMPARE(text, std::string("123456789."));
+    }
+
+    void files_are_strict_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<std::string>("code");
+        QTest::addColumn<std::string>("says");
+        const auto row = [](const char* name, const std::string& text, const char* code, const char* says) {
+            QTest::newRow(name) << text << std::string(code) << std::string(says);
+        };
+        row("unknown key", linuxcnc_with("\"largest_tool\"", "\"largest_tol\""), "unknown_key",
+            "largest_tol");
+        row("unknown inner key", linuxcnc_with("\"mm_decimals\"", "\"decimals\""), "unknown_key",
+            "numbers.decimals");
+        row("wrong type", linuxcnc_with("99999,", "\"many\","), "wrong_type", "largest_tool");
+        row("template word", linuxcnc_with("{tool_name}", "{toolname}"), "out_of_range", "toolname");
+        row("open brace", linuxcnc_with("{coolant}", "{coolant"), "out_of_range", "operation[2]");
+        row("meaning", linuxcnc_with("\"rapid\"", "\"fast\""), "out_of_range", "codes.G0");
+        row("no code", linuxcnc_with("\"G0\": \"rapid\", ", ""), "missing_key", "rapid");
+        row("two meanings", linuxcnc_with("\"y\": \"Y\"", "\"y\": \"X\""), "out_of_range", "words.y");
+        row("wcs", linuxcnc_with("\"G59.3\"", "\"G90\""), "out_of_range", "wcs[8]");
+        row("version", linuxcnc_with("\"facetmill_post\": 1", "\"facetmill_post\": 2"), "newer_version",
+            "newer");
+        row("no G93", linuxcnc_with("\"G93\": \"inverse_time\", ", ""), "out_of_range", "inverse_time");
+        row("comment", linuxcnc_with("\"close\": \")\"", "\"close\": \"\""), "out_of_range", "comment.close");
+        row("extension", linuxcnc_with(".ngc", "../x"), "out_of_range", "extension");
+        row("decimals", linuxcnc_with("\"mm_decimals\": 4", "\"mm_decimals\": 40"), "out_of_range",
+            "mm_decimals");
+        row("twice", linuxcnc_with("\"wcs\": [", "\"coolant\": {}, \"wcs\": ["), "syntax", "twice");
+    }
+    void files_are_strict() {
+        QFETCH(std::string, text);
+        QFETCH(std::string, code);
+        QFETCH(std::string, says);
+        std::string message;
+        QCOMPARE(code_of([&] { parse_post(text, "own.json"); }, &message), code);
+        QVERIFY2(message.find("own.json") == 0 && message.find(says) != std::string::npos, message.c_str());
+    }
+
+    void every_post_writes_what_it_reads_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<bool>("inch");
+        for (const Post& p : posts())
+            for (const bool inch : {false, true})
+                QTest::addRow("%s %s", p.name.c_str(), inch ? "in" : "mm")
+                    << QString::fromStdString(p.name) << inch;
+    }
+    /// Three axes: every place to half a printed digit, every rapid a rapid, the time as the model has it.
+    void every_post_writes_what_it_reads() {
+        QFETCH(QString, post);
+        QFETCH(bool, inch);
+        const Post& control = find_post(post.toStdString());
+        std::vector<ClSection> sections = {upright_section("One", 1)};
+        if (control.has(NcCode::tool_change)) sections.push_back(upright_section("Two", 2, 7));
+        if (!control.has(NcCode::tool_change)) sections.push_back(upright_section("Two", 1, 7));
+        const ClProgram program = joined_program(sections, inch ? LengthUnit::inch : LengthUnit::mm);
+        const PostSetup setup = setup_for(program, "generic-3-axis");
+        const PostedProgram posted = post_program(program, control, setup, {});
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        const double digit =
+            inch ? 25.4 * std::pow(10, -control.inch_decimals) : std::pow(10, -control.mm_decimals);
+        double seconds = 0;
+        std::vector<Motion> all;
+        for (const auto& s : read.sections)
+            all.insert(all.end(), s->motions.motions.begin(), s->motions.motions.end());
+        std::size_t at = 0;
+        for (const ClSection& s : sections) {
+            for (const Motion& m : s.motions.motions) {
+                const bool rapid = m.kind == MotionKind::rapid;
+                while (at < all.size()
+                       && ((all[at].to.tip - m.to.tip).cwiseAbs().maxCoeff() > 0.5 * digit * 1.001
+                           || (control.straight_rapids && rapid != (all[at].kind == MotionKind::rapid))))
+                    ++at;
+                QVERIFY2(at < all.size(), "a place is missing");
+            }
+            seconds += motion_totals(s, setup.machine).time_seconds;
+        }
+        QVERIFY(std::abs(posted.seconds - seconds) < 1e-3 * seconds);
+        // Ways from the top and back count for none; those at feed are the file's own.
+        QVERIFY2(std::abs(read.seconds - seconds) < 0.02 * seconds,
+                 qPrintable(QString("%1 %2").arg(read.seconds).arg(seconds)));
+    }
+
+    void several_axes_keep_to_the_route_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<double>("lean");
+        for (const Post& p : posts())
+            for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-b-table-c", "tarus-tpi-2000"})
+                for (const double lean : {0.2, 0.02})
+                    if (p.multi_axis != Post::MultiAxis::none)
+                        QTest::addRow("%s %s %g", p.name.c_str(), machine, lean)
+                            << QString::fromStdString(p.name) << QString(machine) << lean;
+    }
+    /// What the machine does between the blocks is as near to the verified route as was asked for; a program
+    /// takes as long as the model says.
+    void several_axes_keep_to_the_route() {
+        QFETCH(QString, post);
+        QFETCH(QString, machine);
+        QFETCH(double, lean);
+        const Post& control = find_post(post.toStdString());
+        const ClProgram program = joined_program({leaning_section("Lean", 1, lean)});
+        const ClSection& section = *program.sections.front();
+        const PostSetup setup = setup_for(program, machine.toStdString());
+        const PostedProgram posted = post_program(program, control, setup, {});
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QCOMPARE(read.sections.size(), std::size_t(1));
+        const auto& motions = read.sections.front()->motions.motions;
+        double farthest = 0;
+        std::size_t first = 0, last = motions.size() - 1;
+        while (motions[first].kind == MotionKind::rapid)
+            ++first;
+        while (motions[last].kind == MotionKind::rapid)
+            --last;
+        for (std::size_t i = first; i <= last; ++i)
+            if (motions[i].kind != MotionKind::rapid)
+                farthest = std::max(farthest, distance_to_route(motions[i].to.tip, section));
+        QVERIFY2(farthest < setup.tip_tolerance + 0.001, qPrintable(QString::number(farthest)));
+        // Every place of the program is there with its axis, in order.
+        std::size_t at = 0;
+        for (const Motion& m : section.motions.motions) {
+            while (at < motions.size()
+                   && ((motions[at].to.tip - m.to.tip).norm() > 0.001
+                       || (motions[at].to.axis - m.to.axis).norm() > 1e-5))
+                ++at;
+            QVERIFY2(at < motions.size(), "a place is missing");
+        }
+        const double model = motion_totals(section, setup.machine).time_seconds;
+        // How an axis is held that is told as a vector, the control chooses.
+        const double share = control.multi_axis == Post::MultiAxis::vectors ? 0.05 : 1e-3;
+        QVERIFY2(posted.rewinds > 0 || std::abs(read.seconds - model) < share * model,
+                 qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(model)));
+    }
+
+    /// The axis passes the pole of the machine at 0.5 degrees, in one motion: C turns by half a turn
+    /// meanwhile, the tool does not leave its route, and the program goes on from there.
+    void beside_the_pole_data() {
+        QTest::addColumn<QString>("post");
+        QTest::newRow("joints") << "linuxcnc";
+        QTest::newRow("tcp") << "fanuc";
+    }
+    void beside_the_pole() {
+        QFETCH(QString, post);
+        ClSection section = plain_section("Past", 1, true);
+        section.motions.clearance_z = 30;
+        const auto axis = [](double x) { return Vec3(0.02 * x, 0.009, 1); };
+        add_motion(section, MotionKind::rapid, Vec3(-20, 0, 30), axis(-20));
+        add_motion(section, MotionKind::approach, Vec3(-20, 0, 0), axis(-20));
+        for (const double x : {-10.0, -5.0, 6.0, 10.0, 20.0})
+            add_motion(section, MotionKind::cut, Vec3(x, 0, 0), axis(x));
+        add_motion(section, MotionKind::retract, Vec3(20, 0, 30), axis(20));
+        const ClProgram program = joined_program({section});
+        const PostSetup setup = setup_for(program, "trunnion-ac");
+        const Post& control = find_post(post.toStdString());
+        const PostedProgram posted = post_program(program, control, setup, {});
+        QCOMPARE(posted.rewinds, std::size_t(0));
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        for (const Motion& m : read.sections.front()->motions.motions)
+            if (m.kind != MotionKind::rapid) {
+                QVERIFY(distance_to_route(m.to.tip, section) < setup.tip_tolerance + 0.001);
+                const double off = angle_between(m.to.axis, axis(m.to.tip.x()).normalized());
+                QVERIFY2(off < 2 * control.axis_tolerance, qPrintable(QString::number(degrees(off))));
+            }
+    }
+
+    void what_no_machine_could_run_data() {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<std::string>("says");
+        QTest::newRow("several axes") << 0 << std::string("three axes");
+        QTest::newRow("travel") << 1 << std::string("travel ends");
+        QTest::newRow("feed") << 2 << std::string("feed");
+        QTest::newRow("wcs") << 3 << std::string("G54");
+        QTest::newRow("tool number") << 4 << std::string("tool 256");
+        QTest::newRow("program number") << 5 << std::string("program number");
+        QTest::newRow("two tools") << 6 << std::string("cannot change tools");
+        QTest::newRow("no rotary axes") << 7 << std::string("no rotary axis");
+        QTest::newRow("axis") << 8 << std::string("too early");
+    }
+    void what_no_machine_could_run() {
+        QFETCH(int, fault);
+        QFETCH(std::string, says);
+        std::vector<ClSection> sections = {upright_section("One", 1)};
+        std::string post = "grbl", machine = "generic-3-axis";
+        if (fault == 0) sections = {leaning_section("One", 1)}, machine = "trunnion-ac";
+        if (fault == 1) machine = "trunnion-ac";
+        if (fault == 2) sections[0].feed_mm_per_min = 20000;
+        if (fault == 4) sections[0].tool_number = 256;
+        if (fault == 6) sections.push_back(upright_section("Two", 2));
+        if (fault >= 7) sections = {leaning_section("One", 1)}, post = "linuxcnc";
+        if (fault == 8) {
+            machine = "trunnion-ac";
+            for (Motion& m : sections[0].motions.motions)
+                m.to.tip.x() += 400;
+        }
+        const ClProgram program = joined_program(sections);
+        PostSetup setup = setup_for(program, machine);
+        if (fault == 1) setup.part_origin.x() += 340;
+        if (fault == 3) setup.wcs = "G60";
+        if (fault == 5) setup.program_number = 100000;
+        std::string message;
+        QCOMPARE(code_of([&] { post_program(program, find_post(post), setup, {}); }, &message),
+                 std::string("out_of_range"));
+        QVERIFY2(message.find(says) != std::string::npos, message.c_str());
+    }
+
+    /// No name becomes a word: the program without its comments is the same.
+    void hostile_names() {
+        std::mt19937_64 rng(4);
+        const std::vector<std::string> seeds = {"(part bracket) G0 Z-50 (x)",
+                                                "\nG0 Z-50\n",
+                                                "%\n%",
+                                                ";G1 X1",
+                                                "$H",
+                                                "O100 sub\nO100 endsub",
+                                                "GOTO 10",
+                                                "[1+2]#5=3",
+                                                "\xC3\x84nd\xE2\x80\xA8\xE2\x80\xAE",
+                                                "M30",
+                                                ")",
+                                                "(",
+                                                std::string(10000, ')'),
+                                                std::string("a\0b", 3),
+                                                "MSG, DEBUG,",
+                                                "\r\nM3 S9999"};
+        const auto name = [&] {
+            std::string text;
+            for (int k = int(rng() % 4); k >= 0; --k)
+                text += seeds[rng() % seeds.size()];
+            for (int k = int(rng() % 20); k > 0; --k)
+                text += char(rng() % 256);
+            return text;
+        };
+        for (const Post& control : posts()) {
+            ClSection section = upright_section("a", 1);
+            section.motions.motions.resize(4);
+            ClProgram plain = joined_program({section});
+            const PostSetup setup = setup_for(plain, "generic-3-axis");
+            const NcSetup read = reading(plain, setup);
+            const PostedProgram wanted = post_program(plain, control, setup, {});
+            const std::size_t lines = count_lines(wanted.text);
+            const NcProgram expected = read_nc(wanted.text, "p", control, read, {});
+            for (int i = 0; i < 1000; ++i) {
+                section.operation_name = name();
+                section.tool_name = name();
+                ClProgram program = joined_program({section});
+                program.part_name = name();
+                const PostedProgram posted = post_program(program, control, setup, {});
+                QCOMPARE(count_lines(posted.text), lines);
+                const NcProgram back = read_nc(posted.text, "p", control, read, {});
+                QCOMPARE(back.blocks, expected.blocks);
+                QVERIFY(std::all_of(posted.text.begin(), posted.text.end(), [](unsigned char c) {
+                    return c == '\n' || c == '\r' || (c >= 32 && c < 127);
+                }));
+            }
+        }
+    }
+
+    void a_rapid_never_combines_a_descent() {
+        ClSection s = upright_section("One", 1);
+        // Slanting down, as no operation of three axes does.
+        add_motion(s, MotionKind::rapid, Vec3(0, 0, 12));
+        add_motion(s, MotionKind::rapid, Vec3(5, 0, 8));
+        add_motion(s, MotionKind::rapid, Vec3(9, 0, 12));
+        const ClProgram program = joined_program({s});
+        const PostSetup setup = setup_for(program, "generic-3-axis");
+        const NcProgram read = read_nc(post_program(program, find_post("linuxcnc"), setup, {}).text, "p",
+                                       find_post("linuxcnc"), reading(program, setup), {});
+        const auto& motions = read.sections.front()->motions.motions;
+        for (std::size_t i = 1; i < motions.size(); ++i) {
+            const Vec3 step = motions[i].to.tip - motions[i - 1].to.tip;
+            if (motions[i].kind == MotionKind::rapid && step.z() < -1e-9)
+                QVERIFY(step.head<2>().norm() < 1e-9);
+        }
+        const double model = motion_totals(s, setup.machine).time_seconds;
+        QVERIFY(std::abs(read.seconds - model) < 1e-3 * model);
+    }
+};
+
+FACETMILL_TEST(TestPosts)
+#include "test_posts.moc"
