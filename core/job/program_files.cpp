@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/job/new_folder.h"
+#include "core/job/posting.h"
 #include "core/job/report.h"
 #include "core/output/apt.h"
 #include "core/output/program_writer.h"
@@ -13,6 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_name = 60;
+constexpr const char* report_file_name = "report.json";
 
 std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
     const std::string& owner = result.operations[result.owner(program)]->name;
@@ -24,8 +26,24 @@ std::size_t place_in_project(const Project& project, const PlanResult& result, s
 
 /// "01-Finish": program_file_name without the extension.
 std::string file_stem(std::size_t place, const std::string& operation_name) {
+    const std::string number = std::to_string(place);
+    return (number.size() < 2 ? "0" + number : number) + "-" + program_stem(operation_name);
+}
+
+/// The program of one operation, sharing its motions.
+ClProgram program_of(const Project& project, const std::shared_ptr<const OperationResult>& result) {
+    ClProgram program;
+    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
+    program.unit = project.unit;
+    program.sections.emplace_back(result, &result->program);
+    return program;
+}
+
+} // namespace
+
+std::string program_stem(const std::string& text) {
     std::string name;
-    for (char ch : operation_name) {
+    for (char ch : text) {
         const auto c = static_cast<unsigned char>(ch);
         if ((c & 0xC0) == 0x80) continue; // one '-' per UTF-8 character
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')
@@ -38,23 +56,8 @@ std::string file_stem(std::size_t place, const std::string& operation_name) {
     }
     while (!name.empty() && (name.back() == '-' || name.back() == '.'))
         name.pop_back();
-    if (name.empty()) name = "operation";
-    const std::string number = std::to_string(place);
-    return (number.size() < 2 ? "0" + number : number) + "-" + name;
+    return name.empty() ? "operation" : name;
 }
-
-constexpr const char* report_file_name = "report.json";
-
-/// The program of one operation, sharing its motions.
-ClProgram program_of(const Project& project, const std::shared_ptr<const OperationResult>& result) {
-    ClProgram program;
-    program.part_name = printable(fs::path(project.part.file).stem().string(), 200);
-    program.unit = project.unit;
-    program.sections.emplace_back(result, &result->program);
-    return program;
-}
-
-} // namespace
 
 const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program) {
     return *project.operations.at(place_in_project(project, result, program));
@@ -69,10 +72,22 @@ std::string program_file_name(const Project& project, const PlanResult& result, 
                              result.operations[program]->name);
 }
 
+std::string joined_program_name(const Project& project, const std::string& extension) {
+    return program_stem(fs::path(project.part.file).stem().string()) + extension;
+}
+
 std::vector<std::string> program_file_names(const Project& project) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < project.operations.size(); ++i)
         names.push_back(program_file_name(i + 1, project.operations[i]->common().name));
+    if (const std::string& name = project.programs.post; !name.empty()) {
+        const std::string extension = project_post(project, name).extension;
+        if (project.programs.files == ProgramSpec::Files::one)
+            names.push_back(joined_program_name(project, extension));
+        else
+            for (std::size_t i = 0; i < project.operations.size(); ++i)
+                names.push_back(file_stem(i + 1, project.operations[i]->common().name) + extension);
+    }
     names.emplace_back(report_file_name);
     return names;
 }
@@ -83,6 +98,7 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
     if (result.operations.empty())
         throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
     result.check_reach();
+    const std::vector<PostedFile> posted_files = post_plan(project, result, progress.part(0, 0.5));
     const NewFolder made(folder);
     OutputSet files;
     const auto add = [&](const fs::path& path) -> OutputFile& {
@@ -95,7 +111,8 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         const ClProgram program = program_of(project, result.operations[i]);
         const std::string stem =
             file_stem(place_in_project(project, result, i) + 1, result.operations[i]->name);
-        const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
+        const Progress part =
+            progress.part(0.5 + 0.5 * double(i) / n, 0.5 + 0.5 * double(i + 1) / n, "Writing");
         for (const ProgramWriter& writer : program_writers()) {
             const std::vector<std::string> endings = writer.files(program);
             for (std::size_t k = 0; k < endings.size(); ++k) {
@@ -103,6 +120,10 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
                 writer.write(program, k, add(paths.back()), part);
             }
         }
+    }
+    for (const PostedFile& posted : posted_files) {
+        paths.push_back(folder / posted.name);
+        add(paths.back()).write(posted.program.text);
     }
     paths.push_back(folder / report_file_name);
     add(paths.back()).write(report_json(project, result, air));

@@ -17,19 +17,25 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
 /// The same for a program of a plan.
 std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program);
 
-/// The names of the files that a plan of the project writes for certain: one program an operation, and the
-/// report.
+/// A name in which '-' stands for what file systems or shells might stumble over, and "operation" for none.
+std::string program_stem(const std::string& name);
+
+/// The posted program that holds all operations of a project.
+std::string joined_program_name(const Project& project, const std::string& extension);
+
+/// The names of the files that a plan of the project writes for certain: one program an operation, the posted
+/// programs, and the report.
 std::vector<std::string> program_file_names(const Project& project);
 
 /// The operation that a program of a plan belongs to; the project is the one that was planned.
 const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program);
 
 /// Writes what every program writer has to say about each program ("NN-NAME" with the writer's extension,
-/// "NN-NAME-rework" for the program of a rework tool), and report.json, into `folder` (made if missing): all
-/// of them or none, and never over a file that the project reads. `before` runs when they are complete and
-/// none has appeared; none does when it throws. Returns the paths. Throws Error(limit_exceeded of
-/// PlanResult::check_reach, unwritable, what ProgramWriter::write throws) or Cancelled; nothing is left then,
-/// not even a new folder. `air`: for the report.
+/// "NN-NAME-rework" for the program of a rework tool), the posted programs (post_plan) and report.json, into
+/// `folder` (made if missing): all of them or none, and never over a file that the project reads. `before`
+/// runs when they are complete and none has appeared; none does when it throws. Returns the paths. Throws
+/// Error(limit_exceeded of PlanResult::check_reach, unwritable, what ProgramWriter::write and post_plan
+/// throw) or Cancelled; nothing is left then, not even a new folder. `air`: for the report.
 std::vector<std::filesystem::path> write_plan(const Project& project, const PlanResult& result,
                                               const std::filesystem::path& folder, const Progress& progress,
                                               const std::vector<double>& air = {},

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/mesh/mesh_format.h"
+#include "core/output/post/post.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ const ParameterTable<PartSpec>& part_parameters() {
 
 Project::Project(const Project& other)
     : path(other.path), unit(other.unit), part(other.part), stock(other.stock), machine(other.machine),
-      limits(other.limits), tools(other.tools) {
+      limits(other.limits), programs(other.programs), tools(other.tools) {
     operations.reserve(other.operations.size());
     for (const auto& o : other.operations)
         operations.push_back(o->clone());
@@ -125,6 +126,8 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
 void keep_referenced(const Project& project, const fs::path& output) {
     std::vector<fs::path> inputs = {project.part_path(), project.stock_path()};
     if (is_machine_file(project.machine)) inputs.push_back(project.machine_path());
+    if (is_post_file(project.programs.post))
+        inputs.push_back(from_project(project.path, project.programs.post));
     for (const fs::path& input : inputs)
         if (!input.empty()) refuse_to_overwrite(input, output);
 }
@@ -148,6 +151,7 @@ void move_project(Project& project, const fs::path& path) {
     project.part.file = moved(project.part.file);
     project.stock.file = moved(project.stock.file);
     if (is_machine_file(project.machine)) project.machine = moved(project.machine);
+    if (is_post_file(project.programs.post)) project.programs.post = moved(project.programs.post);
     project.path = path;
 }
 
@@ -244,12 +248,22 @@ void check_operations(const Project& p) {
     }
 }
 
+void check_programs(const Project& p) {
+    ProgramSpec copy = p.programs;
+    const ParameterView<ProgramSpec> view(copy, program_parameters());
+    for (const ParameterInfo* info : view.parameters())
+        info->check(view.get(info->key), p.unit);
+    // Its file is read when programs are written.
+    if (!copy.post.empty() && !is_post_file(copy.post)) find_post(copy.post);
+}
+
 } // namespace
 
 void check_project(const Project& project) {
     check_part(project);
     check_stock(project);
     check_struct(project.limits, verify_limit_parameters(), "verification", project.unit);
+    check_programs(project);
     // Until the project has a place, nobody knows where a relative file is.
     if (!is_machine_file(project.machine) || !project.path.empty()) project_machine(project);
     check_tools(project);

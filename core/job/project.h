@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/parameter.h"
+#include "core/job/program_spec.h"
 #include "core/job/verify_limits.h"
 #include "core/setup/placement.h"
 #include "core/setup/stock.h"
@@ -38,6 +39,7 @@ struct Project {
     StockSpec stock;
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
     VerifyLimits limits;                    ///< key "verification"
+    ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs"
     std::vector<Tool> tools;
     std::vector<std::unique_ptr<Operation>> operations;
 

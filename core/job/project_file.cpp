@@ -60,8 +60,11 @@ void read_stock(const Json& object, StockSpec& stock, LengthUnit unit) {
 Project read_project(Json file) {
     if (!file.is_object()) wrong_type("", file, "an object with the key \"facetmill\"");
     migrate_project(file);
-    static const std::vector<std::string> known = {"facetmill", "units", "part",       "stock",
-                                                   "machine",   "tools", "operations", "verification"};
+    std::vector<std::string> known = {"facetmill", "units", "part",       "stock",
+                                      "machine",   "tools", "operations", "verification"};
+    const std::size_t others = known.size();
+    for (const ParameterInfo* info : program_parameters().infos())
+        known.push_back(info->key);
     for (auto it = file.begin(); it != file.end(); ++it)
         if (std::find(known.begin(), known.end(), it.key()) == known.end()) unknown_key(it.key(), "", known);
     Project project;
@@ -78,6 +81,9 @@ Project read_project(Json file) {
         ParameterView<VerifyLimits> limits(project.limits, verify_limit_parameters());
         read_parameters(file["verification"], "verification", limits, unit);
     }
+    ParameterView<ProgramSpec> programs(project.programs, program_parameters());
+    known.resize(others);
+    read_parameters(file, "", programs, unit, known);
     if (file.contains("machine")) project.machine = read_text(file["machine"], "machine");
     if (file.contains("tools")) {
         const Json& tools = expect_list(file["tools"], "tools");
@@ -133,6 +139,13 @@ std::string project_to_json(const Project& project) {
         write_parameter(file["stock"], "stock", view, view.parameter(key), unit);
     check_text(project.machine, "machine");
     file["machine"] = project.machine;
+    ProgramSpec spec = project.programs;
+    const ParameterView<ProgramSpec> programs(spec, program_parameters());
+    ProgramSpec usual;
+    const ParameterView<ProgramSpec> defaults(usual, program_parameters());
+    for (const ParameterInfo* info : programs.parameters())
+        if (programs.get(info->key) != defaults.get(info->key))
+            write_parameter(file, "", programs, *info, unit);
     file["verification"] = write_struct(project.limits, verify_limit_parameters(), "verification", unit);
     file["tools"] = Json::array();
     for (std::size_t i = 0; i < project.tools.size(); ++i)

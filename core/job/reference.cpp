@@ -1,6 +1,7 @@
 #include "core/job/reference.h"
 
 #include "core/job/project.h"
+#include "core/output/post/post.h"
 #include "core/setup/machine.h"
 
 namespace facetmill {
@@ -70,6 +71,22 @@ void table(std::string& page, const std::vector<const ParameterInfo*>& parameter
     }
 }
 
+/// Keys of the project file itself, one row each.
+std::string program_rows() {
+    std::string rows;
+    for (const ParameterInfo* p : program_parameters().infos())
+        rows += "| `" + p->key + "` | **" + cell(p->label) + ".** " + cell(p->help) + " |\n";
+    return rows;
+}
+
+void post_table(std::string& page) {
+    page += "\n## Controls\n\n| `post` | meaning | extension | several axes |\n|---|---|---|---|\n";
+    const char* const kinds[] = {"no", "joints", "tip and rotary axes (TCP)", "tip and tool axis (TCP)"};
+    for (const Post& p : posts())
+        page += "| `" + p.name + "` | **" + cell(p.label) + ".** " + cell(p.description) + " | `"
+                + p.extension + "` | " + kinds[std::size_t(p.multi_axis)] + " |\n";
+}
+
 void machine_tables(std::string& page) {
     page += "## Machines\n\n| `machine` | meaning | kind |\n|---|---|---|\n";
     for (const Machine& m : machines())
@@ -119,9 +136,8 @@ std::string reference_page() {
           "| `machine` | Name of a machine, see below, or a machine file of your own "
           "(`resources/machines/README.md`); its "
           "name ends with `.json`, a relative one starts at the project file. Default: `"
-        + Project().machine
-        + "`. |\n"
-          "| `verification` | What may happen to the part, see below. |\n"
+        + Project().machine + "`. |\n" + program_rows()
+        + "| `verification` | What may happen to the part, see below. |\n"
           "| `tools` | List of tools, see below. |\n"
           "| `operations` | List of operations in machining order; each has a `kind` and the keys of that "
           "kind. |\n\n"
@@ -142,6 +158,7 @@ std::string reference_page() {
     page += "## Verification\n\n";
     table(page, verify_limit_parameters().infos(), "###");
     machine_tables(page);
+    post_table(page);
     page += "\n## Tools\n\n`shank_diameter` is the tool's diameter where it is not given.\n\n";
     table(page, tool_parameters().infos(), "###");
     page += "## Operations\n\n| key | meaning |\n|---|---|\n"

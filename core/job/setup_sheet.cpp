@@ -1,6 +1,7 @@
 #include "core/job/setup_sheet.h"
 
 #include "core/base/error.h"
+#include "core/job/posting.h"
 #include "core/job/program_files.h"
 #include "core/mesh/mesh_report.h"
 
@@ -131,6 +132,7 @@ public:
     void part_and_stock();
     void tools();
     void operations();
+    void posted_programs();
     void verification(std::span<const VerifyProgram> programs, const Verification& v);
 
 private:
@@ -225,6 +227,53 @@ void Sheet::operations() {
             warning(o->name + ": " + w);
 }
 
+/// The programs for the control, as they are posted now.
+void Sheet::posted_programs() {
+    if (project_.programs.post.empty()) return;
+    heading("Programs for the control");
+    try {
+        const Post post = project_post(project_, project_.programs.post);
+        std::string wcs = project_.programs.wcs;
+        if (wcs.empty() && !post.wcs.empty()) wcs = post.wcs.front();
+        const std::vector<PostedFile> files = post_plan(project_, plan_, {});
+        begin_facts();
+        fact("Control", post.label);
+        fact("Work coordinates", (wcs.empty() ? "the control's" : wcs) + ": zero in the part's origin");
+        end_table();
+        begin_table(
+            {"/Program", "Told as", "Tools, gauge length", "#Blocks", "X, Y, Z of the machine", "#Time"});
+        for (const PostedFile& f : files) {
+            std::string used;
+            for (const long n : f.program.tools)
+                for (const Tool& t : project_.tools)
+                    if (t.number == n)
+                        used +=
+                            (used.empty() ? "T" : ", T") + std::to_string(n) + " " + length(gauge_length(t));
+            const bool several = std::any_of(f.programs.begin(), f.programs.end(), [&](std::size_t i) {
+                return plan_.operations[i]->program.multi_axis;
+            });
+            const Box3& r = f.program.reach;
+            row({f.name,
+                 f.program.tcp ? "tip (TCP)"
+                 : several     ? "joints"
+                               : "three axes",
+                 used, std::to_string(f.program.blocks),
+                 number(r.lo.x()) + " \u2026 " + number(r.hi.x()) + ", " + number(r.lo.y()) + " \u2026 "
+                     + number(r.hi.y()) + ", " + number(r.lo.z()) + " \u2026 " + number(r.hi.z()),
+                 duration_text(f.program.seconds)});
+            if (f.program.tcp)
+                warning(f.name
+                        + ": the feed is that of the tip; where an axis is slower, the control slows down.");
+            if (f.program.rewinds > 0)
+                warning(f.name + ": the tool goes up " + std::to_string(f.program.rewinds)
+                        + " times so that rotary axes can turn; that is not in the time.");
+        }
+        end_wide_table();
+    } catch (const Error& e) {
+        warning(std::string("There are none: ") + e.what());
+    }
+}
+
 void Sheet::verification(std::span<const VerifyProgram> programs, const Verification& v) {
     heading("Verification by removal of material");
     begin_facts();
@@ -247,7 +296,11 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
     fact("Resolution", length(v.used.resolution, 3));
     end_table();
     const auto where = [&](const MotionPlace& at) {
-        return at.known() ? programs[at.program].name + ", GOTO " + std::to_string(at.motion + 1) : "nowhere";
+        if (!at.known()) return std::string("nowhere");
+        const VerifyProgram& program = programs[at.program];
+        return program.name
+               + (program.lines.empty() ? ", GOTO " + std::to_string(at.motion + 1)
+                                        : ", line " + std::to_string(program.lines[at.motion]));
     };
     if (!v.gouges.empty() || !v.collisions.empty()) {
         constexpr std::size_t max_listed = 20;
@@ -305,6 +358,7 @@ std::string setup_sheet(const Project& project, const PlanResult& plan,
     sheet.part_and_stock();
     sheet.tools();
     sheet.operations();
+    sheet.posted_programs();
     sheet.verification(programs, verification);
     sheet.text += "</body>\n</html>\n";
     return std::move(sheet.text);

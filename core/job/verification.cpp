@@ -84,6 +84,7 @@ void put_place(Json& to, const MotionPlace& at, std::span<const VerifyProgram> p
     if (!at.known()) return;
     to["operation"] = printable(programs[at.program].name, 200);
     to["goto"] = at.motion + 1;
+    if (const auto& lines = programs[at.program].lines; !lines.empty()) to["line"] = lines[at.motion];
 }
 
 Json extremes(const Numbers& n, const std::vector<DeviationExtreme>& list,
@@ -102,7 +103,10 @@ Json extremes(const Numbers& n, const std::vector<DeviationExtreme>& list,
 
 std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> programs) {
     if (!at.known()) return "nowhere";
-    return "'" + printable(programs[at.program].name) + "', GOTO " + std::to_string(at.motion + 1);
+    const VerifyProgram& program = programs[at.program];
+    return "'" + printable(program.name) + "', "
+           + (program.lines.empty() ? "GOTO " + std::to_string(at.motion + 1)
+                                    : "line " + std::to_string(program.lines[at.motion]));
 }
 
 /// "12 % of what is to be cut is left uncut, up to 3.1 mm (no tool fits: 11 %; ...), limit 2 %".

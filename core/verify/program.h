@@ -10,6 +10,7 @@
 #include "core/setup/tool.h"
 #include "core/setup/turning_axis.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,8 @@ struct VerifyProgram {
     /// constant rate, and moves along it and towards it in proportion. Without it the tip moves straight and
     /// the tool axis turns in one plane.
     std::optional<TurningAxis> turning;
+    /// The line of the program file that each motion comes from; empty where there is no such file.
+    std::vector<std::uint32_t> lines;
 };
 
 /// A motion of one of several programs; both count from 0.

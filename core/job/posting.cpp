@@ -1,0 +1,131 @@
+#include "core/job/posting.h"
+
+#include "core/base/file.h"
+#include "core/job/program_files.h"
+#include "core/output/motion_time.h"
+#include "core/output/post/nc_reader.h"
+#include "core/strategy/lathe/lathe.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of an operation's chord tolerance, what the way between two blocks may use up, and what a control may
+/// round off.
+constexpr double post_chord_share = 0.25;
+
+/// The line that the project's part turns about; none where nothing turns it.
+std::optional<TurningAxis> project_turning(const Project& project, const PreparedPart& part) {
+    for (std::size_t i = 0; i < project.operations.size(); ++i)
+        if (const LatheCommon* lathe = project.operations[i]->turning())
+            return LatheFrame(*lathe, preview_context(project, i, part, {})).axis();
+    return std::nullopt;
+}
+
+/// One place for all programs of a project.
+Vec3 setup_origin(const Project& project, const PreparedPart& part, const Machine& machine) {
+    ClSection section;
+    section.part_box = part.box;
+    section.motions.turning = project_turning(project, part);
+    return program_part_origin(section, machine);
+}
+
+PostSetup post_setup(const Project& project, const PlanResult& result) {
+    PostSetup setup;
+    setup.machine = project_machine(project);
+    setup.part_origin = setup_origin(project, *result.part, setup.machine);
+    setup.keep_clear = result.part->box;
+    if (!result.stock.box.empty()) setup.keep_clear.add(result.stock.box);
+    setup.wcs = project.programs.wcs;
+    setup.program_number = project.programs.number;
+    return setup;
+}
+
+PostedFile post_programs(const Project& project, const PlanResult& result, const Post& post, PostSetup setup,
+                         std::string name, std::vector<std::size_t> which, const Progress& progress) {
+    ClProgram program;
+    program.part_name = fs::path(project.part.file).stem().string();
+    program.unit = project.unit;
+    double chord = infinity;
+    for (const std::size_t i : which) {
+        program.sections.emplace_back(result.operations[i], &result.operations[i]->program);
+        if (const double c = result.operations[i]->path.chord_tolerance; c > 0) chord = std::min(chord, c);
+    }
+    if (chord < infinity) setup.tip_tolerance = post_chord_share * chord;
+    try {
+        return {name, std::move(which), post_program(program, post, setup, progress)};
+    } catch (const Error& e) {
+        throw e.within(name);
+    }
+}
+
+} // namespace
+
+Post project_post(const Project& project, const std::string& name) {
+    if (!is_post_file(name)) return find_post(name);
+    const fs::path file(name);
+    return load_post(file.is_absolute() ? file : project.path.parent_path() / file);
+}
+
+std::vector<PostedFile> post_plan(const Project& project, const PlanResult& result,
+                                  const Progress& progress) {
+    if (project.programs.post.empty()) return {};
+    const Post post = project_post(project, project.programs.post);
+    PostSetup setup = post_setup(project, result);
+    std::vector<PostedFile> files;
+    const std::size_t n = result.operations.size();
+    if (project.programs.files == ProgramSpec::Files::one) {
+        std::vector<std::size_t> all(n);
+        for (std::size_t i = 0; i < n; ++i)
+            all[i] = i;
+        const std::string name = joined_program_name(project, post.extension);
+        files.push_back(post_programs(project, result, post, setup, name, all, progress));
+        return files;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::string name =
+            fs::path(program_file_name(project, result, i)).stem().string() + post.extension;
+        files.push_back(post_programs(project, result, post, setup, name, {i},
+                                      progress.part(double(i) / double(n), double(i + 1) / double(n))));
+        ++setup.program_number;
+    }
+    return files;
+}
+
+NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, const Post& post,
+                            std::string_view text, const std::string& name, const Progress& progress) {
+    NcSetup setup;
+    setup.machine = project_machine(project);
+    setup.turning = project_turning(project, part);
+    setup.part_origin = setup_origin(project, part, setup.machine);
+    setup.wcs = project.programs.wcs;
+    for (const Tool& t : project.tools)
+        setup.tools[t.number] = {t.name, t.cutter(), gauge_length(t)};
+    NcProgram read = read_nc(text, name, post, setup, progress);
+    NcFilePrograms result;
+    result.blocks = read.blocks;
+    result.seconds = read.seconds;
+    const std::string file = fs::path(name).filename().string();
+    for (std::size_t i = 0; i < read.sections.size(); ++i) {
+        const auto& section = read.sections[i];
+        const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
+                                       [&](const Tool& t) { return t.number == section->tool_number; });
+        VerifyProgram program{file, VerifyTool(*tool), {section, &section->motions}, setup.turning, {}};
+        if (read.sections.size() > 1) program.name += ", tool " + std::to_string(section->tool_number);
+        program.lines = std::move(read.lines[i]);
+        result.programs.push_back(std::move(program));
+    }
+    return result;
+}
+
+NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,
+                           const fs::path& path, const Progress& progress) {
+    const InputFile file(path);
+    return parse_posted(project, part, post, file.bytes(), printable(path.string(), 400), progress);
+}
+
+} // namespace facetmill

@@ -1,0 +1,45 @@
+// The programs that a project's post makes of a plan, and the way back from such a program to the judge.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/job/planner.h"
+#include "core/job/verification.h"
+#include "core/output/post/post_writer.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+/// A post by its name, or from its file: relative to the project file, or absolute. Throws Error(
+/// missing_reference, files, load_post) that names `post` or the file.
+Post project_post(const Project& project, const std::string& name);
+
+/// A program for the control.
+struct PostedFile {
+    std::string name;                  ///< "01-Finish.ngc"
+    std::vector<std::size_t> programs; ///< of the plan, in the order of machining
+    PostedProgram program;
+};
+
+/// What the project's post makes of a plan: a program for each, or one for all; none without a post. Throws
+/// what post_program does, within the name of the file.
+std::vector<PostedFile> post_plan(const Project& project, const PlanResult& result, const Progress& progress);
+
+/// Posted programs as programs to verify, one for each tool in each file.
+struct NcFilePrograms {
+    std::vector<VerifyProgram> programs;
+    std::size_t blocks = 0;
+    double seconds = 0; ///< see NcProgram
+};
+/// Tools, work coordinates, machine and the part's place are the project's. Throws what read_nc does, and
+/// files.
+NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,
+                           const std::filesystem::path& path, const Progress& progress);
+/// The same from memory.
+NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, const Post& post,
+                            std::string_view text, const std::string& name, const Progress& progress);
+
+} // namespace facetmill

@@ -1,0 +1,44 @@
+#include "core/job/program_spec.h"
+
+namespace facetmill {
+
+const ParameterTable<ProgramSpec>& program_parameters() {
+    static const auto table = [] {
+        using K = ParameterKind;
+        ParameterTable<ProgramSpec> t;
+        t.add(&ProgramSpec::post,
+              {.key = "post",
+               .label = "Control",
+               .help =
+                   "The control that programs are written for, see below, or a file of your own "
+                   "(`resources/posts/README.md`); its name ends with `.json`, a relative one starts at the "
+                   "project file. Without it programs are APT alone.",
+               .kind = K::text,
+               .stage = Stage::output});
+        t.add(&ProgramSpec::wcs,
+              {.key = "wcs",
+               .label = "Work coordinates",
+               .help = "The control's work coordinate system, whose zero lies in the part's origin: `G54`. "
+                       "Default: the control's first.",
+               .kind = K::text,
+               .stage = Stage::output});
+        t.add(&ProgramSpec::number, {.key = "program_number",
+                                     .label = "Program number",
+                                     .help = "Number of the first program, for controls that want one; those "
+                                             "after it count on.",
+                                     .kind = K::integer,
+                                     .minimum = 1,
+                                     .maximum = 99999999,
+                                     .stage = Stage::output});
+        t.add_choice(&ProgramSpec::files,
+                     {.key = "programs",
+                      .label = "Programs",
+                      .help = "A program for each operation, or one for all with tool changes between.",
+                      .words = {"each", "one"},
+                      .stage = Stage::output});
+        return t;
+    }();
+    return table;
+}
+
+} // namespace facetmill

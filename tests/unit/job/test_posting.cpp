@@ -1,0 +1,300 @@
+// Posted programs before the judge: what is read back is judged as the plan was, and faults are found.
+#include "core/base/file.h"
+#include "core/job/posting.h"
+#include "core/job/program_files.h"
+#include "core/job/stock_solid.h"
+#include "core/mesh/mesh_io.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <functional>
+
+using namespace facetmill;
+using facetmill::test::code_of;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A saddle over 24 x 16 mm as a sheet.
+std::string saddle_text() {
+    std::string text = "solid saddle\n";
+    const auto corner = [](int i, int k) {
+        const double x = -12 + 2 * i, y = -8 + 2 * k;
+        return " vertex " + std::to_string(x) + " " + std::to_string(y) + " "
+               + std::to_string(0.01 * (x * x - y * y));
+    };
+    const auto facet = [&](const std::string& corners) {
+        text += "facet normal 0 0 0 outer loop" + corners + " endloop endfacet\n";
+    };
+    for (int i = 0; i < 12; ++i)
+        for (int k = 0; k < 8; ++k) {
+            facet(corner(i, k) + corner(i + 1, k) + corner(i + 1, k + 1));
+            facet(corner(i, k) + corner(i + 1, k + 1) + corner(i, k + 1));
+        }
+    return text + "endsolid saddle\n";
+}
+
+/// A job that was planned once, and its verdict.
+struct PostedJob {
+    QTemporaryDir dir;
+    Project project;
+    Planner planner;
+    std::shared_ptr<const PlanResult> plan;
+    Verification planned;
+
+    PostedJob(const std::string& machine, const std::string& operations) {
+        const fs::path folder = dir.path().toStdString();
+        std::ofstream(folder / "part.stl") << saddle_text();
+        project =
+            parse_project(R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl" }, "machine": ")"
+                              + machine + R"(", "post": "linuxcnc", "programs": "one",
+  "stock": { "kind": "box", "margin": [1, 1, 1] },
+  "tools": [ { "number": 1, "name": "Ball", "diameter": 6, "corner_radius": 3, "flute_length": 20, "shank_diameter": 6,
+               "shank_length": 20, "holder": [ { "diameter": 20, "length": 30 } ] } ],
+  "operations": [ )" + operations
+                              + "] }",
+                          "p");
+        project.path = folder / "p.facetmill";
+        plan = planner.plan(project, "", {});
+        planned = judge(verify_programs(project, plan), verify_settings(project, plan.get()));
+    }
+    std::string posted(const std::string& post = "linuxcnc") {
+        project.programs.post = post;
+        return post_plan(project, *plan, {}).at(0).program.text;
+    }
+
+    Verification judge(const std::vector<VerifyProgram>& programs, VerifySettings settings) const {
+        settings.resolution = 0.7;
+        return verify(*plan->part->mesh, stock_solid(project.stock, *plan->part), programs, settings, {});
+    }
+    Verification judge_text(const std::string& text) const {
+        const Post post = project_post(project, project.programs.post);
+        return judge(parse_posted(project, *plan->part, post, text, "p.ngc", {}).programs,
+                     verify_settings(project, plan.get()));
+    }
+};
+
+const char* const ball_rows =
+    R"({ "kind": "finish3", "name": "Rows", "tool": 1, "tolerance": 0.05, "feed": 800, "clearance": 4 })";
+const char* const leaning_rows =
+    R"({ "kind": "finish5", "name": "Lean", "tool": 1, "tolerance": 0.1, "direction": "x", "clearance": 4 })";
+
+/// Planned when first asked for.
+PostedJob& upright_job() {
+    static PostedJob job("generic-3-axis", ball_rows);
+    return job;
+}
+PostedJob& leaning_job() {
+    static PostedJob job("trunnion-ac", leaning_rows);
+    return job;
+}
+PostedJob& head_job() {
+    static PostedJob job("tarus-tpi-2000", leaning_rows);
+    return job;
+}
+
+using Edit = std::function<void(std::string&)>;
+
+/// Replaces the first place behind `after`; a test that finds none is wrong.
+Edit swap_text(const std::string& from, const std::string& to, const std::string& after = "") {
+    return [=](std::string& text) {
+        const auto at = text.find(from, after.empty() ? 0 : text.find(after));
+        if (at == std::string::npos) qFatal("the program has no '%s'", from.c_str());
+        text.replace(at, from.size(), to);
+    };
+}
+
+/// Changes every number of a word.
+Edit change_numbers(char word, const std::function<double(double)>& change) {
+    return [=](std::string& text) {
+        std::string out;
+        std::size_t i = 0;
+        bool comment = false;
+        while (i < text.size()) {
+            comment = text[i] == '(' || (comment && text[i] != '\n');
+            out += text[i];
+            if (text[i++] != word || comment || i >= text.size() || !std::strchr("-.0123456789", text[i]))
+                continue;
+            std::size_t used = 0;
+            const double v = std::stod(text.substr(i, 24), &used);
+            out += QString::number(change(v), 'f', 5).toStdString();
+            i += used;
+        }
+        text = out;
+    };
+}
+
+Edit exchange(char a, char b) {
+    return [=](std::string& text) {
+        bool comment = false;
+        for (char& c : text) {
+            comment = c == '(' || (comment && c != '\n');
+            if (comment) continue;
+            if (c == a)
+                c = b;
+            else if (c == b)
+                c = a;
+        }
+    };
+}
+
+Edit lose_words(char word) {
+    return [=](std::string& text) {
+        for (std::size_t at = 0; (at = text.find(std::string(" ") + word, at)) != std::string::npos;)
+            text.erase(at, text.find_first_of(" \n", at + 1) - at);
+    };
+}
+
+/// The block of the n-th line that begins with `word` loses it, or goes.
+Edit lose(const std::string& word, int n, bool whole) {
+    return [=](std::string& text) {
+        std::size_t at = 0;
+        for (int k = 0; k < n; ++k) {
+            at = text.find("\n" + word, at + 1);
+            if (at == std::string::npos) qFatal("the program has no more '%s'", word.c_str());
+        }
+        const std::size_t end = whole ? text.find('\n', at + 1) : at + 1 + word.size();
+        text.erase(at + 1, end - at - (whole ? 0 : 1));
+    };
+}
+
+} // namespace
+
+class TestPosting : public QObject {
+    Q_OBJECT
+private slots:
+    void a_posted_program_is_judged_as_the_plan_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<int>("job");
+        // One of each kind; every post reads back as it was written (test_posts).
+        QTest::addRow("linuxcnc, three axes") << "linuxcnc" << 0;
+        QTest::addRow("grbl, three axes") << "grbl" << 0;
+        for (const char* post : {"linuxcnc", "fanuc", "fanuc-vectors", "siemens"})
+            QTest::addRow("%s, trunnion", post) << post << 1;
+        QTest::addRow("linuxcnc, head") << "linuxcnc" << 2;
+    }
+    void a_posted_program_is_judged_as_the_plan() {
+        QFETCH(QString, post);
+        QFETCH(int, job);
+        PostedJob& planned = job == 0 ? upright_job() : job == 1 ? leaning_job() : head_job();
+        const std::string text = planned.posted(post.toStdString());
+        const Verification seen = planned.judge_text(text);
+        const Verification& wanted = planned.planned;
+        QCOMPARE(verdict_name(seen.verdict()), verdict_name(wanted.verdict()));
+        QCOMPARE(verdict_name(seen.verdict()), std::string("verified"));
+        QCOMPARE(seen.collisions.size(), wanted.collisions.size());
+        // Half a digit of the program, and what the route may stray between two blocks.
+        const double near = 0.0015;
+        QVERIFY2(std::abs(seen.figures.gouge_max - wanted.figures.gouge_max) < near,
+                 qPrintable(QString("%1 %2").arg(seen.figures.gouge_max).arg(wanted.figures.gouge_max)));
+        QVERIFY2(std::abs(seen.figures.excess_max - wanted.figures.excess_max) < 0.01,
+                 qPrintable(QString("%1 %2").arg(seen.figures.excess_max).arg(wanted.figures.excess_max)));
+    }
+
+    /// Faults as they happen to posts and their users: each is refused with its line, or judged as what it
+    /// is.
+    void faults_are_found() {
+        PostedJob &upright = upright_job(), &leaning = leaning_job();
+        struct Fault {
+            const char* name;
+            PostedJob& job;
+            Edit edit;
+        };
+        const std::vector<Fault> faults = {
+            {"tool length not called", upright, swap_text("G43 H1 ", "")},
+            {"length of another tool", upright, swap_text("G43 H1 ", "G43 H2 ")},
+            {"tool length counted twice", upright, change_numbers('Z', [](double z) { return z - 70; })},
+            {"inches for mm", upright, swap_text("G21", "G20")},
+            {"no unit", upright, swap_text("G21 ", "")},
+            {"wrong work coordinates", upright, swap_text("G54", "G55")},
+            {"no work coordinates", upright, swap_text("G54 ", "")},
+            {"incremental", upright, swap_text("G90", "G91")},
+            {"no feed", upright, lose_words('F')},
+            {"G1 lost behind a rapid", upright, lose("G1 ", 1, false)},
+            {"first retract lost", upright, lose("G53", 1, true)},
+            {"spindle not started", upright, swap_text(" M3", "")},
+            {"tool not changed", upright, swap_text(" M6", "")},
+            {"unknown tool", upright, swap_text("T1 M6", "T7 M6")},
+            {"X and Y exchanged", upright, exchange('X', 'Y')},
+            {"Y mirrored", upright, change_numbers('Y', [](double y) { return 3 - y; })},
+            {"decimal comma", upright, swap_text(".", ",", "G1")},
+            {"cut short", upright, swap_text("M2\n", "")},
+            {"a cycle", upright, swap_text("G1 Z", "G81 Z")},
+            {"sign of A", leaning, change_numbers('A', [](double a) { return -a; })},
+            {"sign of C", leaning, change_numbers('C', [](double c) { return -c; })},
+            {"A and C exchanged", leaning, exchange('A', 'C')},
+            {"a block without its time", leaning, swap_text(" F", " (", "G93")},
+            {"rotary axes not brought to the start", leaning, lose("G0 A", 1, true)},
+            {"part off its place by 1 mm", leaning, change_numbers('Y', [](double y) { return y + 1; })},
+        };
+        QVERIFY(faults.size() >= 20);
+        for (const Fault& f : faults) {
+            QVERIFY(f.job.planned.passed());
+            const std::string before = f.job.posted();
+            std::string text = before;
+            f.edit(text);
+            QVERIFY2(text != before, f.name);
+            bool passed = false;
+            std::string message;
+            const std::string code = code_of([&] { passed = f.job.judge_text(text).passed(); }, &message);
+            QVERIFY2(code != "none" || !passed, f.name);
+            if (code != "none")
+                QVERIFY2(message.find("p.ngc") != std::string::npos, (f.name + (": " + message)).c_str());
+        }
+    }
+
+    /// A machine whose pivot is elsewhere than the file says moves the tool off the part.
+    void a_pivot_off_by_a_millimetre_is_found() {
+        PostedJob& job = leaning_job();
+        const std::string text = job.posted();
+        std::string machine = find_machine("trunnion-ac").source;
+        const std::string point = R"("point": [0, 0, 50])";
+        machine.replace(machine.find(point), point.size(), R"("point": [0, 1, 51])");
+        const fs::path folder = job.dir.path().toStdString();
+        std::ofstream(folder / "own.json") << machine;
+        job.project.machine = "own.json";
+        const bool passed = job.judge_text(text).passed();
+        job.project.machine = "trunnion-ac";
+        QVERIFY(!passed);
+    }
+
+    void plans_write_posted_programs() {
+        PostedJob& job = upright_job();
+        job.project.programs.post = "grbl";
+        const fs::path folder = fs::path(job.dir.path().toStdString()) / "out";
+        job.project.programs.files = ProgramSpec::Files::each;
+        write_plan(job.project, *job.plan, folder, {});
+        QVERIFY(fs::exists(folder / "01-Rows.nc") && fs::exists(folder / "01-Rows.apt"));
+        // What cannot be posted is told before anything is written.
+        job.project.programs.wcs = "G99";
+        std::string message;
+        QCOMPARE(code_of([&] { write_plan(job.project, *job.plan, folder / "not", {}); }, &message),
+                 std::string("out_of_range"));
+        job.project.programs = {"linuxcnc", "", 1, ProgramSpec::Files::one};
+        QVERIFY2(message.find("01-Rows.nc") == 0 && !fs::exists(folder / "not"), message.c_str());
+    }
+
+    void the_project_file_has_its_keys() {
+        const std::string start = R"({ "facetmill": 1, "units": "mm", "part": { "file": "p.stl" })";
+        const Project p = parse_project(
+            start + R"(, "post": "grbl", "wcs": "G55", "program_number": 7, "programs": "one" })", "p");
+        QCOMPARE(p.programs, (ProgramSpec{"grbl", "G55", 7, ProgramSpec::Files::one}));
+        QCOMPARE(project_to_json(parse_project(project_to_json(p), "p")), project_to_json(p));
+        QVERIFY(project_to_json(parse_project(start + " }", "p")).find("post") == std::string::npos);
+        QCOMPARE(code_of([&] { parse_project(start + R"(, "post": "nobody" })", "p"); }),
+                 std::string("missing_reference"));
+        QCOMPARE(code_of([&] { parse_project(start + R"(, "program_number": 0 })", "p"); }),
+                 std::string("out_of_range"));
+        QCOMPARE(code_of([&] { parse_project(start + R"(, "programs": "some" })", "p"); }),
+                 std::string("out_of_range"));
+    }
+};
+
+FACETMILL_TEST(TestPosting)
+#include "test_posting.moc"
