@@ -4,11 +4,13 @@
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
+#include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/job/work_estimate.h"
 #include "core/output/apt.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -53,6 +55,26 @@ void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
                 "use at least " + length_text(1.05 * spacing * std::sqrt(places / most), unit, 3));
 }
 
+/// Files, also several in one value with commas between.
+std::vector<std::string> listed_files(const std::vector<std::string>& values) {
+    std::vector<std::string> files;
+    for (const std::string& value : values)
+        for (std::size_t at = 0; at <= value.size();) {
+            const std::size_t end = std::min(value.find(',', at), value.size());
+            if (end > at) files.push_back(value.substr(at, end - at));
+            at = end + 1;
+        }
+    return files;
+}
+
+std::string post_name(const Arguments& arguments, const Project& project) {
+    const std::string name = arguments.has("--post") ? arguments.value("--post") : project.programs.post;
+    if (name.empty())
+        throw Error(ErrorCode::usage, "--nc", "neither the project nor the command names a post",
+                    "give --post NAME, or `post` in the project");
+    return name;
+}
+
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
@@ -65,12 +87,19 @@ void run_simulate(const Arguments& arguments, Session& session) {
     if (!cl_files.empty() && arguments.has("--op"))
         throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
                     "give --cl or --op");
+    const std::vector<std::string> nc_files = listed_files(arguments.values("--nc"));
+    if (!nc_files.empty() && (arguments.has("--op") || !cl_files.empty()))
+        throw Error(ErrorCode::usage, "--nc", "posted programs are simulated instead of a plan or CL files",
+                    "give --nc alone");
+    if (nc_files.empty() && arguments.has("--post"))
+        throw Error(ErrorCode::usage, "--post", "there is no program for it to read", "give --nc FILE");
     const fs::path folder = arguments.value("-o");
     check_folder(folder);
     for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
         keep_inputs(project, folder / name);
-        for (const std::string& cl : cl_files)
-            refuse_to_overwrite(cl, folder / name);
+        for (const auto* list : {&cl_files, &nc_files})
+            for (const std::string& one : *list)
+                refuse_to_overwrite(one, folder / name);
     }
 
     const Progress progress = session.progress();
@@ -80,7 +109,24 @@ void run_simulate(const Arguments& arguments, Session& session) {
     VerifySettings settings;
     std::vector<std::string> ignored, remarks;
     std::string out_of_reach;
-    if (cl_files.empty()) {
+    if (!nc_files.empty()) {
+        check_project(project);
+        const Post post = project_post(project, post_name(arguments, project));
+        part = planner.prepare(project, progress.part(0.0, 0.1));
+        const double n = double(nc_files.size());
+        NcFilePrograms sum;
+        for (std::size_t i = 0; i < nc_files.size(); ++i) {
+            NcFilePrograms nc = read_posted(
+                project, *part, post, nc_files[i],
+                progress.part(0.1 + 0.2 * double(i) / n, 0.1 + 0.2 * double(i + 1) / n, "Reading"));
+            std::move(nc.programs.begin(), nc.programs.end(), std::back_inserter(programs));
+            sum.blocks += nc.blocks;
+            sum.seconds += nc.seconds;
+        }
+        remarks.push_back("The posted program, " + std::to_string(sum.blocks) + " blocks, "
+                          + duration_text(sum.seconds) + ", was read back for '" + post.label + "'.");
+        settings = verify_settings(project, nullptr);
+    } else if (cl_files.empty()) {
         const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
                                        progress.part(0.0, 0.3));
         part = plan->part;
@@ -151,6 +197,13 @@ Command simulate_command() {
                      .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",
                      .repeated = true},
+                    {.name = "--nc",
+                     .value = "FILE[,FILE]",
+                     .help = "reads these programs of a control back and simulates them in order",
+                     .repeated = true},
+                    {.name = "--post",
+                     .value = "NAME",
+                     .help = "the control they are for, by name or file (default: the project's)"},
                     {.name = "--op", .value = "NAME", .help = "plans and simulates only this operation"},
                     {.name = "--resolution",
                      .value = "R",

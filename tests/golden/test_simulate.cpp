@@ -86,6 +86,7 @@ private slots:
         Sandbox s;
         QByteArray text = plate_project;
         text.replace("\"flute_length\": 6", "\"flute_length\": 20");
+        text.replace("\"units\": \"mm\",", "\"units\": \"mm\", \"post\": \"linuxcnc\", \"wcs\": \"G55\",");
         text.replace("\"name\": \"Ball\"", "\"name\": \"<b>Ball & co\"");
         text.replace("\"name\": \"Finish\"", "\"name\": \"Top \\\"A\\\" <i>\"");
         prepared_plate(s, {}, text);
@@ -94,9 +95,10 @@ private slots:
         QCOMPARE(json(run.out)["verdict"].toString(), QString("verified"));
         const QByteArray sheet = file(s.path() + "/sheet.html");
         QVERIFY(sheet.startsWith("<!DOCTYPE html>") && sheet.endsWith("</html>\n"));
-        for (const char* said : {"Verified: no gouge, no collision.", "&lt;b&gt;Ball &amp; co",
-                                 "Top &quot;A&quot; &lt;i&gt;", "01-Top-A-i.apt", "42 × 32 × 12 mm",
-                                 "Deepest gouge", "part.stl", "\u00d8 30 \u00d7 20", "1 program ·"})
+        for (const char* said :
+             {"Verified: no gouge, no collision.", "&lt;b&gt;Ball &amp; co", "Top &quot;A&quot; &lt;i&gt;",
+              "01-Top-A-i.apt", "42 × 32 × 12 mm", "Deepest gouge", "part.stl", "\u00d8 30 \u00d7 20",
+              "1 program ·", "01-Top-A-i.ngc", "three axes", "G55: zero", "T1 50 mm"})
             QVERIFY2(sheet.contains(said), said);
         QVERIFY(!sheet.contains("<b>Ball") && !sheet.contains("do not run"));
         // Complete in itself.
@@ -190,6 +192,39 @@ private slots:
         const double cusp = 4 - std::sqrt(16 - 0.25);
         QVERIFY(json(run.out)["excess_max"].toDouble() <= cusp + 1e-6);
         QVERIFY(json(run.out)["gouge_max"].toDouble() < 1e-6);
+    }
+
+    /// What plan writes for a control is read back as it stands in the file.
+    void a_posted_program() {
+        Sandbox s;
+        QByteArray text = plate_project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 20");
+        prepared_plate(s, {}, text.replace("\"units\": \"mm\",", "\"units\": \"mm\", \"post\": \"grbl\","));
+        const CliRun plan = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
+        QVERIFY2(plan.status == 0, plan.err.constData());
+        QCOMPARE(s.files("out"), (QStringList{"01-Finish.apt", "01-Finish.nc", "report.json"}));
+        const QStringList read = {"simulate",     "job.facetmill", "--nc", "out/01-Finish.nc",
+                                  "--resolution", "0.5",           "-o",   "judged"};
+        const CliRun good = run_cli(read, s.path());
+        QVERIFY2(good.status == 0, good.err.constData());
+        QVERIFY(json(good.out)["remarks"].toArray()[0].toString().startsWith("The posted program, "));
+        // A cut that is too deep is found in its line, a word that is not known refused with its.
+        QByteArray program = file(s.path() + "/out/01-Finish.nc");
+        const auto cut = program.indexOf("\nX", program.size() / 2);
+        const auto line = program.left(cut + 1).count('\n') + 1;
+        QVERIFY(cut > 0);
+        s.write("out/01-Finish.nc", QByteArray(program).insert(program.indexOf('\n', cut + 1), " Z-1.5"));
+        const CliRun deep = run_cli(read, s.path());
+        QCOMPARE(deep.status, 1);
+        QVERIFY2(deep.err.contains("gouge of 1.") && deep.err.contains("line "), deep.err.constData());
+        s.write("out/01-Finish.nc", program.insert(cut + 1, "G2 I1 J0 "));
+        const CliRun word = run_cli(read, s.path());
+        QCOMPARE(word.status, 1);
+        QVERIFY2(word.err.contains(("01-Finish.nc:" + QByteArray::number(line) + ": 'G2'")),
+                 word.err.constData());
+        QCOMPARE(run_cli({"simulate", "job.facetmill", "--nc", "p.nc", "--op", "Finish", "-o", "x"}, s.path())
+                     .status,
+                 2);
     }
 
     void a_planted_gouge() {
