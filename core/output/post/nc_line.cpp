@@ -28,7 +28,9 @@ bool NcLine::has_code(NcCode c) const {
     return std::find(codes.begin(), codes.end(), c) != codes.end();
 }
 
-NcLineReader::NcLineReader(const Post& post) : parentheses_(post.comment_open == "(") {
+NcLineReader::NcLineReader(const Post& post)
+    : parentheses_(post.comment_open == "("), bare_numbers_(post.numbers_blocks && post.block_letter.empty()),
+      tool_in_comments_(post.word(NcWord::tool).empty()) {
     word_letter_.fill(-1);
     const auto add_word = [&](const std::string& text, NcWord w) {
         if (text.size() == 1)
@@ -42,7 +44,7 @@ NcLineReader::NcLineReader(const Post& post) : parentheses_(post.comment_open ==
         add_word(w, NcWord::ignored);
     add_word(post.block_letter, NcWord::ignored);
     for (const auto& [text, meaning] : post.codes) {
-        if (text.size() > 1 && is_letter(text[1])) {
+        if (text.size() == 1 || is_letter(text[1])) {
             named_[text] = {meaning, &text};
             continue;
         }
@@ -88,6 +90,16 @@ void NcLineReader::word(const Cursor& c, std::size_t from, NcWord which, double 
     into.given |= 1u << unsigned(which);
 }
 
+void NcLineReader::comment(std::string_view text, NcLine& into) const {
+    constexpr std::string_view start = "tool ";
+    if (!tool_in_comments_ || text.substr(0, start.size()) != start) return;
+    long tool = 0;
+    const auto read = std::from_chars(text.data() + start.size(), text.data() + text.size(), tool);
+    if (read.ec != std::errc()) return;
+    into.value[std::size_t(NcWord::tool)] = double(tool);
+    into.given |= 1u << unsigned(NcWord::tool);
+}
+
 void NcLineReader::named(Cursor& c, std::size_t letters, NcLine& into) const {
     const std::size_t from = c.at;
     std::string name;
@@ -99,6 +111,14 @@ void NcLineReader::named(Cursor& c, std::size_t letters, NcLine& into) const {
         if (known == long_words_.end())
             fail(c, "'" + printable(name) + "=' is no word of this control", "see the words of its post");
         c.at = end + 1;
+        word(c, from, known->second, number(c), into);
+        return;
+    }
+    // "TX+0.5", "CALL 3": letters with a number.
+    if (const auto known = long_words_.find(name.substr(0, letters)); known != long_words_.end()) {
+        c.at = from + letters;
+        while (c.at < c.line.size() && c.line[c.at] == ' ')
+            ++c.at;
         word(c, from, known->second, number(c), into);
         return;
     }
@@ -126,6 +146,9 @@ void NcLineReader::token(Cursor& c, NcLine& into) const {
     }
     const char letter = capital(c.line[from]);
     c.at = from + 1;
+    if (c.at == c.line.size() || c.line[c.at] == ' ')
+        if (const auto known = named_.find(std::string(1, letter)); known != named_.end())
+            return code(c, from, known->second, into);
     const double value = number(c);
     const std::size_t index = std::size_t(letter - 'A');
     if (code_letter_[index]) {
@@ -146,6 +169,8 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
     into.wcs = {};
     into.given = 0;
     Cursor c{line, 0, file, number};
+    while (bare_numbers_ && c.at < line.size() && is_figure(line[c.at]))
+        ++c.at;
     while (c.at < line.size()) {
         const char ch = line[c.at];
         if (ch == ' ' || ch == '\t') {
@@ -154,9 +179,10 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
             const std::size_t close = line.find_first_of("()", c.at + 1);
             if (close == std::string_view::npos || line[close] == '(')
                 fail(c, "a comment is not closed, or holds another one", "write one ( and one )");
+            comment(line.substr(c.at + 1, close - c.at - 1), into);
             c.at = close + 1;
         } else if (!parentheses_ && ch == ';') {
-            return;
+            return comment(line.substr(c.at + 1), into);
         } else {
             token(c, into);
         }

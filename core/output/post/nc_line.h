@@ -41,12 +41,14 @@ private:
     };
     [[noreturn]] static void fail(const Cursor& c, const std::string& what, const std::string& remedy);
     void token(Cursor& c, NcLine& into) const;
+    /// A comment that tells the tool, where the control has no word for it: "tool 3 ...".
+    void comment(std::string_view text, NcLine& into) const;
     void named(Cursor& c, std::size_t letters, NcLine& into) const;
     static double number(Cursor& c);
     void code(const Cursor& c, std::size_t from, const Meaning& meaning, NcLine& into) const;
     void word(const Cursor& c, std::size_t from, NcWord which, double value, NcLine& into) const;
 
-    bool parentheses_;
+    bool parentheses_, bare_numbers_, tool_in_comments_;
     std::array<bool, 26> code_letter_{};
     std::array<int, 26> word_letter_{};              ///< NcWord, -1: none
     std::unordered_map<long, Meaning> numbered_;     ///< letter * 1e6 + ten times the number

@@ -94,6 +94,12 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
     case NcCode::home:
         home_now_ = true;
         break;
+    case NcCode::rapid_block:
+        rapid_now_ = true;
+        break;
+    case NcCode::spindle_axis:
+        if (!line.has(NcWord::tool)) refuse("an axis has no number", "write its place behind it");
+        break;
     case NcCode::end:
         ended_ = true;
         break;
@@ -104,15 +110,25 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
 
 void NcModes::codes(const NcLine& line) {
     bool moves = false;
+    if (post_.has(NcCode::straight)) motion_ = NcCode::none;
     for (const NcCode code : line.codes) {
-        if (code == NcCode::rapid || code == NcCode::feed) {
+        const bool straight = code == NcCode::straight || code == NcCode::straight_vectors;
+        if (straight || code == NcCode::rapid || code == NcCode::feed) {
             if (moves) refuse("two kinds of motion in one block", "keep one of them");
             moves = true;
-            motion_ = code;
+            motion_ = straight ? NcCode::feed : code;
+            vectors_now_ = code == NcCode::straight_vectors;
         } else {
             one_code(code, line);
         }
     }
+    if (vectors_now_ && tcp_ != Tcp::vectors)
+        refuse("the tool axis is told as a vector, and nothing leads the tip", "switch that on before it",
+               ErrorCode::missing_key);
+    if (rapid_now_ && motion_ == NcCode::none)
+        refuse("a rapid without a motion", "write " + post_.code(NcCode::straight) + " before it",
+               ErrorCode::missing_key);
+    if (rapid_now_) motion_ = NcCode::rapid;
     if (line.wcs.empty()) return;
     if (line.wcs != wanted_wcs_)
         refuse("the work coordinate system is " + printable(line.wcs) + ", and the part stands in "
@@ -150,7 +166,9 @@ void NcModes::values(const NcLine& line) {
 void NcModes::check_motion() const {
     if (motion_ == NcCode::none)
         refuse("a place is given and no kind of motion",
-               "write " + post_.code(NcCode::rapid) + " or " + post_.code(NcCode::feed),
+               post_.has(NcCode::straight)
+                   ? "write " + post_.code(NcCode::straight)
+                   : "write " + post_.code(NcCode::rapid) + " or " + post_.code(NcCode::feed),
                ErrorCode::missing_key);
     if (!absolute_ || incremental_)
         refuse("places are not told from the origin",
@@ -170,9 +188,13 @@ void NcModes::check_motion() const {
                ErrorCode::missing_key);
 }
 
+double NcModes::feed_unit() const {
+    return unit_ == mm_per_inch ? unit_ * post_.inch_feed : unit_;
+}
+
 void NcModes::block(const NcLine& line, long number) {
     line_ = number;
-    home_now_ = change_now_ = false;
+    home_now_ = change_now_ = rapid_now_ = vectors_now_ = false;
     // "T1 M6": the number belongs to the change in the same block.
     const bool values_first = line.has(NcWord::tool);
     if (values_first) values(line);

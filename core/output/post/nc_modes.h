@@ -29,7 +29,7 @@ public:
     long line_number() const { return line_; }
     /// A word that is a length, mm.
     double length(double word) const;
-    double unit() const { return unit_; }
+    double feed_unit() const; ///< mm/min
     NcCode motion() const { return motion_; }
     bool inverse_time() const { return inverse_; }
     double feed() const { return *feed_; } ///< as the program has it; of a checked motion
@@ -55,7 +55,7 @@ private:
     double unit_ = 0; ///< mm; 0: not yet said
     bool absolute_ = false, incremental_ = false, inverse_ = false, inverse_known_ = false, wcs_ = false;
     bool spindle_ = false, length_ = false, counts_length_ = false, ended_ = false, home_now_ = false;
-    bool change_now_ = false;
+    bool change_now_ = false, rapid_now_ = false, vectors_now_ = false;
     std::optional<double> feed_;
     NcCode motion_ = NcCode::none;
     Tcp tcp_ = Tcp::off;

@@ -83,7 +83,7 @@ private:
 };
 
 void NcRun::take_tool(long number) {
-    if (has_tool_ && !up_ && post_.has(NcCode::tool_change))
+    if (has_tool_ && !up_ && post_.changes_tools)
         refuse("the tool is changed where it stands, and not up", "retract before it");
     const auto found = setup_.tools.find(number);
     if (found == setup_.tools.end())
@@ -212,7 +212,7 @@ double NcRun::seconds_for(const Joints& to, const CutterLocation& end, bool rapi
     double distance = tcp() == Tcp::off ? (to.linear - at_.linear).norm()
                                         : (end.tip - section_.motions.motions.back().to.tip).norm();
     if (distance > tolerance::smallest_chord)
-        return std::max(joints, 60 * distance / (modes_.feed() * modes_.unit()));
+        return std::max(joints, 60 * distance / (modes_.feed() * modes_.feed_unit()));
     distance = std::abs(to.rotary[0] - at_.rotary[0]) + std::abs(to.rotary[1] - at_.rotary[1]);
     return std::max(joints, 60 * degrees(distance) / modes_.feed());
 }
@@ -223,7 +223,7 @@ void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapi
     const double seconds = seconds_for(to, location, rapid);
     const double feed = rapid                   ? 1
                         : modes_.inverse_time() ? std::max(60 * step / std::max(seconds, 1e-9), 1e-3)
-                                                : modes_.feed() * modes_.unit();
+                                                : modes_.feed() * modes_.feed_unit();
     places_.clear();
     const JointMotion motion{from, location, at_, to};
     const StrayLimit limit{tcp() == Tcp::off ? setup_.tip_tolerance : infinity, setup_.axis_tolerance};

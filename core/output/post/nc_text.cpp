@@ -37,13 +37,15 @@ std::string nc_text(std::string_view name, std::size_t max_characters) {
 
 bool is_nc_word(std::string_view text) {
     if (text.size() == 1) return upper_letter(text[0]);
+    if (text.size() >= 2 && std::all_of(text.begin(), text.end(), upper_letter)) return true;
     return text.size() >= 2 && upper_letter(text[0]) && text.back() == '='
            && std::all_of(text.begin(), text.end() - 1,
                           [](char c) { return upper_letter(c) || decimal_digit(c); });
 }
 
 bool is_nc_code(std::string_view text) {
-    if (text.size() < 2 || !upper_letter(text[0])) return false;
+    if (text.empty() || !upper_letter(text[0])) return false;
+    if (text.size() == 1) return true;
     const auto rest = text.substr(1);
     if (std::all_of(rest.begin(), rest.end(), upper_letter)) return true;
     if (!decimal_digit(rest.front()) || !decimal_digit(rest.back())) return false;

@@ -24,6 +24,9 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
         {"none", NcCode::none},
         {"rapid", NcCode::rapid},
         {"feed", NcCode::feed},
+        {"straight", NcCode::straight},
+        {"straight_vectors", NcCode::straight_vectors},
+        {"rapid_block", NcCode::rapid_block},
         {"mm", NcCode::mm},
         {"inch", NcCode::inch},
         {"absolute", NcCode::absolute},
@@ -34,6 +37,7 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
         {"length_off", NcCode::length_off},
         {"machine", NcCode::machine},
         {"home", NcCode::home},
+        {"spindle_axis", NcCode::spindle_axis},
         {"tool_change", NcCode::tool_change},
         {"spindle_on", NcCode::spindle_on},
         {"spindle_off", NcCode::spindle_off},
@@ -164,6 +168,8 @@ void read_numbers(PostReader& file, Post& post) {
     r.integer("feed_decimals", 0, 4, post.feed_decimals);
     r.boolean("trailing_zeros", post.trailing_zeros);
     r.boolean("point", post.point);
+    r.boolean("plus", post.plus);
+    r.number("inch_feed", 0.001, 1000, post.inch_feed);
     r.finish();
 }
 
@@ -188,7 +194,11 @@ void read_block_numbers(PostReader& file, Post& post) {
     const Json* object = file.find("block_numbers");
     if (!object) return;
     PostReader r(*object, "block_numbers");
+    post.numbers_blocks = true;
     post.block_letter = "N";
+    r.text("letter", post.block_letter, 1);
+    if (!post.block_letter.empty() && !is_nc_word(post.block_letter))
+        r.refuse("letter", "this is no letter", "write one letter, or nothing");
     r.integer("first", 0L, 99999L, post.block_first);
     r.integer("step", 1L, 1000L, post.block_step);
     r.integer("last", 99L, 99999999L, post.block_last);
@@ -203,7 +213,7 @@ void read_words(PostReader& file, Post& post) {
         r.text(keys[i], word, 4);
         if (!word.empty() && !is_nc_word(word))
             r.refuse(keys[i], "'" + printable(word) + "' is no word",
-                     "write a letter, or letters and digits that end with '='");
+                     "write letters, or letters and digits that end with '='");
         for (std::size_t k = 0; k < i && !word.empty(); ++k)
             if (post.words[k] == word)
                 r.refuse(keys[i], "'" + word + "' has two meanings", "give each its own");
@@ -239,7 +249,10 @@ void read_codes(PostReader& file, Post& post) {
                         "known meanings: " + listed(known));
         post.codes[it.key()] = code_words()[std::size_t(found - known.begin())].second;
     }
-    for (const NcCode c : {NcCode::rapid, NcCode::feed, NcCode::mm, NcCode::inch, NcCode::end})
+    // A control has modal kinds of motion, or says in each block which it is.
+    const bool modal = !post.has(NcCode::straight);
+    for (const NcCode c : {modal ? NcCode::rapid : NcCode::rapid_block,
+                           modal ? NcCode::feed : NcCode::straight, NcCode::mm, NcCode::inch, NcCode::end})
         if (!post.has(c))
             throw Error(ErrorCode::missing_key, "codes", "no code means '" + known[std::size_t(c)] + "'",
                         "write it");
@@ -306,7 +319,9 @@ void read_multi_axis(PostReader& file, Post& post) {
         for (const NcWord w : {NcWord::i, NcWord::j, NcWord::k})
             if (post.word(w).empty()) r.refuse("kind", "the vector has no words", "add i, j and k to words");
     }
-    if (post.multi_axis != Post::MultiAxis::none) needs(NcCode::per_minute, "per_minute");
+    if (post.has(NcCode::inverse_time)) needs(NcCode::per_minute, "per_minute");
+    if (post.multi_axis == Post::MultiAxis::vectors && post.has(NcCode::straight))
+        needs(NcCode::straight_vectors, "straight_vectors");
 }
 
 Post read_post(const Json& json, std::string_view text) {
@@ -339,6 +354,7 @@ Post read_post(const Json& json, std::string_view text) {
     post.max_block = std::size_t(longest);
     file.boolean("modal", post.modal);
     file.boolean("straight_rapids", post.straight_rapids);
+    file.boolean("rapid_feed", post.rapid_feed);
     file.number("largest_feed", 0, 1e6, post.max_feed);
     file.integer("largest_tool", 1L, 99999999L, post.max_tool);
     file.integer("largest_program", 1L, 99999999L, post.max_program);
@@ -347,6 +363,8 @@ Post read_post(const Json& json, std::string_view text) {
     read_block_numbers(file, post);
     read_words(file, post);
     read_codes(file, post);
+    post.changes_tools = post.has(NcCode::tool_change);
+    file.boolean("changes_tools", post.changes_tools);
     read_templates(file, post);
     read_multi_axis(file, post);
     file.finish();
@@ -369,7 +387,7 @@ bool Post::knows_wcs(std::string_view wanted) const {
 const std::vector<std::string>& post_template_words() {
     static const std::vector<std::string> words = {"part",      "program", "operation", "tool",
                                                    "tool_name", "speed",   "wcs",       "coolant",
-                                                   "units",     "blend",   "safe"};
+                                                   "units",     "blend",   "safe",      "rapid"};
     return words;
 }
 

@@ -20,6 +20,9 @@ enum class NcCode {
     none, ///< is read over: it moves nothing and changes no number
     rapid,
     feed,
+    straight,         ///< of controls that say in every block that it moves: this one does, at feed
+    straight_vectors, ///< the same, with the tool axis as a vector
+    rapid_block,      ///< and this one is a rapid
     mm,
     inch,
     absolute,
@@ -28,8 +31,9 @@ enum class NcCode {
     inverse_time,
     length_on,
     length_off,
-    machine, ///< this block's Z counts from the top of the travel
-    home,    ///< this block's axes go to the end of their travel
+    machine,      ///< this block's Z counts from the top of the travel
+    home,         ///< this block's axes go to the end of their travel
+    spindle_axis, ///< stands with the number of a tool
     tool_change,
     spindle_on,
     spindle_off,
@@ -60,8 +64,10 @@ struct Post {
     std::string comment_open = "(", comment_close = ")";
     std::size_t max_comment = 60;
     int mm_decimals = 4, inch_decimals = 5, angle_decimals = 4, vector_decimals = 7, feed_decimals = 2;
-    bool trailing_zeros = false, point = true; ///< "1.500", "1."
-    std::string block_letter;                  ///< empty: no block numbers
+    bool trailing_zeros = false, point = true, plus = false; ///< "1.500", "1.", "+1"
+    double inch_feed = 1;                                    ///< inches that a feed of 1 is
+    bool numbers_blocks = false;
+    std::string block_letter; ///< of block numbers; they can be bare
     long block_first = 10, block_step = 10, block_last = 99999;
     std::array<std::string, nc_words> words; ///< "X", or "A3="; empty where the control has none
     std::vector<std::string> ignored_words;  ///< of templates: read over
@@ -70,6 +76,8 @@ struct Post {
     std::array<std::string, 4> coolant; ///< by Coolant
     MultiAxis multi_axis = MultiAxis::none;
     bool straight_rapids = true; ///< axes of a rapid arrive together
+    bool rapid_feed = false;     ///< a rapid needs a feed, too
+    bool changes_tools = true;   ///< within a program
     bool modal = true;           ///< words that did not change are left out
     double axis_tolerance = 0;   ///< how far the tool axis may stray between the blocks of joint programs
     double max_feed = 0;         ///< mm/min; 0: as the machine

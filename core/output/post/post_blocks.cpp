@@ -12,16 +12,19 @@ constexpr int inverse_digits = 6;
 
 } // namespace
 
-PostBlocks::PostBlocks(const Post& post, LengthUnit unit)
+PostBlocks::PostBlocks(const Post& post, LengthUnit unit, double rapid_mm_per_min)
     : post_(post), rapid_code_(post.code(NcCode::rapid)), feed_code_(post.code(NcCode::feed)),
       minute_code_(post.code(NcCode::per_minute)), inverse_code_(post.code(NcCode::inverse_time)),
-      feed_scale_(1 / mm_per(unit)), number_(post.block_first) {
+      straight_(post.code(NcCode::straight)), straight_vectors_(post.code(NcCode::straight_vectors)),
+      rapid_block_(post.code(NcCode::rapid_block)), rapid_mm_per_min_(rapid_mm_per_min),
+      feed_scale_(unit == LengthUnit::inch ? 1 / (mm_per_inch * post.inch_feed) : 1),
+      number_(post.block_first) {
     for (std::size_t i = 0; i < nc_words; ++i) {
         Slot& s = slots_[i];
         const NcWord w = NcWord(i);
         if (w <= NcWord::z) {
             s.decimals = unit == LengthUnit::inch ? post.inch_decimals : post.mm_decimals;
-            s.scale = feed_scale_;
+            s.scale = 1 / mm_per(unit);
         } else if (w <= NcWord::c) {
             s.decimals = post.angle_decimals;
             s.scale = 180 / pi;
@@ -50,8 +53,12 @@ std::string PostBlocks::filled(const std::string& line, const TemplateValues& va
 
 void PostBlocks::line(const std::string& body) {
     std::string number;
-    if (!post_.block_letter.empty() && body != "%") {
-        number = post_.block_letter + std::to_string(number_) + post_.separator;
+    // Ends of the tape and the number of the program stand before all blocks.
+    const bool before_blocks =
+        body == "%" || (body.size() > 1 && body[0] == 'O' && body[1] >= '0' && body[1] <= '9');
+    if (post_.numbers_blocks && !before_blocks) {
+        number = post_.block_letter + std::to_string(number_)
+                 + (post_.block_letter.empty() ? " " : post_.separator);
         number_ =
             number_ + post_.block_step > post_.block_last ? post_.block_first : number_ + post_.block_step;
     }
@@ -112,17 +119,23 @@ void PostBlocks::begin(NcCode code) {
         if (!block_.empty()) block_ += post_.separator;
         block_ += text;
     };
-    if (motion_ != code || !post_.modal) add(code == NcCode::rapid ? rapid_code_ : feed_code_);
+    if (!straight_.empty())
+        add(vector() ? straight_vectors_ : straight_);
+    else if (motion_ != code || !post_.modal)
+        add(code == NcCode::rapid ? rapid_code_ : feed_code_);
     motion_ = code;
     if (!before_.empty()) add(before_);
     before_.clear();
 }
 
+bool PostBlocks::vector() const {
+    const auto given = [&](NcWord w) { return slots_[std::size_t(w)].next.has_value(); };
+    return given(NcWord::i) || given(NcWord::j) || given(NcWord::k);
+}
+
 void PostBlocks::words() {
     // A part of a vector that is left out would count as 0.
-    bool vector = false;
-    for (const NcWord w : {NcWord::i, NcWord::j, NcWord::k})
-        vector = vector || slots_[std::size_t(w)].next;
+    const bool vector = this->vector();
     for (std::size_t i = 0; i < nc_words; ++i) {
         Slot& s = slots_[i];
         if (!s.next) continue;
@@ -130,6 +143,7 @@ void PostBlocks::words() {
         if (s.next != s.last || !post_.modal || part) {
             if (!block_.empty()) block_ += post_.separator;
             block_ += post_.words[i];
+            if (post_.plus && *s.next >= 0) block_ += '+';
             append_number(block_, *s.next, s.decimals, post_);
         }
         s.last = s.next;
@@ -145,12 +159,19 @@ void PostBlocks::end_block() {
 void PostBlocks::rapid() {
     begin(NcCode::rapid);
     words();
+    if (post_.rapid_feed) feed_word(rapid_mm_per_min_);
+    if (!rapid_block_.empty()) block_ += post_.separator + rapid_block_;
     end_block();
 }
 
 void PostBlocks::feed_per_minute(double mm_per_min) {
     begin(NcCode::feed);
     words();
+    feed_word(mm_per_min);
+    end_block();
+}
+
+void PostBlocks::feed_word(double mm_per_min) {
     const std::int64_t feed = nc_digits(mm_per_min * feed_scale_, post_.feed_decimals);
     if (feed < 1)
         throw Error(ErrorCode::out_of_range, "post '" + printable(post_.name) + "'",
@@ -161,7 +182,6 @@ void PostBlocks::feed_per_minute(double mm_per_min) {
         append_number(block_, feed, post_.feed_decimals, post_);
     }
     feed_ = feed;
-    end_block();
 }
 
 void PostBlocks::feed_for(double seconds) {

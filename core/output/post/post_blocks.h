@@ -16,7 +16,8 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 
 class PostBlocks {
 public:
-    PostBlocks(const Post& post, LengthUnit unit);
+    /// `rapid_mm_per_min`: of rapids that need a feed.
+    PostBlocks(const Post& post, LengthUnit unit, double rapid_mm_per_min);
 
     /// Lines of a template; those that come out empty are left out. Afterwards nothing is modal.
     void lines(const std::vector<std::string>& templates, const TemplateValues& values);
@@ -45,15 +46,19 @@ private:
         double scale = 1; ///< of the word to the core's unit
     };
     void begin(NcCode code);
+    bool vector() const; ///< the next block gives the tool axis
     void words();
     void end_block();
+    void feed_word(double mm_per_min);
     void line(const std::string& body);
     std::string filled(const std::string& line, const TemplateValues& values) const;
 
     const Post& post_;
     std::string text_, block_, before_;
     std::array<Slot, nc_words> slots_;
-    std::string rapid_code_, feed_code_, minute_code_, inverse_code_;
+    std::string rapid_code_, feed_code_, minute_code_, inverse_code_, straight_, straight_vectors_,
+        rapid_block_;
+    double rapid_mm_per_min_;
     NcCode motion_ = NcCode::none;
     std::optional<std::int64_t> feed_;
     bool inverse_ = false, mode_known_ = false;

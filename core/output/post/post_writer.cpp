@@ -20,10 +20,16 @@ NcWord rotary_word(const RotaryAxis& axis) {
     return NcWord(std::size_t(NcWord::a) + std::size_t(axis.name[0] - 'A'));
 }
 
+/// Any of X, Y, Z goes so fast.
+double rapid_mm_per_min(const Machine& machine) {
+    return 60 * machine.rapid_mm_per_s.minCoeff();
+}
+
 class PostWriter {
 public:
     PostWriter(const ClProgram& program, const Post& post, const PostSetup& setup)
-        : program_(program), post_(post), setup_(setup), wcs_(setup.wcs), blocks_(post, program.unit) {
+        : program_(program), post_(post), setup_(setup), wcs_(setup.wcs),
+          blocks_(post, program.unit, rapid_mm_per_min(setup.machine)) {
         if (wcs_.empty() && !post.wcs.empty()) wcs_ = post.wcs.front();
     }
 
@@ -82,7 +88,7 @@ void PostWriter::check() const {
                "change `program_number`");
     for (const auto& s : program_.sections)
         check_section(*s);
-    if (!post_.has(NcCode::tool_change))
+    if (!post_.changes_tools)
         for (std::size_t i = 1; i < program_.sections.size(); ++i)
             if (!same_tool(*program_.sections[i - 1], *program_.sections[i]))
                 refuse("the control cannot change tools, and the program has several",
@@ -137,6 +143,8 @@ TemplateValues PostWriter::values(const ClSection& s) const {
     for (const Motion& m : s.motions.motions)
         safe = std::max(safe, m.to.tip.z());
     append_number(v["safe"], nc_digits(safe / per, decimals), decimals, post_);
+    append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup_.machine) / per, post_.feed_decimals),
+                  post_.feed_decimals, post_);
     return v;
 }
 

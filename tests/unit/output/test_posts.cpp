@@ -311,6 +311,51 @@ private slots:
         }
     }
 
+    void words_that_are_lost_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<std::string>("from");
+        QTest::addColumn<std::string>("to");
+        QTest::addColumn<std::string>("says");
+        const auto row = [](const char* post, const char* from, const char* to, const char* says) {
+            QTest::addRow("%s: %s", post, from)
+                << post << std::string(from) << std::string(to) << std::string(says);
+        };
+        row("heidenhain", " L X", " X", "a rapid without a motion");
+        row("heidenhain", "L Z+0 R0", "Z+0 R0", "a rapid without a motion");
+        row("heidenhain", "CALL 1 Z", "Z", "no number");
+        row("heidenhain", "L A", "LN A", "LN");
+        row("heidenhain-vectors", "M128", "M129", "nothing leads the tip");
+        row("heidenhain-vectors", "LN X", "LX X", "LX");
+        row("marlin", ";tool 1", "; tool", "no tool");
+        row("marlin", ";tool 1", ";tool 9", "no tool 9");
+        row("marlin", "M400", "M30", "M30");
+    }
+    void words_that_are_lost() {
+        QFETCH(QString, post);
+        QFETCH(std::string, from);
+        QFETCH(std::string, to);
+        QFETCH(std::string, says);
+        const Post& control = find_post(post.toStdString());
+        const bool leans = control.multi_axis != Post::MultiAxis::none;
+        const ClProgram program =
+            joined_program({leans ? leaning_section("One", 1) : upright_section("One", 1)});
+        const PostSetup setup = setup_for(program, leans ? "trunnion-ac" : "generic-3-axis");
+        const std::string text = changed_text(post_program(program, control, setup, {}).text, from, to);
+        std::string message;
+        QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
+                != "none");
+        QVERIFY2(message.find("p:") == 0 && message.find(says) != std::string::npos, message.c_str());
+    }
+
+    void the_program_number_stands_first() {
+        const ClProgram program = joined_program({upright_section("One", 1)});
+        const PostSetup setup = setup_for(program, "generic-3-axis");
+        QCOMPARE(post_program(program, find_post("fanuc"), setup, {}).text.substr(0, 19),
+                 std::string("%\nO1 (part)\nN10 G21"));
+        QCOMPARE(post_program(program, find_post("heidenhain"), setup, {}).text.substr(0, 26),
+                 std::string("0 BEGIN PGM P1 MM\r\n1 ; par"));
+    }
+
     void a_rapid_never_combines_a_descent() {
         ClSection s = upright_section("One", 1);
         // Slanting down, as no operation of three axes does.
