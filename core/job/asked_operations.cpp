@@ -11,7 +11,7 @@ std::vector<AskedOperation> asked_operations(const Project& project,
     for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
         a->leaves = leaves && a->operation->three_axis();
         a->read = read;
-        leaves = leaves || (a->operation->reads_stock() && a->needed());
+        leaves = leaves || (a->operation->links_read_stock() && a->needed());
         read = read || (a->operation->reads_left().any() && a->needed());
     }
     std::erase_if(asked, [](const AskedOperation& a) { return !a.needed(); });

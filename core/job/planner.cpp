@@ -327,9 +327,12 @@ struct Planner::Cache {
                                             const std::shared_ptr<const PlanResult>& before,
                                             const Operation& operation, std::string_view motions,
                                             const Progress& progress);
-    /// `earlier`: what names the motions of the operations before, where this one asks for them.
+    /// What names the motions of the operations before, where an operation asks for them.
+    struct Asked {
+        std::string by_strategy, by_links;
+    };
     const Planned& operation(const Project& project, const Operation& operation, const PlanContext& context,
-                             std::string_view earlier, const Progress& progress);
+                             const Asked& earlier, const Progress& progress);
 };
 
 /// What an operation cuts, for those after it.
@@ -412,7 +415,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
 }
 
 const Planner::Cache::Planned& Planner::Cache::operation(const Project& project, const Operation& operation,
-                                                         const PlanContext& context, std::string_view earlier,
+                                                         const PlanContext& context, const Asked& earlier,
                                                          const Progress& progress) {
     const OperationCommon& common = operation.common();
     // Each key holds what its stage and all before it read.
@@ -428,8 +431,9 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     for (const Tool& t : context.further_tools)
         key.add_up_to(Stage::output, t, tool_parameters());
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
-    key.add(earlier);
+    key.add(earlier.by_strategy);
     const std::string path_key = key.text();
+    key.add(earlier.by_links);
     const std::string motion_key = key.add_up_to(Stage::link, operation).text();
     key.add_up_to(Stage::output, operation).add_up_to(Stage::output, context.tool, tool_parameters());
     key.add(std::string_view(project.part.file));
@@ -579,11 +583,12 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         context.tool = project.tool_of(operation);
         context.further_tools = project.further_tools_of(operation);
         context.earlier.clear();
-        if (operation.reads_stock()) context.earlier = cuts;
+        if (operation.links_read_stock()) context.earlier = cuts;
         Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
         try {
-            Key asked_before;
+            Key asked_before, asked_by_links;
             if (operation.reads_stock()) asked_before.add("stock").add(std::string_view(earlier.text()));
+            if (operation.links_read_stock()) asked_by_links.add(std::string_view(earlier.text()));
             context.left = nullptr;
             if (operation.reads_left().any()) {
                 asked_before.add("left").add(std::string_view(before.text()));
@@ -591,7 +596,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
                 part = part.part(0.3, 1);
             }
             const Cache::Planned& planned =
-                c.operation(project, operation, context, asked_before.text(), part);
+                c.operation(project, operation, context, {asked_before.text(), asked_by_links.text()}, part);
             if (asked[i].result)
                 for (const auto& program : programs_of(planned.result))
                     result->operations.push_back(program);

@@ -34,21 +34,6 @@ double widest(const Tool& tool, double cutter_radius) {
     return radius;
 }
 
-/// No body of the tool is narrower than one below it: going out along its axis, each comes where a wider or
-/// equal one was.
-bool widens_upward(const Tool& tool, double cutter_radius) {
-    double radius = cutter_radius;
-    const auto as_wide = [&](double diameter, double length) {
-        const bool wide = !(length > 0) || 0.5 * diameter >= radius - tolerance::contact_distance;
-        if (length > 0) radius = std::max(radius, 0.5 * diameter);
-        return wide;
-    };
-    bool wide = as_wide(tool.shank_diameter, tool.shank_length);
-    for (const HolderSection& section : tool.holder)
-        wide = as_wide(section.diameter, section.length) && wide;
-    return wide;
-}
-
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -83,42 +68,20 @@ void turn_to(std::vector<CutterLocation>& route, const Vec3& axis) {
 } // namespace
 
 Envelope::Envelope(const EnvelopeInput& in) {
+    Box3 box; // round part and stock
     for (const Box3& b : {in.part, in.stock})
-        if (!b.empty()) box_.add(b);
-    center_ = box_.center();
+        if (!b.empty()) box.add(b);
+    center_ = box.center();
     const double wide = widest(*in.tool, in.cutter_radius);
-    level_ = std::max(box_.hi.z(), in.highest_tip) + reach_below(*in.tool, in.cutter_radius, in.lowest_axis_z)
+    level_ = std::max(box.hi.z(), in.highest_tip) + reach_below(*in.tool, in.cutter_radius, in.lowest_axis_z)
              + in.clearance;
     // Chords between places of the sphere run within it.
-    radius_ = (0.5 * box_.size().norm() + wide + in.clearance) / std::cos(0.5 * rapid_turn);
-    clearance_ = in.clearance;
-    free_behind_ = widens_upward(*in.tool, in.cutter_radius);
-    tool_length_ = in.tool->flute_length + in.tool->shank_length;
-    for (const HolderSection& section : in.tool->holder)
-        tool_length_ += section.length;
-    cutter_radius_ = in.cutter_radius;
+    radius_ = (0.5 * box.size().norm() + wide + in.clearance) / std::cos(0.5 * rapid_turn);
+    reachable_ = in.reachable;
 }
 
-CutterLocation Envelope::out_of_stock(const CutterLocation& at) const {
-    double exit = infinity;
-    for (int k = 0; k < 3; ++k) {
-        // The rim of the end reaches so far beyond the tip.
-        const double beyond =
-            clearance_ + cutter_radius_ * std::sqrt(std::max(0.0, 1 - at.axis[k] * at.axis[k]));
-        const double low = box_.lo[k] - beyond, high = box_.hi[k] + beyond;
-        // Beyond a side and not leaning back over it, the whole tool is out. Else it leaves by the other one.
-        if ((at.tip[k] < low && at.axis[k] <= 0) || (at.tip[k] > high && at.axis[k] >= 0)) return at;
-        if (at.axis[k] > 0) exit = std::min(exit, (high - at.tip[k]) / at.axis[k]);
-        if (at.axis[k] < 0) exit = std::min(exit, (low - at.tip[k]) / at.axis[k]);
-    }
-    return {at.tip + exit * at.axis, at.axis};
-}
-
-CutterLocation Envelope::off_part(const CutterLocation& at) const {
-    CutterLocation out = out_of_stock(at);
-    const double far = (out.tip - at.tip).norm();
-    if (free_behind_ && far > clearance_ && far <= tool_length_) out.tip = at.tip + clearance_ * at.axis;
-    return out;
+bool Envelope::reachable(const std::vector<CutterLocation>& route) const {
+    return !reachable_ || std::all_of(route.begin(), route.end(), reachable_);
 }
 
 CutterLocation Envelope::on_level(const CutterLocation& at) const {
@@ -139,7 +102,9 @@ CutterLocation Envelope::on_sphere(const CutterLocation& at) const {
 
 CutterLocation Envelope::out(const CutterLocation& at) const {
     const CutterLocation level = on_level(at), sphere = on_sphere(at);
-    return (level.tip - at.tip).norm() <= (sphere.tip - at.tip).norm() ? level : sphere;
+    const bool level_first = (level.tip - at.tip).norm() <= (sphere.tip - at.tip).norm();
+    const CutterLocation &first = level_first ? level : sphere, &second = level_first ? sphere : level;
+    return reachable({first}) || !reachable({second}) ? first : second;
 }
 
 std::vector<CutterLocation> Envelope::over(const CutterLocation& from, const CutterLocation& to) const {
@@ -188,7 +153,8 @@ std::vector<CutterLocation> Envelope::route(const CutterLocation& from, const Cu
         return (route.front().tip - from.tip).norm() + length_of(route) + (route.back().tip - to.tip).norm();
     };
     std::vector<CutterLocation> level = over(from, to), sphere = round(from, to);
-    return whole(level) <= whole(sphere) ? level : sphere;
+    if (whole(sphere) < whole(level)) std::swap(level, sphere);
+    return reachable(level) || !reachable(sphere) ? level : sphere;
 }
 
 } // namespace facetmill

@@ -5,6 +5,7 @@
 #include "core/setup/motion.h"
 #include "core/setup/tool.h"
 
+#include <functional>
 #include <vector>
 
 namespace facetmill {
@@ -16,12 +17,15 @@ struct EnvelopeInput {
     double cutter_radius = 0;                          ///< the largest
     double highest_tip = -infinity, lowest_axis_z = 1; ///< of the path's locations
     double clearance = 0;                              ///< kept from both
+    /// Whether the machine can hold the tool there; empty: it can hold it anywhere.
+    std::function<bool(const CutterLocation&)> reachable;
 };
 
 /// Two surfaces on which the tool, cutter, shank and holder, is clear of part and stock: a level one above,
 /// at which it may turn from any of the path's axes to any other, and a sphere about both, on which it may
-/// stand with any axis that points outward. Rapids take the shorter way, in pieces in which the axis turns by
-/// 5 degrees at most, so that every machine goes nearly the same way between two of them.
+/// stand with any axis that points outward. Rapids take the shorter way of those that the machine can go, in
+/// pieces in which the axis turns by 5 degrees at most, so that every machine goes nearly the same way
+/// between two of them.
 ///
 /// On the sphere: where a tool leaves it along its axis a (unit) with its tip at c + R u, a . u >= 0, and so
 /// every point of its body, which lies within w of the ray from the tip along a, is at least R - w away from
@@ -32,14 +36,7 @@ public:
 
     double level() const { return level_; } ///< height of the tip on the level surface
     double radius() const { return radius_; }
-    /// Where the tool, coming out along its axis, is clear of the stock by the clearance; `at` itself where
-    /// it is there already. Up to there it may come in fast.
-    CutterLocation out_of_stock(const CutterLocation& at) const;
-    /// Where the tool, coming out along its axis, may begin to move fast: off the part by the clearance where
-    /// its bodies only come where wider ones were and its upper end is out of the stock, else out of the
-    /// stock.
-    CutterLocation off_part(const CutterLocation& at) const;
-    /// Where it comes out to, the nearer one of the two surfaces.
+    /// Where it comes out to, the nearer one of the two surfaces where the machine reaches both or neither.
     CutterLocation out(const CutterLocation& at) const;
     /// All places of a rapid from where the tool comes out of one location to where it goes in to another:
     /// both ends included, and where these are the same only once.
@@ -51,9 +48,9 @@ private:
     std::vector<CutterLocation> over(const CutterLocation& from, const CutterLocation& to) const;
     std::vector<CutterLocation> round(const CutterLocation& from, const CutterLocation& to) const;
 
-    Box3 box_; ///< round part and stock
-    double clearance_ = 0, cutter_radius_ = 0, tool_length_ = 0;
-    bool free_behind_ = false;
+    bool reachable(const std::vector<CutterLocation>& route) const;
+
+    std::function<bool(const CutterLocation&)> reachable_;
     Vec3 center_ = Vec3::Zero();
     double level_ = 0, radius_ = 0;
 };

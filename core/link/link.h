@@ -41,11 +41,15 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 
 /// Joins the passes of a 5-axis path: over the surface, tip moving straight and the axis turning in one
 /// plane, lifted along the tool axis wherever cutter, shank or holder would touch, where the next pass is
-/// near and that way is free, or is shorter than out of the stock and in again while the axis turns by 45
-/// degrees at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis,
-/// at feed until it may move fast, in rapids above or round part and stock (envelope.h), and in
-/// along the next axis. In no motion of a link does the axis turn by more than 5 degrees. `clearance` is what
-/// cutter, shank and holder keep from the part, mm. Throws Error(out_of_range).
+/// near and that way is free, or is shorter than what rapids leave at feed while the axis turns by 45 degrees
+/// at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis, in
+/// rapids above or round part and stock (envelope.h), and in along the next axis. In and out a rapid goes to
+/// the clearance from the location where nothing stands on that way (raw material less what operations with
+/// the axis +Z cut before, and what the flutes have cut at the location itself). Where something does, the
+/// tool goes to or from a location near it at which it has cut and behind which nothing stands, over the part
+/// at feed, or along its axis through the stock at feed, whichever is shorter. In no motion of a link does
+/// the axis turn by more than 5 degrees. `clearance` is what cutter, shank and holder keep from the part, mm.
+/// Throws Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress);

@@ -1,7 +1,11 @@
 #include "core/base/tolerances.h"
+#include "core/link/entry_places.h"
 #include "core/link/envelope.h"
 #include "core/link/link.h"
+#include "core/link/tilted_stock.h"
+#include "core/setup/kinematics.h"
 #include "core/strategy/five_axis/posture_path.h"
+#include "core/strategy/surface/stock_before.h"
 
 #include <cmath>
 
@@ -28,6 +32,13 @@ const double turn_at_once = radians(5);
 constexpr double longest_steps = 200;
 /// How far a tool comes off before it turns over, in the distance by which it has to be clear then.
 constexpr double off_share = 2;
+/// The cells of the stock that rapids keep out of, in radii of the cutter, and what the sides of the tool
+/// keep from it there, in the clearance: walls stand beside every pass, and a clearance from them leaves no
+/// room.
+constexpr double stock_cell_share = 0.25;
+constexpr double side_gap_share = 0.1;
+/// Along its own axis the tool goes in where it goes no farther than so many clearances at feed.
+constexpr double short_entry = 2;
 
 /// Finds a route between two locations that keeps clear of the part to within the chord tolerance, lifted
 /// along the tool axis where it has to be.
@@ -82,29 +93,36 @@ public:
     FiveAxisLinker(const StrategyResult& path, const PlanContext& context, const ToolClearance& clearance,
                    const LinkOptions& options, const Progress& progress)
         : options_(options), progress_(progress), lift_(context.contact, context.tool, clearance),
-          radius_(lift_.cutter().max_radius()), chord_(options.motion_share * options.chord_tolerance),
-          max_lift_(max_lift_share * 2 * radius_), apart_(looking_step(radius_, chord_)),
-          on_surface_(lift_, chord_, progress),
+          kinematics_(context.machine, gauge_length(context.tool),
+                      default_part_origin(context.machine, context.part_box)),
+          radius_(lift_.cutter().max_radius()), clearance_(options.clearance + clearance.cutter),
+          chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
+          apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
           clear_lift_(context.contact, context.tool,
                       {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),
-          over_surface_(clear_lift_, chord_, progress),
-          envelope_(kept_clear_of(path, context, radius_, options, clearance)) {}
+          over_surface_(clear_lift_, chord_, progress), envelope_(kept_clear_of(path, context)),
+          stock_(stock_before(context, stock_cell_share * radius_, progress.part(0, 0.1)), context.tool,
+                 radius_, side_gap_share * clearance_),
+          places_(stock_, context.tool, radius_, clearance_) {}
 
     ToolMotions link(const StrategyResult& path) {
         result_.clearance_z = envelope_.level();
         const Pass* before = nullptr;
         for (std::size_t i = 0; i < path.passes.size(); ++i) {
-            progress_.set(double(i) / double(path.passes.size()));
+            progress_.part(0.1, 1).set(double(i) / double(path.passes.size()));
             const Pass& pass = path.passes[i];
             if (pass.cl.empty()) continue;
             go_to(pass, Index(i), before);
-            for (std::size_t k = 1; k < pass.cl.size(); ++k)
+            places_.add(pass.cl.front());
+            for (std::size_t k = 1; k < pass.cl.size(); ++k) {
                 result_.motions.push_back({MotionKind::cut, pass.cl[k], Index(i), Index(k)});
+                places_.add(pass.cl[k]);
+            }
             before = &pass;
         }
         if (before) {
-            const CutterLocation& last = before->cl.back();
-            come_out(last, envelope_.out(last));
+            const Reach reach = out_of(before->cl.back());
+            come_out(reach, envelope_.out(reach.fast));
         }
         progress_.set(1);
         return std::move(result_);
@@ -113,14 +131,14 @@ public:
 private:
     using Route = std::vector<CutterLocation>;
 
-    static EnvelopeInput kept_clear_of(const StrategyResult& path, const PlanContext& context, double radius,
-                                       const LinkOptions& options, const ToolClearance& clearance) {
+    EnvelopeInput kept_clear_of(const StrategyResult& path, const PlanContext& context) const {
         EnvelopeInput in;
         in.part = context.part_box;
         in.stock = context.stock_box;
         in.tool = &context.tool;
-        in.cutter_radius = radius;
-        in.clearance = options.clearance + clearance.cutter;
+        in.cutter_radius = radius_;
+        in.clearance = clearance_;
+        in.reachable = [this](const CutterLocation& at) { return reaches(at); };
         for (const Pass& pass : path.passes)
             for (const CutterLocation& c : pass.cl) {
                 in.highest_tip = std::max(in.highest_tip, c.tip.z());
@@ -131,18 +149,75 @@ private:
         return in;
     }
 
-    /// Out along the axis: at feed until the tool may move fast.
-    void come_out(const CutterLocation& at, const CutterLocation& out) {
-        const CutterLocation clear = envelope_.off_part(at);
-        const double far = (out.tip - at.tip).norm(), slow = (clear.tip - at.tip).norm();
-        if (slow > 0) between_passes(MotionKind::retract, slow < far ? clear : out);
-        if (slow < far) between_passes(MotionKind::rapid, out);
+    /// How the tool gets from where it may move fast to a location of a pass, or back.
+    struct Reach {
+        CutterLocation fast;
+        Route between;     ///< from there to the location
+        double length = 0; ///< at feed
+    };
+
+    /// Along the location's own axis, of which `slow` is at feed, or from a place near it that has been cut,
+    /// where that is shorter.
+    Reach reach(const CutterLocation& at, double slow) {
+        Reach best{{at.tip + slow * at.axis, at.axis}, {}, slow};
+        if (slow <= short_entry * clearance_) return best;
+        const bool reached = reaches(at);
+        const auto serves = [&](const CutterLocation& place) {
+            Reach found{place, {}, 0};
+            if ((reached && !(reaches(place) && reaches(envelope_.out(place))))
+                || !over_part(place, off(at), 0.5 * slow, found.between))
+                return false;
+            found.between.push_back(off(at));
+            found.length = length_of(place, found.between, at);
+            if (!(found.length < slow)) return false;
+            best = std::move(found);
+            return true;
+        };
+        places_.find(at, slow, serves, progress_);
+        return best;
     }
-    /// In along the axis: fast until the tool comes to the stock, then at feed.
-    void go_in(const CutterLocation& out, const CutterLocation& start, Index pass_index) {
-        const CutterLocation clear = envelope_.out_of_stock(start);
-        if ((clear.tip - start.tip).norm() < (out.tip - start.tip).norm())
-            between_passes(MotionKind::rapid, clear);
+    bool reaches(const CutterLocation& at) const { return kinematics_.reaches({at.tip, at.axis}); }
+    /// Clear of the part by more where there is room.
+    bool over_part(const CutterLocation& from, const CutterLocation& to, double max_lift, Route& route) {
+        const SurfaceLink::Limits limits{max_lift, turn_at_once};
+        if (over_surface_.between(from, to, limits, route)) return true;
+        route.clear();
+        return on_surface_.between(from, to, limits, route);
+    }
+    /// In to a location, through the stock where some stands on the axis.
+    Reach in_to(const CutterLocation& at) {
+        return reach(at, std::max(clearance_, stock_.lift(at, clearance_)));
+    }
+    /// Out from where it has cut.
+    Reach out_of(const CutterLocation& at) {
+        return reach(at,
+                     stock_.free_behind(at) ? clearance_ : std::max(clearance_, stock_.lift(at, clearance_)));
+    }
+
+    static double length_of(const CutterLocation& from, const Route& route, const CutterLocation& to) {
+        double length = 0;
+        const CutterLocation* at = &from;
+        for (const CutterLocation& c : route) {
+            length += (c.tip - at->tip).norm();
+            at = &c;
+        }
+        return length + (to.tip - at->tip).norm();
+    }
+
+    /// From a pass's end to the envelope.
+    void come_out(const Reach& reach, const CutterLocation& out) {
+        for (auto c = reach.between.rbegin(); c != reach.between.rend(); ++c)
+            between_passes(MotionKind::retract, *c);
+        // Along the axis, which is the same at both.
+        const bool fast = (reach.fast.tip - out.tip).dot(out.axis) < 0;
+        between_passes(MotionKind::retract, fast ? reach.fast : out);
+        if (fast) between_passes(MotionKind::rapid, out);
+    }
+    /// From the envelope to a pass.
+    void go_in(const Reach& reach, const CutterLocation& out, const CutterLocation& start, Index pass_index) {
+        if ((reach.fast.tip - out.tip).dot(out.axis) < 0) between_passes(MotionKind::rapid, reach.fast);
+        for (const CutterLocation& c : reach.between)
+            between_passes(MotionKind::approach, c);
         result_.motions.push_back({MotionKind::approach, start, pass_index, 0});
     }
 
@@ -158,36 +233,39 @@ private:
     /// To the start of a pass, from the end of the pass before, if there is one.
     void go_to(const Pass& pass, Index pass_index, const Pass* before) {
         const CutterLocation& start = pass.cl.front();
-        Route route;
-        if (before && find_link(*before, pass, route)) {
-            for (const CutterLocation& c : route)
-                between_passes(MotionKind::link, c);
-            result_.motions.push_back({MotionKind::link, start, pass_index, 0});
-            return;
-        }
         if (!before) {
-            const CutterLocation out = envelope_.out(start);
+            const Reach in = in_to(start);
+            const CutterLocation out = envelope_.out(in.fast);
             between_passes(MotionKind::rapid, out);
-            go_in(out, start, pass_index);
+            go_in(in, out, start, pass_index);
             return;
         }
         const CutterLocation& last = before->cl.back();
-        const Route round = envelope_.route(last, start);
-        come_out(last, round.front());
-        for (std::size_t k = 1; k < round.size(); ++k)
-            between_passes(MotionKind::rapid, round[k]);
-        go_in(round.back(), start, pass_index);
+        Route route;
+        bool linked = link_near(*before, pass, route);
+        if (!linked) {
+            const Reach out = out_of(last), in = in_to(start);
+            linked = go_over(last, start, out.length + in.length, route);
+            if (!linked) {
+                const Route round = envelope_.route(out.fast, in.fast);
+                come_out(out, round.front());
+                for (std::size_t k = 1; k < round.size(); ++k)
+                    between_passes(MotionKind::rapid, round[k]);
+                go_in(in, round.back(), start, pass_index);
+                return;
+            }
+        }
+        for (const CutterLocation& c : route)
+            between_passes(MotionKind::link, c);
+        result_.motions.push_back({MotionKind::link, start, pass_index, 0});
     }
 
-    /// The places between two passes, on the way that suits how far they are from each other; false where
-    /// only the clearance is left.
-    bool find_link(const Pass& from, const Pass& to, Route& route) {
+    /// The places between two passes that are neighbours; false where there is no such route.
+    bool link_near(const Pass& from, const Pass& to, Route& route) {
         const CutterLocation &last = from.cl.back(), &start = to.cl.front();
         const bool near = (start.tip - last.tip).norm() <= options_.link_distance;
-        if (near ? on_surface_.between(last, start, {max_lift_, turn_at_once}, route)
-                 : turn_over(from, to, route))
-            return true;
-        return go_over(last, start, route);
+        return near ? on_surface_.between(last, start, {max_lift_, turn_at_once}, route)
+                    : turn_over(from, to, route);
     }
 
     /// Where a pass turns round, a flat end's tips are a diameter apart, each a radius behind its contact,
@@ -200,21 +278,13 @@ private:
         return clear_route(from.cl.back(), to.cl.front(), {max_lift_, turn_at_once}, route);
     }
 
-    /// Farther apart, where that is less than up to the clearance and down again, which is at feed, too. What
-    /// stands there of the stock it cuts as passes do.
-    bool go_over(const CutterLocation& from, const CutterLocation& to, Route& route) {
-        const double detour = (envelope_.out_of_stock(from).tip - from.tip).norm()
-                              + (envelope_.out_of_stock(to).tip - to.tip).norm();
+    /// Farther apart, where that is less than the `detour` at feed that rapids take. What stands there of the
+    /// stock it cuts as passes do.
+    bool go_over(const CutterLocation& from, const CutterLocation& to, double detour, Route& route) {
         if (!((to.tip - from.tip).norm() < detour) || from.axis.dot(to.axis) < std::cos(max_turn))
             return false;
-        if (!clear_route(from, to, {0.5 * detour, turn_at_once}, route)) return false;
-        double length = 0;
-        const CutterLocation* at = &from;
-        for (const CutterLocation& c : route) {
-            length += (c.tip - at->tip).norm();
-            at = &c;
-        }
-        return length + (to.tip - at->tip).norm() < detour;
+        return clear_route(from, to, {0.5 * detour, turn_at_once}, route)
+               && length_of(from, route, to) < detour;
     }
 
     /// Off the part at one end, over it clear of it, and down to where the other end is entered from.
@@ -230,13 +300,16 @@ private:
     const LinkOptions& options_;
     const Progress& progress_;
     ToolLift lift_;
-    double radius_, chord_, max_lift_;
+    Kinematics kinematics_;
+    double radius_, clearance_, chord_, max_lift_;
     double apart_; ///< The places of a route at which the part is looked at are no farther from each other.
     SurfaceLink on_surface_;
     /// Keeps clear by `apart_` more: the rim of an inclined tool sweeps over borders of the part.
     ToolLift clear_lift_;
     SurfaceLink over_surface_;
     Envelope envelope_;
+    TiltedStock stock_;
+    EntryPlaces places_;
     ToolMotions result_;
 };
 

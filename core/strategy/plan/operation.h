@@ -53,9 +53,10 @@ struct PlanContext {
     Machine machine;
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
     LengthUnit unit = LengthUnit::mm;                   ///< of lengths in warnings and errors, nothing else
-    /// For operations that ask what stands (Operation::reads_stock): the raw material (its box is stock_box),
-    /// and what the operations before cut from it, in their order. What cuts with a tilted axis is left out:
-    /// material is believed to stand there. A solid whose box is empty stands for the box stock_box.
+    /// For operations or links that ask what stands (Operation::reads_stock, links_read_stock): the raw
+    /// material (its box is stock_box), and what the operations before cut from it, in their order. What cuts
+    /// with a tilted axis is left out: material is believed to stand there. A solid whose box is empty stands
+    /// for the box stock_box.
     StockSolid stock;
     std::vector<std::shared_ptr<const EarlierCuts>> earlier;
     /// For operations that ask for it; else null.
@@ -130,6 +131,8 @@ public:
     virtual double left_on_purpose() const { return common().allowance; }
     /// True when the plan depends on what stands of the stock: raw material and earlier operations.
     virtual bool reads_stock() const { return false; }
+    /// True when the links do; those of an operation that reads the stock do anyway.
+    bool links_read_stock() const { return reads_stock() || linking() == Linking::tilted; }
     /// What of the operations before it the plan depends on beside that.
     struct ReadsLeft {
         bool points = false, rest = false; ///< of EarlierLeft

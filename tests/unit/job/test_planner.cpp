@@ -315,6 +315,44 @@ private slots:
         QVERIFY(crossed > 0);
     }
 
+    /// Links of a tilted tool ask what was roughed before; its path does not.
+    void tilted_links_see_what_was_roughed() {
+        Workplace w;
+        w.project.stock.margin = {2, 2, 15};
+        w.project.machine = "trunnion-ac";
+        auto rough = make_operation("rough");
+        rough->common().name = "First";
+        rough->common().tool = 2;
+        rough->common().allowance = 0.2;
+        rough->common().tolerance = 3;
+        rough->set("depth", 2.0);
+        w.project.operations[0] = std::move(rough);
+        auto finish = make_operation("finish5");
+        finish->common().name = "Second";
+        finish->common().tolerance = 0.5;
+        finish->set("stepover", 1.5);
+        finish->set("posture", std::string("cm2"));
+        w.project.operations[1] = std::move(finish);
+        const auto approach = [](const OperationResult& o) {
+            double length = 0;
+            const auto& m = o.program.motions.motions;
+            for (std::size_t i = 1; i < m.size(); ++i)
+                if (m[i].kind == MotionKind::approach) length += (m[i].to.tip - m[i - 1].to.tip).norm();
+            return length;
+        };
+        Planner planner;
+        const auto both = planner.plan(w.project, "", {});
+        const PlannerWork before = planner.work();
+        w.project.operations[0]->set("depth", 2.5);
+        planner.plan(w.project, "", {});
+        QCOMPARE(planner.work().strategies - before.strategies, 1);
+        QCOMPARE(planner.work().links - before.links, 2);
+        Project lone = w.project;
+        lone.operations.erase(lone.operations.begin());
+        const auto alone = planner.plan(lone, "", {});
+        QVERIFY(approach(*alone->operations[0]) > approach(*both->operations[1]) + 8);
+    }
+
     void only_what_changed_runs_again() {
         Workplace w;
         Planner planner;

@@ -1,7 +1,9 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
 #include "core/link/envelope.h"
 #include "core/link/link.h"
+#include "core/link/tilted_stock.h"
 #include "core/strategy/five_axis/posture_path.h"
+#include "core/strategy/surface/stock_before.h"
 #include "tests/property/shapes.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
@@ -191,16 +193,147 @@ private slots:
                         }
                 }
             }
-            // From below or beside the part, leaning over it, as well.
-            const CutterLocation low{from.tip - Vec3(0, 0, from.tip.z() + 12), from.axis};
-            QVERIFY(envelope.out_of_stock(low).tip.z() > 60
-                    || std::abs(envelope.out_of_stock(low).tip.x()) > 60
-                    || std::abs(envelope.out_of_stock(low).tip.y()) > 50);
-            // Out of the stock by the clearance at least, and there no more than it takes.
-            const CutterLocation out = envelope.out_of_stock(from);
-            const Vec3 off = out.tip - out.tip.cwiseMax(in.stock.lo).cwiseMin(in.stock.hi);
-            QVERIFY(off.norm() > 4 - 1e-9 && off.norm() < 30);
         }
+    }
+
+    /// Where only one of the two surfaces is within the machine's travel rapids stay on it.
+    void rapids_take_what_the_machine_reaches() {
+        const Tool tool = ball_tool(6);
+        EnvelopeInput in;
+        in.part = in.stock = {Vec3(-20, -20, 0), Vec3(20, 20, 10)};
+        in.tool = &tool;
+        in.cutter_radius = 3;
+        in.highest_tip = 10;
+        in.clearance = 5;
+        const CutterLocation from{Vec3(-15, 0, 5), Vec3(-0.1, 0, 1).normalized()},
+            to{Vec3(15, 0, 5), Vec3(0.1, 0, 1).normalized()};
+        const Envelope anywhere(in);
+        const auto highest = [&](const std::vector<CutterLocation>& route) {
+            double z = 0;
+            for (const CutterLocation& c : route)
+                z = std::max(z, c.tip.z());
+            return z;
+        };
+        QCOMPARE(highest(anywhere.route(from, to)), anywhere.level());
+        in.reachable = [&](const CutterLocation& c) { return c.tip.z() > anywhere.level() + 1; };
+        const Envelope above(in);
+        QVERIFY(highest(above.route(from, to)) > anywhere.level() + 1);
+        QVERIFY(above.out(from).tip.z() > anywhere.level() + 1);
+        in.reachable = [](const CutterLocation&) { return false; };
+        QCOMPARE(highest(Envelope(in).route(from, to)), anywhere.level());
+    }
+
+    /// Against points all over the stock: never less than they ask for, and no more than they would with
+    /// bodies wider by what a cell may be off.
+    void a_tilted_tool_is_lifted_out_of_what_stands() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() = 12;
+        auto slot = std::make_shared<EarlierCuts>();
+        slot->cutter = AptCutter::flat(16, 40);
+        slot->motions = {{Vec3(-30, 0, 4), Vec3(30, 0, 4)}};
+        context.earlier = {slot};
+        Tool tool = ball_tool(6);
+        tool.flute_length = 10;
+        tool.shank_diameter = 5;
+        tool.shank_length = 8;
+        tool.holder = {{20, 30}};
+        const double cell = 0.5, gap = 0.4, spacing = 0.5;
+        const TiltedStock stock(stock_before(context, cell, Progress()), tool, 3, gap);
+        std::vector<Vec3> points;
+        for (double x = -20; x <= 20; x += spacing)
+            for (double y = -15; y <= 15; y += spacing)
+                for (double z = 0; z <= (std::abs(y) < 8 ? 4 : 12); z += spacing)
+                    points.emplace_back(x, y, z);
+        using Bodies = std::vector<std::pair<double, double>>; // radius, height
+        const Bodies whole{{3, 0}, {2.5, 10}, {10, 18}}, above{{3, 10}, {2.5, 10}, {10, 18}};
+        const auto lift_of = [&](const CutterLocation& at, const Bodies& bodies, double wider) {
+            double lift = -infinity;
+            for (const Vec3& p : points) {
+                const double along = (p - at.tip).dot(at.axis), away = (p - at.tip).cross(at.axis).norm();
+                for (const auto& [radius, height] : bodies)
+                    if (away <= radius + wider) lift = std::max(lift, along - height);
+            }
+            return lift;
+        };
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> share(-1, 1);
+        int free = 0, not_free = 0;
+        for (int round = 0; round < trials(60); ++round) {
+            Vec3 axis;
+            do
+                axis = Vec3(share(random), share(random), std::abs(share(random))).normalized();
+            while (axis.z() < 0.15);
+            const CutterLocation at{Vec3(24 * share(random), 18 * share(random), 6 + 8 * share(random)),
+                                    axis};
+            const double lift = stock.lift(at, 2) - 2;
+            QVERIFY(lift >= lift_of(at, whole, gap - 0.01) - 1e-9);
+            QVERIFY(lift <= lift_of(at, whole, gap + 2 * cell + spacing) + cell + spacing);
+            const bool is_free = stock.free_behind(at);
+            if (is_free) QVERIFY(lift_of(at, above, 0) <= 0);
+            if (!is_free) QVERIFY(lift_of(at, above, 2 * cell + spacing) > -cell - spacing);
+            (is_free ? free : not_free) += 1;
+        }
+        QVERIFY(free > 5 && not_free > 5);
+    }
+
+    /// In a block that nobody roughed the tool goes in at feed once, and from then on through what it has
+    /// cut.
+    void a_tilted_tool_goes_in_where_it_has_cut() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() = 40;
+        const Vec3 axis = Vec3(0, 0.3, 1).normalized();
+        StrategyResult path;
+        for (const double y : {-3.0, 0.0}) {
+            Pass p;
+            for (const double x : {-15.0, -14.0, 0.0, 15.0}) {
+                p.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
+                p.cl.push_back({Vec3(x, y, 3) - 3 * axis, axis});
+            }
+            path.passes.push_back(std::move(p));
+        }
+        const auto linked = [&] { return link_five_axis(path, context, {}, near_options(2), Progress()); };
+        const auto slow = [](const ToolMotions& m, MotionKind kind, Index first_pass) {
+            double length = 0;
+            bool counts = first_pass == 0;
+            for (std::size_t i = 1; i < m.motions.size(); ++i) {
+                const double far = (m.motions[i].to.tip - m.motions[i - 1].to.tip).norm();
+                if (counts && m.motions[i].kind == kind) length += far;
+                counts = counts || m.motions[i].pass >= first_pass - 1;
+            }
+            return length;
+        };
+        const ToolMotions own = linked();
+        QVERIFY2(travels_fast(own), kinds_of(own).c_str());
+        QVERIFY(slow(own, MotionKind::approach, 0) - slow(own, MotionKind::approach, 1) > 35);
+        QVERIFY(slow(own, MotionKind::approach, 1) < 8);
+        QVERIFY(slow(own, MotionKind::retract, 0) < 11); // twice off the part
+        // Rapids within the stock run in and out along the axis of a location that was cut.
+        for (std::size_t i = 1; i < own.motions.size(); ++i) {
+            if (own.motions[i].kind != MotionKind::rapid) continue;
+            const CutterLocation &a = own.motions[i - 1].to, &b = own.motions[i].to;
+            if (std::min(a.tip.z(), b.tip.z()) > 40) continue;
+            const Vec3 low = a.tip.z() < b.tip.z() ? a.tip : b.tip;
+            QVERIFY(a.axis == b.axis && (b.tip - a.tip).cross(a.axis).norm() < 1e-9);
+            bool along = false;
+            for (const Pass& p : path.passes)
+                for (const CutterLocation& c : p.cl)
+                    along = along || (low - c.tip - 5 * c.axis).norm() < 1e-9;
+            QVERIFY(along);
+        }
+        // Flutes that end within the stock: their shank was never free there.
+        context.tool.flute_length = 20;
+        const ToolMotions deep = linked();
+        QVERIFY(slow(deep, MotionKind::retract, 0) > 35 || kinds_of(deep).find("cl") != std::string::npos);
+        for (std::size_t i = 1; i < deep.motions.size(); ++i)
+            if (deep.motions[i].kind == MotionKind::rapid)
+                QVERIFY(std::min(deep.motions[i].to.tip.z(), deep.motions[i - 1].to.tip.z()) > 40);
+        // What was roughed stands no more.
+        auto roughed = std::make_shared<EarlierCuts>();
+        roughed->cutter = AptCutter::flat(20, 60);
+        for (double y = -20; y <= 80; y += 5)
+            roughed->motions.push_back({Vec3(-40, y, 4), Vec3(40, y, 4)});
+        context.earlier = {roughed};
+        QVERIFY(slow(linked(), MotionKind::approach, 0) < 25);
     }
 
     /// Deep in a block the way over the part is less than up and down again.
@@ -275,7 +408,7 @@ private slots:
         StrategyResult path;
         for (const double x : {0.0, 300.0}) {
             Pass p;
-            const Vec3 axis(0, std::sin(0.1), std::cos(0.1));
+            const Vec3 axis(0, std::sin(0.05), std::cos(0.05));
             for (const double y : {-2.0, 2.0}) {
                 p.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
                 p.cl.push_back({Vec3(x, y, 0.5) - 0.5 * axis, axis});
