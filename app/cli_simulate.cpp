@@ -123,8 +123,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
             sum.blocks += nc.blocks;
             sum.seconds += nc.seconds;
         }
-        remarks.push_back("The posted program, " + std::to_string(sum.blocks) + " blocks, "
-                          + duration_text(sum.seconds) + ", was read back for '" + post.label + "'.");
+        remarks.push_back(posted_remark(post, sum.blocks, sum.seconds));
         settings = verify_settings(project, nullptr);
     } else if (cl_files.empty()) {
         const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,

@@ -45,6 +45,57 @@ PostSetup post_setup(const Project& project, const PlanResult& result) {
     return setup;
 }
 
+constexpr std::size_t file_end = std::size_t(-1);
+/// Lines [first, end) of a file.
+struct LineRange {
+    std::size_t first = 1, end = file_end;
+};
+
+/// The motions of some lines of a file, whatever tools it was read as.
+void take_lines(const std::vector<VerifyProgram>& read, const LineRange& range, VerifyProgram& into) {
+    auto motions = std::make_shared<ToolMotions>();
+    into.lines.clear();
+    for (const VerifyProgram& p : read) {
+        const auto& all = p.motions->motions;
+        for (std::size_t m = 0; m < all.size(); ++m) {
+            if (p.lines[m] < range.first || p.lines[m] >= range.end) continue;
+            if (motions->motions.empty()) {
+                *motions = *p.motions;
+                motions->motions.clear();
+                // From where the operation before ended with the same tool.
+                if (m > 0) {
+                    motions->motions.push_back({MotionKind::rapid, all[m - 1].to});
+                    into.lines.push_back(p.lines[m]);
+                }
+            }
+            motions->motions.push_back(all[m]);
+            into.lines.push_back(p.lines[m]);
+        }
+    }
+    into.motions = std::move(motions);
+}
+
+/// For each posted motion the planned one that it is a piece of: those that print nothing are passed over.
+std::vector<std::uint32_t> planned_motions(const ToolMotions& posted, const ToolMotions& planned) {
+    constexpr double near = 0.01; // mm; what digits and divisions may do
+    constexpr std::size_t looked_ahead = 16;
+    std::vector<std::uint32_t> all;
+    std::size_t at = 0;
+    for (const Motion& m : posted.motions) {
+        std::size_t reached = at;
+        bool ends = false;
+        for (std::size_t k = at; k < std::min(at + looked_ahead, planned.motions.size()); ++k)
+            if ((planned.motions[k].to.tip - m.to.tip).norm() < near) {
+                reached = k;
+                ends = true;
+                break;
+            }
+        all.push_back(std::uint32_t(reached));
+        at = ends && reached + 1 < planned.motions.size() ? reached + 1 : reached;
+    }
+    return all;
+}
+
 PostedFile post_programs(const Project& project, const PlanResult& result, const Post& post, PostSetup setup,
                          std::string name, std::vector<std::size_t> which, const Progress& progress) {
     ClProgram program;
@@ -120,6 +171,54 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
         result.programs.push_back(std::move(program));
     }
     return result;
+}
+
+std::string posted_remark(const Post& post, std::size_t blocks, double seconds) {
+    return "The posted program, " + std::to_string(blocks) + " blocks, " + duration_text(seconds)
+           + ", was read back for '" + post.label + "'.";
+}
+
+PostedPrograms posted_programs(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                               const Progress& progress) {
+    const Post post = project_post(project, project.programs.post);
+    const std::vector<PostedFile> files = post_plan(project, *plan, progress.part(0, 0.6, "Posting"));
+    PostedPrograms result;
+    result.programs = verify_programs(project, plan);
+    result.planned.resize(result.programs.size());
+    double seconds = 0;
+    const double n = double(files.size());
+    for (std::size_t f = 0; f < files.size(); ++f) {
+        const PostedFile& file = files[f];
+        const NcFilePrograms read =
+            parse_posted(project, *plan->part, post, file.program.text, file.name,
+                         progress.part(0.6 + 0.4 * double(f) / n, 0.6 + 0.4 * double(f + 1) / n, "Reading"));
+        result.blocks += read.blocks;
+        seconds += read.seconds;
+        const auto& first = file.program.first_lines;
+        for (std::size_t k = 0; k < file.programs.size(); ++k) {
+            const std::size_t i = file.programs[k];
+            const LineRange range{first[k], k + 1 < first.size() ? first[k + 1] : file_end};
+            take_lines(read.programs, range, result.programs[i]);
+            result.planned[i] =
+                planned_motions(*result.programs[i].motions, plan->operations[i]->program.motions);
+        }
+    }
+    result.remark = posted_remark(post, result.blocks, seconds);
+    return result;
+}
+
+void name_planned_motions(Verification& verification, const PostedPrograms& posted) {
+    const auto rename = [&](MotionPlace& at) {
+        if (!at.known() || at.program >= posted.planned.size()) return;
+        if (const auto& planned = posted.planned[at.program]; at.motion < planned.size())
+            at.motion = planned[at.motion];
+    };
+    for (DeviationExtreme& e : verification.gouges)
+        rename(e.by);
+    for (DeviationExtreme& e : verification.excess)
+        rename(e.by);
+    for (Collision& c : verification.collisions)
+        rename(c.at);
 }
 
 NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,

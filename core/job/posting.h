@@ -42,4 +42,21 @@ NcFilePrograms read_posted(const Project& project, const PreparedPart& part, con
 NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, const Post& post,
                             std::string_view text, const std::string& name, const Progress& progress);
 
+/// A sentence of the verdict: "The posted program, 59414 blocks, 1 h 2 min, was read back for 'LinuxCNC'."
+std::string posted_remark(const Post& post, std::size_t blocks, double seconds);
+
+/// What the project's post makes of a plan, read back: a program for each of the plan's.
+struct PostedPrograms {
+    std::vector<VerifyProgram> programs;
+    /// For each motion of each the planned motion that it belongs to.
+    std::vector<std::vector<std::uint32_t>> planned;
+    std::size_t blocks = 0;
+    std::string remark;
+};
+/// Throws what post_plan and read_nc do.
+PostedPrograms posted_programs(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                               const Progress& progress);
+/// Findings name motions of the plan instead of those of the programs that were posted.
+void name_planned_motions(Verification& verification, const PostedPrograms& posted);
+
 } // namespace facetmill

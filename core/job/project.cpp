@@ -82,6 +82,10 @@ fs::path Project::machine_path() const {
     return from_project(path, machine);
 }
 
+fs::path Project::post_path() const {
+    return from_project(path, programs.post);
+}
+
 std::string file_stamp(const fs::path& path) {
     std::error_code ec;
     const fs::path real = fs::weakly_canonical(path, ec);
@@ -126,8 +130,7 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
 void keep_referenced(const Project& project, const fs::path& output) {
     std::vector<fs::path> inputs = {project.part_path(), project.stock_path()};
     if (is_machine_file(project.machine)) inputs.push_back(project.machine_path());
-    if (is_post_file(project.programs.post))
-        inputs.push_back(from_project(project.path, project.programs.post));
+    if (is_post_file(project.programs.post)) inputs.push_back(project.post_path());
     for (const fs::path& input : inputs)
         if (!input.empty()) refuse_to_overwrite(input, output);
 }

@@ -53,6 +53,7 @@ struct Project {
     std::filesystem::path stock_path() const; ///< of the mesh; empty where the stock is none
     /// The machine's file; the project's `machine` may also be the name of a machine of the program.
     std::filesystem::path machine_path() const;
+    std::filesystem::path post_path() const;
     /// Throws Error(missing_reference) that names the operation.
     const Tool& tool_of(const Operation& operation) const;
     /// Those of Operation::further_tools. Throws likewise.

@@ -70,6 +70,7 @@ void PostBlocks::line(const std::string& body) {
     text_ += number;
     text_ += body;
     text_ += post_.line_end;
+    ++lines_;
 }
 
 void PostBlocks::lines(const std::vector<std::string>& templates, const TemplateValues& values) {

@@ -38,6 +38,7 @@ public:
 
     std::string& text() { return text_; }
     std::size_t blocks() const { return blocks_; }
+    std::size_t lines_written() const { return lines_; }
 
 private:
     struct Slot {
@@ -64,7 +65,7 @@ private:
     bool inverse_ = false, mode_known_ = false;
     double feed_scale_ = 1;
     long number_;
-    std::size_t blocks_ = 0;
+    std::size_t blocks_ = 0, lines_ = 0;
 };
 
 } // namespace facetmill

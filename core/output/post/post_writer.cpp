@@ -379,6 +379,7 @@ void PostWriter::section(const ClSection& s, bool first, bool change, const Prog
     for (const RotaryAxis& axis : setup_.machine.rotary)
         if (const NcWord word = rotary_word(axis); !post_.word(word).empty()) rotary_.push_back(word);
     if (first) blocks_.lines(post_.start, v);
+    posted_.first_lines.push_back(blocks_.lines_written() + 1);
     blocks_.lines(post_.retract, v);
     if (change) {
         blocks_.lines(post_.tool_change, v);

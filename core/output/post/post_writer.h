@@ -39,12 +39,13 @@ struct PostSetup {
 
 struct PostedProgram {
     std::string text;
-    std::size_t blocks = 0;  ///< lines that move something
-    double seconds = 0;      ///< as the machine's model has them (motion_time.h), without coming and going
-    Box3 reach;              ///< of X, Y and Z in the machine's frame
-    std::vector<long> tools; ///< in the order of their use
-    bool tcp = false;        ///< the control does the kinematics
-    std::size_t rewinds = 0; ///< how often the tool goes up so that rotary axes can turn
+    std::size_t blocks = 0; ///< lines that move something
+    double seconds = 0;     ///< as the machine's model has them (motion_time.h), without coming and going
+    Box3 reach;             ///< of X, Y and Z in the machine's frame
+    std::vector<std::size_t> first_lines; ///< of each section, from 1
+    std::vector<long> tools;              ///< in the order of their use
+    bool tcp = false;                     ///< the control does the kinematics
+    std::size_t rewinds = 0;              ///< how often the tool goes up so that rotary axes can turn
 };
 
 /// Throws what check_writable throws and Error(out_of_range, missing_reference, limit_exceeded) for what the

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -82,6 +83,8 @@ struct PostedJob {
 
 const char* const ball_rows =
     R"({ "kind": "finish3", "name": "Rows", "tool": 1, "tolerance": 0.05, "feed": 800, "clearance": 4 })";
+const char* const ball_columns =
+    R"({ "kind": "finish3", "name": "Columns", "tool": 1, "tolerance": 0.1, "direction": "y", "clearance": 4 })";
 const char* const leaning_rows =
     R"({ "kind": "finish5", "name": "Lean", "tool": 1, "tolerance": 0.1, "direction": "x", "clearance": 4 })";
 
@@ -278,6 +281,33 @@ private slots:
                  std::string("out_of_range"));
         job.project.programs = {"linuxcnc", "", 1, ProgramSpec::Files::one};
         QVERIFY2(message.find("01-Rows.nc") == 0 && !fs::exists(folder / "not"), message.c_str());
+    }
+
+    /// One file for two operations with one tool: what is read back is theirs again, each motion named by the
+    /// planned one that it is a piece of.
+    void posted_programs_stand_for_those_of_the_plan() {
+        PostedJob job("generic-3-axis", std::string(ball_rows) + "," + ball_columns);
+        const PostedPrograms posted = posted_programs(job.project, job.plan, {});
+        QCOMPARE(posted.programs.size(), std::size_t(2));
+        QVERIFY(posted.remark.find("The posted program, ") == 0);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto& read = posted.programs[i].motions->motions;
+            const auto& planned = job.plan->operations[i]->program.motions.motions;
+            QCOMPARE(posted.programs[i].name, job.plan->operations[i]->name);
+            QCOMPARE(posted.planned[i].size(), read.size());
+            QCOMPARE(posted.programs[i].lines.size(), read.size());
+            QVERIFY(std::is_sorted(posted.planned[i].begin(), posted.planned[i].end()));
+            QVERIFY(posted.planned[i].back() + 2 >= planned.size());
+            for (std::size_t m = 0; m < read.size(); ++m)
+                if (read[m].kind != MotionKind::rapid)
+                    QVERIFY((planned[posted.planned[i][m]].to.tip - read[m].to.tip).norm() < 0.01);
+        }
+        QVERIFY(posted.programs[0].lines.back() < posted.programs[1].lines.front());
+        Verification seen = job.judge(posted.programs, verify_settings(job.project, job.plan.get()));
+        QVERIFY(seen.passed());
+        seen.gouges.push_back({Vec3::Zero(), Vec3::UnitZ(), -1, {1, 5}});
+        name_planned_motions(seen, posted);
+        QCOMPARE(seen.gouges.back().by.motion, std::size_t(posted.planned[1][5]));
     }
 
     void the_project_file_has_its_keys() {
