@@ -2,6 +2,7 @@
 
 #include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
+#include "core/output/post/post.h"
 #include "ui/text.h"
 
 #include <QUndoCommand>
@@ -113,6 +114,7 @@ void Document::saved(const Project& written) {
     project_.part.file = written.part.file;
     project_.stock.file = written.stock.file;
     project_.machine = written.machine;
+    project_.programs.post = written.programs.post;
     if (current) part_key_ = part_key(project_);
     for (std::size_t i = 0; i < good.size(); ++i)
         if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
@@ -263,6 +265,17 @@ std::string Document::part_key(const Project& project) {
     if (project.part.flip) key += "|flip";
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
         key += "|" + placed(stock, project.stock);
+    return key;
+}
+
+std::string Document::posting_key(const Project& project) {
+    const ProgramSpec& programs = project.programs;
+    if (programs.post.empty()) return {};
+    std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
+                      + programs.wcs + "|" + std::to_string(programs.number) + "|"
+                      + std::to_string(int(programs.files));
+    if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
+    if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
     return key;
 }
 

@@ -79,6 +79,9 @@ public:
     const std::shared_ptr<const PreparedPart>& part() const { return part_; }
     /// Files as they are on disk, units and placements: what the meshes of part and stock depend on.
     static std::string part_key(const Project& project);
+    /// Everything that says how programs are posted, the files of post and machine as they are on disk. Empty
+    /// without a post.
+    static std::string posting_key(const Project& project);
     /// False when the project says something else than what was read.
     bool part_is_current() const { return part_ && part_key_ == part_key(project_); }
     /// False where the stock is a mesh that could not be read with the part.

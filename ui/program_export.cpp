@@ -1,6 +1,7 @@
 #include "ui/program_export.h"
 
 #include "core/base/file.h"
+#include "core/job/posting.h"
 #include "core/job/program_files.h"
 #include "core/job/setup_sheet.h"
 #include "core/output/apt.h"
@@ -35,11 +36,18 @@ void ProgramExport::programs_with_dialog() {
         return;
     }
     if (!may_export()) return;
-    const QString folder = QFileDialog::getExistingDirectory(
-        window_, tr("Export %1 programs into").arg(text(apt_writer().label)), settings::last_folder());
+    const QString folder =
+        QFileDialog::getExistingDirectory(window_, tr("Export programs into"), settings::last_folder());
     if (folder.isEmpty()) return;
-    const QStringList there = QDir(folder).entryList(
-        {QLatin1Char('*') + text(apt_writer().extension), QStringLiteral("report.json")}, QDir::Files);
+    QStringList mine{QLatin1Char('*') + text(apt_writer().extension), QStringLiteral("report.json")};
+    try {
+        const Project& project = document_.project();
+        if (const std::string& post = project.programs.post; !post.empty())
+            mine << QLatin1Char('*') + text(project_post(project, post).extension);
+    } catch (const Error&) {
+        // A post that cannot be read is told when the programs are written.
+    }
+    const QStringList there = QDir(folder).entryList(mine, QDir::Files);
     if (!there.isEmpty()
         && QMessageBox::question(
                window_, tr("Replace files?"),

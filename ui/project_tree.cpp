@@ -1,5 +1,6 @@
 #include "ui/project_tree.h"
 
+#include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "ui/text.h"
 #include "ui/verification_model.h"
@@ -252,6 +253,12 @@ void ProjectTree::rebuild() {
         QString machine = text(project.machine);
         for (const Machine& m : machines())
             if (m.name == project.machine) machine = text(m.label);
+        if (const std::string& post = project.programs.post; !post.empty()) {
+            QString control = text(post);
+            for (const Post& p : posts())
+                if (p.name == post) control = text(p.label);
+            machine = tr("%1, %2").arg(machine, control);
+        }
         add(nullptr, {TreeNode::Kind::machine, 0}, Icon::machine, machine);
         add(nullptr, {TreeNode::Kind::limits, 0}, Icon::verify, tr("Verification limits"));
         auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tool, tr("Tools"));

@@ -1,5 +1,6 @@
 #include "ui/properties_panel.h"
 
+#include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "core/strategy/lathe/lathe.h"
 #include "ui/elided_label.h"
@@ -39,6 +40,32 @@ const ParameterTable<MachineChoice>& machine_choice() {
     }();
     return table;
 }
+
+/// What stands below the machine: two structs in one form.
+class MachineForm : public Parameterized {
+public:
+    MachineForm(MachineChoice& machine, ProgramSpec& programs)
+        : machine_(machine, machine_choice()), programs_(programs, program_parameters()) {}
+    std::vector<const ParameterInfo*> parameters() const override {
+        std::vector<const ParameterInfo*> all = machine_.parameters();
+        const auto more = programs_.parameters();
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    ParameterValue get(std::string_view key) const override {
+        return machine_.has(key) ? machine_.get(key) : programs_.get(key);
+    }
+    void set(std::string_view key, const ParameterValue& value) override {
+        if (machine_.has(key))
+            machine_.set(key, value);
+        else
+            programs_.set(key, value);
+    }
+
+private:
+    ParameterView<MachineChoice> machine_;
+    ParameterView<ProgramSpec> programs_;
+};
 
 const std::vector<std::string> axis_points{"axis_from", "axis_to"};
 
@@ -191,13 +218,19 @@ void PropertiesPanel::refresh() {
         VerifyLimits copy = project.limits;
         show(ParameterView<VerifyLimits>(copy, verify_limit_parameters()));
     } else if (node_->kind == Kind::machine) {
-        title = tr("Machine");
+        title = tr("Machine and control");
         std::vector<FormChoice> choices;
         for (const Machine& m : machines())
             choices.push_back({text(m.label), m.name});
         if (is_machine_file(project.machine)) choices.push_back({text(project.machine), project.machine});
+        std::vector<FormChoice> controls = {{tr("none: APT only"), std::string()}};
+        for (const Post& p : posts())
+            controls.push_back({text(p.label), p.name});
+        if (is_post_file(project.programs.post))
+            controls.push_back({text(project.programs.post), project.programs.post});
         MachineChoice machine{project.machine};
-        show(ParameterView<MachineChoice>(machine, machine_choice()), {{"machine", choices}});
+        ProgramSpec programs = project.programs;
+        show(MachineForm(machine, programs), {{"machine", choices}, {"post", controls}});
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
         const Tool& t = project.tools[node_->index];
         title = tr("T%1  %2").arg(t.number).arg(text(t.name));
@@ -288,8 +321,10 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
             else if (node.kind == Kind::limits)
                 ParameterView<VerifyLimits>(p.limits, verify_limit_parameters()).set(key, value);
-            else if (node.kind == Kind::machine)
+            else if (node.kind == Kind::machine && key == "machine")
                 p.machine = std::get<std::string>(value);
+            else if (node.kind == Kind::machine)
+                ParameterView<ProgramSpec>(p.programs, program_parameters()).set(key, value);
             else if (node.kind == Kind::operation)
                 p.operations.at(node.index)->set(key, value);
         });

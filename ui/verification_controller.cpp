@@ -1,5 +1,6 @@
 #include "ui/verification_controller.h"
 
+#include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/setup/machine.h"
@@ -46,6 +47,27 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
         return std::make_unique<StockPlayback>(solid, input->programs,
                                                resolution_for(solid.box, triangles, finest), progress);
     };
+}
+
+/// Fills in what the outcome says of its plan, or of the programs that stand in its place. Where there is a
+/// control, what it will run is judged.
+void judge(VerificationOutcome& outcome, const Project& project, const std::vector<VerifyProgram>& programs,
+           const Progress& progress) {
+    const PlanResult& plan = *outcome.plan;
+    const bool posts = !outcome.posting_key.empty();
+    PostedPrograms posted;
+    if (posts) posted = posted_programs(project, outcome.plan, progress.part(0, 0.1));
+    outcome.posted_blocks = posted.blocks;
+    VerifySettings settings = verify_settings(project, outcome.program ? nullptr : &plan);
+    settings.max_samples = max_samples;
+    auto result = std::make_shared<Verification>(
+        facetmill::verify(*plan.part->mesh, plan.stock, posts ? posted.programs : programs, settings,
+                          progress.part(posts ? 0.1 : 0, 0.97, "Verifying")));
+    name_planned_motions(*result, posted);
+    if (posts) result->remarks.insert(result->remarks.begin(), posted.remark);
+    outcome.display = prepare_deviation_display(result->surface, default_scale(*result, project.unit),
+                                                progress.part(0.97, 1, "Preparing the view"));
+    outcome.verification = std::move(result);
 }
 
 } // namespace
@@ -120,6 +142,7 @@ void VerificationController::verify() {
     outcome->part_key = Document::part_key(document_.project());
     outcome->limits = document_.project().limits;
     outcome->program = document_.program();
+    if (!outcome->program) outcome->posting_key = Document::posting_key(document_.project());
     for (std::size_t i = 0; !outcome->program && i < document_.operation_count(); ++i) {
         outcome->ids.push_back(document_.operation_id(i));
         outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));
@@ -130,15 +153,7 @@ void VerificationController::verify() {
     job_.start(
         tr("Verifying"),
         [outcome, project, programs = programs_as_they_stand(outcome->plan)](const Progress& progress) {
-            const PlanResult& plan = *outcome->plan;
-            VerifySettings settings = verify_settings(*project, outcome->program ? nullptr : &plan);
-            settings.max_samples = max_samples;
-            auto result = std::make_shared<Verification>(facetmill::verify(
-                *plan.part->mesh, plan.stock, programs, settings, progress.part(0, 0.97, "Verifying")));
-            outcome->display =
-                prepare_deviation_display(result->surface, default_scale(*result, project->unit),
-                                          progress.part(0.97, 1, "Preparing the view"));
-            outcome->verification = std::move(result);
+            judge(*outcome, *project, programs, progress);
         },
         [this, outcome](const JobEnd& end) {
             if (!end.done()) return;
@@ -151,8 +166,12 @@ void VerificationController::verify() {
             const Verification& v = model_.verification();
             const QString took = duration_text(v.seconds_cutting + v.seconds_probing);
             if (v.passed())
-                emit said(MessageBar::Kind::information,
-                          tr("Verified in %1: no gouge, no collision.").arg(took), true);
+                emit said(
+                    MessageBar::Kind::information,
+                    model_.subject_text().isEmpty()
+                        ? tr("Verified in %1: no gouge, no collision.").arg(took)
+                        : tr("Verified in %1: %2: no gouge, no collision.").arg(took, model_.subject_text()),
+                    true);
             else if (v.verdict() == facetmill::Verdict::not_judged)
                 emit said(
                     MessageBar::Kind::warning,

@@ -82,6 +82,7 @@ bool VerificationModel::is_current() const {
         || outcome_->limits != document_.project().limits || outcome_->program != document_.program())
         return false;
     if (outcome_->program) return true;
+    if (outcome_->posting_key != Document::posting_key(document_.project())) return false;
     if (outcome_->ids.size() != document_.operation_count()) return false;
     for (std::size_t i = 0; i < outcome_->ids.size(); ++i)
         if (document_.operation_id(i) != outcome_->ids[i] || document_.state(i) != OperationState::planned
@@ -193,6 +194,11 @@ QString VerificationModel::why(std::size_t operation) const {
 QString VerificationModel::program_name(std::size_t program) const {
     if (!outcome_ || program >= outcome_->plan->operations.size()) return {};
     return text(outcome_->plan->operations[program]->name);
+}
+
+QString VerificationModel::subject_text() const {
+    if (!outcome_ || outcome_->posted_blocks == 0) return {};
+    return tr("the posted program, %1 blocks").arg(count_text(outcome_->posted_blocks));
 }
 
 QString VerificationModel::uncut_text() const {

@@ -26,6 +26,8 @@ struct VerificationOutcome {
     std::vector<std::size_t> program_operations;
     std::string part_key;
     VerifyLimits limits;
+    std::string posting_key;       ///< Document::posting_key, where the plan was judged as it is posted
+    std::size_t posted_blocks = 0; ///< of the posted program; 0: the plan itself was judged
     std::shared_ptr<const Verification> verification;
     DeviationDisplayPtr display;
 };
@@ -64,6 +66,8 @@ public:
     /// Gouges first, then collisions, then the largest excess.
     const std::vector<Finding>& findings() const { return findings_; }
     QString program_name(std::size_t program) const;
+    /// "the posted program, 59 414 blocks"; empty where the plan itself was judged.
+    QString subject_text() const;
     /// "2 gouges up to 0.12 mm, 3 collisions"; empty when it passed.
     QString failure_text() const;
 

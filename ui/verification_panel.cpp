@@ -185,7 +185,9 @@ void VerificationPanel::show_verdict() {
     case Verdict::verified: {
         which = Icon::verified;
         color = signal.good;
-        line = tr("Verified: no gouge, no collision");
+        line = model_.subject_text().isEmpty()
+                   ? tr("Verified: no gouge, no collision")
+                   : tr("Verified: %1: no gouge, no collision").arg(model_.subject_text());
         const double uncut = model_.verification().uncut_share;
         if (uncut > 0) note = tr("Material is left on %1 of the area to be cut.").arg(percent_text(uncut));
         break;
@@ -193,7 +195,9 @@ void VerificationPanel::show_verdict() {
     case Verdict::failed:
         which = Icon::verify_failed;
         color = signal.bad;
-        line = tr("Failed: %1").arg(model_.failure_text());
+        line = model_.subject_text().isEmpty()
+                   ? tr("Failed: %1").arg(model_.failure_text())
+                   : tr("Failed: %1: %2").arg(model_.subject_text(), model_.failure_text());
         break;
     case Verdict::not_judged:
         which = Icon::verify_stale;

@@ -435,6 +435,43 @@ private slots:
         QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
     }
 
+    /// With a control the posted program is judged and exported, and what is found lies in the plan's
+    /// motions.
+    void the_posted_program_is_judged() {
+        QVERIFY(open_and_plan());
+        w().tree().select({ui::TreeNode::Kind::machine, 0});
+        w().document().change(QStringLiteral("Control"), [](Project& p) { p.programs.post = "grbl"; });
+        enter(w(), "wcs", QStringLiteral("G55"));
+        QCOMPARE(w().document().project().programs.wcs, std::string("G55"));
+        QVERIFY(verify());
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        const QString verdict = controller().panel()->verdict_line();
+        QVERIFY2(verdict.startsWith(QStringLiteral("Verified: the posted program, ")), qPrintable(verdict));
+        w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("verify-posted"));
+        const QString folder = scratch_folder(QStringLiteral("posted"));
+        w().exports().save_programs(folder);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(QDir(folder).exists(QStringLiteral("01-Finish.nc")));
+        // Posted otherwise, nobody knows.
+        enter(w(), "wcs", QStringLiteral("G56"));
+        QCOMPARE(controller().model().verdict(), ui::Verdict::stale);
+        plant_gouge(0.5);
+        QVERIFY(verify());
+        QVERIFY(
+            controller().panel()->verdict_line().startsWith(QStringLiteral("Failed: the posted program")));
+        const auto& motions = w().document().result(0)->program.motions.motions;
+        for (const ui::Finding& f : controller().model().findings())
+            if (f.kind == ui::Finding::Kind::gouge)
+                QVERIFY((motions[f.by.motion].to.tip - f.place).norm() < 30);
+        // What the control cannot do is told, and nothing judged.
+        enter(w(), "wcs", QStringLiteral("G99"));
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().contains(QStringLiteral("G99")), qPrintable(w().last_failure()));
+    }
+
     void the_setup_sheet_wants_a_verdict() {
         const QString file = scratch_folder(QStringLiteral("sheet")) + QStringLiteral("/part.html");
         const auto refused = [&](const char* why) {
