@@ -1,6 +1,5 @@
 #include "core/strategy/surface/cutter_cover.h"
 
-#include "core/base/golden_section.h"
 #include "core/base/tolerances.h"
 
 namespace facetmill {
@@ -52,6 +51,118 @@ Near nearest(const ProfilePiece& piece, const Vec2& q) {
                   > tolerance::contact_distance;
     return near;
 }
+
+/// A line d + t n, given from the tip, against the lower surface of a cutter, taken endless upward. The
+/// height of that surface over the line is convex in t, because the cutter is.
+class LineThroughCutter {
+public:
+    LineThroughCutter(const CutterProfile& profile, const Vec3& d, const Vec3& n)
+        : profile_(profile), z_(d.z()), rise_(n.z()), a_(n.head<2>().squaredNorm()),
+          b_(d.head<2>().dot(n.head<2>())), c_(d.head<2>().squaredNorm()), nearest_(-b_ / a_),
+          least_square_(std::max(0.0, c_ - b_ * b_ / a_)) {}
+
+    /// Smallest t in [enter, leave] that is in the cutter, where the line is not beyond its largest radius;
+    /// infinite where there is none.
+    double entry(double enter, double leave) const {
+        if (gap(enter) <= 0) return enter;
+        // Piece by piece of the profile, inward as far as the line goes and outward again: on each there is
+        // a closed form, or nearly.
+        const auto pieces = profile_.lower_pieces();
+        double t = enter;
+        for (std::size_t k = pieces.size(); k-- > 0;) {
+            const double inner = pieces[k].from.x();
+            const bool turns = inner * inner <= least_square_;
+            if (pieces[k].to.x() * pieces[k].to.x() <= least_square_) break;
+            const double end = turns ? nearest_ : nearest_ - half_chord(inner);
+            if (const double found = entry_on(pieces[k], t, std::min(end, leave)); found < infinity)
+                return found;
+            t = std::max(t, end);
+            if (t >= leave) return infinity;
+        }
+        for (const ProfilePiece& piece : pieces) {
+            const double outer = piece.to.x();
+            if (outer * outer <= least_square_) continue;
+            const double end = nearest_ + half_chord(outer);
+            if (end <= t) continue;
+            if (const double found = entry_on(piece, t, std::min(end, leave)); found < infinity) return found;
+            t = end;
+            if (t >= leave) return infinity;
+        }
+        return infinity;
+    }
+
+private:
+    double rho(double t) const { return std::sqrt(std::max(0.0, c_ + t * (2 * b_ + t * a_))); }
+    double gap(double t) const {
+        return profile_.height_at(std::min(rho(t), profile_.max_radius())) - (z_ + t * rise_);
+    }
+    /// Half the length, in t, over which the line is within this radius.
+    double half_chord(double radius) const {
+        return std::sqrt(std::max(0.0, (radius * radius - least_square_) / a_));
+    }
+
+    /// Where the line first meets the piece in [from, to], on which it is over or under that piece alone; it
+    /// is outside at `from`.
+    double entry_on(const ProfilePiece& piece, double from, double to) const {
+        if (!(from < to)) return infinity;
+        const bool ends_inside = gap(to) <= 0;
+        double t = infinity;
+        if (piece.kind == ProfilePiece::Kind::line)
+            t = entry_of_line(piece, from);
+        else if (piece.center.x() == 0)
+            t = entry_of_sphere(piece);
+        else
+            t = entry_of_torus(piece, from, to);
+        if (ends_inside) return std::clamp(t, from, to); // rounding alone can say otherwise
+        return t >= from && t <= to ? t : infinity;
+    }
+
+    /// z = slope rho + height: the cone's two halves meet the line where the square of both sides is the
+    /// same.
+    double entry_of_line(const ProfilePiece& piece, double from) const {
+        const double slope = (piece.to.y() - piece.from.y()) / (piece.to.x() - piece.from.x()),
+                     w = z_ - (piece.from.y() - slope * piece.from.x());
+        if (slope == 0) return rise_ > 0 ? -w / rise_ : infinity;
+        const double square = slope * slope, a = square * a_ - rise_ * rise_, b = square * b_ - w * rise_,
+                     c = square * c_ - w * w, root = b * b - a * c;
+        if (root < 0) return infinity;
+        const double q = -(b + std::copysign(std::sqrt(root), b));
+        double first = infinity;
+        for (const double t : {q / a, c / q})
+            // Of the half that opens upward, and where the line comes in.
+            if (std::isfinite(t) && w + t * rise_ >= 0 && t >= from - tolerance::ray_accuracy)
+                first = std::min(first, t);
+        return first;
+    }
+
+    double entry_of_sphere(const ProfilePiece& piece) const {
+        const double e = z_ - piece.center.y(), f = b_ + e * rise_,
+                     root = f * f - (c_ + e * e - piece.radius * piece.radius);
+        return root < 0 ? infinity : -f - std::sqrt(root);
+    }
+
+    /// The distance from the circle about the axis is convex, beyond its radius, so that Newton's steps from
+    /// outside come nearer and never pass the root.
+    double entry_of_torus(const ProfilePiece& piece, double from, double to) const {
+        constexpr int max_steps = 60; // where the line only touches, a step halves what is left
+        double t = from;
+        for (int i = 0; i < max_steps && t <= to; ++i) {
+            const double here = rho(t), x = std::max(here - piece.center.x(), 0.0),
+                         y = std::min(z_ + t * rise_ - piece.center.y(), 0.0), far = std::hypot(x, y),
+                         beyond = far - piece.radius;
+            if (beyond <= 0) return t;
+            const double slope = ((here > 0 ? x * (b_ + t * a_) / here : 0) + y * rise_) / far;
+            if (!(slope < 0)) return infinity;
+            t -= beyond / slope;
+            if (-beyond / slope <= tolerance::ray_accuracy) return t;
+        }
+        return t <= to ? t : infinity;
+    }
+
+    const CutterProfile& profile_;
+    double z_, rise_, a_, b_, c_;   ///< rho^2 = a t^2 + 2 b t + c
+    double nearest_, least_square_; ///< t nearest to the axis, and the square of that distance
+};
 
 } // namespace
 
@@ -127,26 +238,7 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
         const double t = -f - std::sqrt(q);
         return t <= limit ? t : infinity;
     }
-    // Height of the cutter's surface over the line: convex in t, because the cutter is convex.
-    const auto gap = [&](double t) {
-        const double x = d.x() + t * n.x(), y = d.y() + t * n.y();
-        return profile_.height_at(std::min(std::hypot(x, y), radius_)) - (d.z() + t * n.z());
-    };
-    double low = enter, high = leave;
-    if (gap(low) <= 0) return low;
-    double inside = high;
-    if (gap(high) > 0) {
-        // Any point inside will do.
-        const LowPlace lowest = golden_minimum(gap, low, high, tolerance::ray_accuracy, 0);
-        if (lowest.value > 0) return infinity;
-        inside = lowest.at;
-    }
-    high = inside;
-    while (high - low > tolerance::ray_accuracy) {
-        const double mid = 0.5 * (low + high);
-        (gap(mid) <= 0 ? high : low) = mid;
-    }
-    return high;
+    return LineThroughCutter(profile_, d, n).entry(enter, leave);
 }
 
 bool CutterCover::holds(const Vec3& rel) const {

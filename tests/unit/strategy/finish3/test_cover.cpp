@@ -63,8 +63,16 @@ private slots:
         std::mt19937_64 rng(2);
         std::uniform_real_distribution<double> at(-4, 4), low(-1, 1);
         int hits = 0;
-        for (const AptCutter& cutter : cutters()) {
-            const CutterProfile profile(cutter);
+        std::vector<CutterProfile> profiles;
+        for (const AptCutter& cutter : cutters())
+            profiles.emplace_back(cutter);
+        // Arcs about the axis, beside it and at the rim, lines between.
+        profiles.emplace_back(AptCutter::tapered_ball(1, radians(10), 20));
+        profiles.push_back(CutterProfile(AptCutter::cone(5, radians(40))).grown(0.5));
+        profiles.push_back(CutterProfile(AptCutter::flat(5, 50)).grown(0.5));
+        profiles.push_back(
+            CutterProfile(AptCutter::from_shape(6, 1, radians(15), radians(-5), 20)).grown(0.2));
+        for (const CutterProfile& profile : profiles) {
             const CutterCover cover(profile, 0.005);
             for (int i = 0; i < 400; ++i) {
                 const Vec3 p(at(rng), at(rng), low(rng) - 0.5), n = i % 10 == 0 ? Vec3(0, 0, 1) : upward(rng);
@@ -84,6 +92,14 @@ private slots:
                 ++hits;
                 QVERIFY2(found <= expected + 1e-6 && found >= expected - 2 * fine,
                          qPrintable(QString("%1 %2").arg(found).arg(expected)));
+                // Just before it the line is outside, just behind it inside.
+                for (const double t : {found - 1e-6, found + 1e-6}) {
+                    const Vec3 q = p + t * n - tip;
+                    const double rho = std::hypot(q.x(), q.y());
+                    const bool inside = rho <= profile.max_radius() && q.z() >= profile.height_at(rho);
+                    QVERIFY2(inside == (t > found) || std::abs(q.z() - profile.height_at(rho)) < 1e-11,
+                             qPrintable(QString("%1 %2").arg(t - found).arg(q.z() - profile.height_at(rho))));
+                }
             }
         }
         QVERIFY(hits > 500);
