@@ -34,13 +34,14 @@ BodySupport::BodySupport(const CutterProfile& cutter) {
 }
 
 BodySupport::BodySupport(const ToolSection& section) {
-    add({0, section.from}, 0, 0, 0);
     add({section.radius, section.from}, 0, 0, 0.5 * pi);
     add({section.radius, section.to}, 0, 0.5 * pi, pi);
     finish(section.radius, section.from, section.to);
 }
 
 void BodySupport::add(const Vec2& center, double r, double from, double to) {
+    // No more than an end of the one before or after, whose plane is the same.
+    if (from == to) return;
     const auto at = [](double angle) { return Vec2(std::sin(angle), -std::cos(angle)); };
     features_.push_back({center, at(from), at(to), r});
 }

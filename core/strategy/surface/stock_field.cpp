@@ -28,6 +28,8 @@ StockCutter::StockCutter(const CutterProfile& profile)
         table_[i] = profile.height_at(radius_ * (i == pieces ? 1 - 1e-15 : 1 - rest * rest));
     }
     table_[pieces + 1] = table_[pieces];
+    for (std::size_t i = 0; i < squares; ++i)
+        by_square_[i] = below(radius_ * std::sqrt(double(i) / double(squares)));
     if (is_undercut(profile)) find_covered(profile);
     std::size_t flat = 0; // knots 0 to flat are 0
     while (flat <= pieces && table_[flat] == 0)
@@ -247,30 +249,27 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
             cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
                       p.z() + cutter.covered(cutter.flat_radius()));
         const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
+        // Most cells in reach stay as they are: low enough, or under the rim, which takes the middle alone.
+        const double inner = std::max(0.0, cutter.radius() - half_diagonal_), whole = inner * inner;
+        const auto lower = [&](Cell& cell, double square, double z) {
+            const bool middle = cell.middle > low.z(), top = square <= whole;
+            if (!(middle || top) || z + cutter.at_least(square) >= cell.top) return true;
+            const double d = std::sqrt(square);
+            const auto lower_to = [&](double& height, double slack) {
+                if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
+                height = std::min(height, z + cutter.above(d + slack));
+            };
+            if (middle) lower_to(cell.middle, 0);
+            if (top) lower_to(cell.top, half_diagonal_);
+            return true;
+        };
         near_line(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
                   [&](Cell& cell, double square, double t) {
-                      const double d = std::sqrt(square);
-                      const double z = p.z() + t * (q.z() - p.z());
-                      const auto lower = [&](double& height, double slack) {
-                          if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
-                          height = std::min(height, z + cutter.above(d + slack));
-                      };
-                      lower(cell.middle, 0);
-                      lower(cell.top, half_diagonal_);
-                      return true;
+                      return lower(cell, square, p.z() + t * (q.z() - p.z()));
                   });
         if (p.z() != q.z())
             near_line(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
-                      [&](Cell& cell, double square, double) {
-                          const double d = std::sqrt(square);
-                          const auto lower = [&](double& height, double slack) {
-                              if (height <= low.z() || height > low.z() + cutter.covered(d + slack)) return;
-                              height = std::min(height, low.z() + cutter.above(d + slack));
-                          };
-                          lower(cell.middle, 0);
-                          lower(cell.top, half_diagonal_);
-                          return true;
-                      });
+                      [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); });
         return true;
     });
 }

@@ -16,6 +16,7 @@
 #include "core/setup/stock_solid.h"
 #include "core/strategy/surface/contact_domain.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -37,6 +38,11 @@ public:
     /// infinite beyond the radius.
     double above(double rho) const { return rho > radius_ ? infinity : table_[knot(rho) + 1]; }
     double below(double rho) const { return rho > radius_ ? infinity : table_[knot(rho)]; }
+    /// Not above the height of the lower surface where the square of that distance is `square`; coarse,
+    /// quick.
+    double at_least(double square) const {
+        return by_square_[std::min(squares - 1, std::size_t(square / (radius_ * radius_) * double(squares)))];
+    }
     /// Up to this height over the tip, at least, the cutting part takes away what stands at distance rho: all
     /// of its height, but beside the neck of an undercut one, over which material stays.
     double covered(double rho) const {
@@ -45,13 +51,14 @@ public:
 
 private:
     void find_covered(const CutterProfile& profile);
-    static constexpr std::size_t pieces = 4096;
+    static constexpr std::size_t pieces = 4096, squares = 256;
     /// Closer towards the rim, where a ball's surface stands upright: on a ball all steps are alike.
     std::size_t knot(double rho) const {
         return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
     }
     double radius_, height_, flat_radius_ = 0;
     std::vector<double> table_, covered_; ///< covered_: of an undercut cutter only
+    std::array<double, squares> by_square_{};
 };
 
 class StockField {
