@@ -34,17 +34,6 @@ Vec3 setup_origin(const Project& project, const PreparedPart& part, const Machin
     return program_part_origin(section, machine);
 }
 
-PostSetup post_setup(const Project& project, const PlanResult& result) {
-    PostSetup setup;
-    setup.machine = project_machine(project);
-    setup.part_origin = setup_origin(project, *result.part, setup.machine);
-    setup.keep_clear = result.part->box;
-    if (!result.stock.box.empty()) setup.keep_clear.add(result.stock.box);
-    setup.wcs = project.programs.wcs;
-    setup.program_number = project.programs.number;
-    return setup;
-}
-
 constexpr std::size_t file_end = std::size_t(-1);
 /// Lines [first, end) of a file.
 struct LineRange {
@@ -115,6 +104,17 @@ PostedFile post_programs(const Project& project, const PlanResult& result, const
 }
 
 } // namespace
+
+PostSetup post_setup(const Project& project, const PlanResult& result) {
+    PostSetup setup;
+    setup.machine = project_machine(project);
+    setup.part_origin = setup_origin(project, *result.part, setup.machine);
+    setup.keep_clear = result.part->box;
+    if (!result.stock.box.empty()) setup.keep_clear.add(result.stock.box);
+    setup.wcs = project.programs.wcs;
+    setup.program_number = project.programs.number;
+    return setup;
+}
 
 Post project_post(const Project& project, const std::string& name) {
     if (!is_post_file(name)) return find_post(name);

@@ -17,6 +17,9 @@ namespace facetmill {
 /// missing_reference, files, load_post) that names `post` or the file.
 Post project_post(const Project& project, const std::string& name);
 
+/// What a project's programs are posted for, but for the tolerance, which is each program's own.
+PostSetup post_setup(const Project& project, const PlanResult& result);
+
 /// A program for the control.
 struct PostedFile {
     std::string name;                  ///< "01-Finish.ngc"

@@ -1,0 +1,127 @@
+// Jobs, machines and controls, one with another: LinuxCNC's interpreter accepts what is posted, and every
+// place of the program is where the joints are.
+#include "core/base/file.h"
+#include "core/job/posting.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/sample.h"
+#include "tests/support/rs274.h"
+#include "tests/support/test_runner.h"
+
+#include <QTest>
+
+#include <cstdio>
+#include <fstream>
+
+using namespace facetmill;
+using namespace facetmill::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const ball =
+    R"([ { "number": 1, "name": "Ball", "diameter": 8, "corner_radius": 4, "flute_length": 30,
+  "shank_diameter": 8, "shank_length": 30, "holder": [ { "diameter": 30, "length": 30 } ] } ])";
+
+/// A job in a folder of its own, planned for a machine when first asked for.
+class MachinedJob {
+public:
+    MachinedJob(const std::string& sample, double tolerance, const std::string& rest, double scale = 1) {
+        const fs::path folder = dir_.path().toStdString();
+        OutputFile file(folder / "part.stl");
+        write_stl(*make_sample(sample, tolerance / scale, {}), file, LengthUnit::mm, {});
+        file.commit();
+        project_ = parse_project(
+            R"({ "facetmill": 1, "units": "mm", "part": { "file": "part.stl", "units": "mm", "scale": )"
+                + std::to_string(scale) + " }, " + rest + R"(, "tools": )" + ball + " }",
+            "p");
+        project_.path = folder / "p.facetmill";
+    }
+    /// The golden job, whose part is a sample.
+    explicit MachinedJob(const char* folder) {
+        project_ = load_project(data_path(std::string(folder) + "/job.facetmill"));
+    }
+    const Project& project(const std::string& machine, const std::string& post, bool one) {
+        project_.machine = machine;
+        project_.programs.post = post;
+        project_.programs.files = one ? ProgramSpec::Files::one : ProgramSpec::Files::each;
+        return project_;
+    }
+    /// Three axes go anywhere as they were planned first.
+    std::shared_ptr<const PlanResult> plan() {
+        if (!plan_ || plan_->operations.front()->program.multi_axis) plan_ = planner_.plan(project_, "", {});
+        return plan_;
+    }
+
+private:
+    QTemporaryDir dir_;
+    Project project_;
+    Planner planner_;
+    std::shared_ptr<const PlanResult> plan_;
+};
+
+MachinedJob& job_named(const std::string& name) {
+    static MachinedJob convex("golden/jobs/convex");
+    static MachinedJob lathe("square-prism", 0.1,
+                             R"("stock": { "kind": "cylinder", "axis": "x", "margin": [0, 1, 1] },
+      "operations": [ { "kind": "lathe_finish", "name": "Turn", "tool": 1, "tolerance": 0.5, "points_per_turn": 180,
+                        "side_feed": 4 } ])");
+    static MachinedJob surface("convex", 0.3, R"("stock": { "kind": "box", "margin": [3, 3, 3] },
+      "operations": [ { "kind": "finish5", "name": "Lean", "tool": 1, "tolerance": 1, "posture": "cm2", "grid_degrees": 15,
+                        "clearance": 6 } ])",
+                               0.15);
+    return name == "convex" ? convex : name == "lathe" ? lathe : surface;
+}
+
+} // namespace
+
+class TestPostedJobs : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        if (rs274_program().isEmpty())
+            QSKIP(
+                "SKIPPED: no rs274 on this machine (Debian: linuxcnc-uspace), posted jobs were not shown to "
+                "LinuxCNC's interpreter");
+    }
+
+    void jobs_are_accepted_data() {
+        QTest::addColumn<QString>("job");
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<QString>("post");
+        const auto row = [](const char* job, const char* machine, const char* post) {
+            QTest::addRow("%s, %s, %s", job, machine, post) << job << machine << post;
+        };
+        for (const Machine& m : machines())
+            for (const char* post : {"linuxcnc", "grbl"})
+                if (m.name != "lathe-mill") row("convex", m.name.c_str(), post);
+        for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
+            row("surface", machine, "linuxcnc");
+        row("lathe", "lathe-mill", "linuxcnc");
+    }
+    void jobs_are_accepted() {
+        QFETCH(QString, job);
+        QFETCH(QString, machine);
+        QFETCH(QString, post);
+        MachinedJob& asked = job_named(job.toStdString());
+        const Project& project =
+            asked.project(machine.toStdString(), post.toStdString(), post == QStringLiteral("linuxcnc"));
+        const auto plan = asked.plan();
+        const PostSetup setup = post_setup(project, *plan);
+        const Post control = project_post(project, post.toStdString());
+        for (const PostedFile& file : post_plan(project, *plan, {})) {
+            ClProgram program;
+            program.unit = project.unit;
+            for (const std::size_t i : file.programs)
+                program.sections.emplace_back(plan->operations[i], &plan->operations[i]->program);
+            const Interpreted seen = interpret(file.program.text, program);
+            QVERIFY2(seen.status == 0, seen.message.constData());
+            QVERIFY2(all_places_seen(program, setup, control, seen), "a place is missing");
+            if (qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE"))
+                std::printf("| %s | %s | %s | %zu | %zu |\n", qPrintable(job), qPrintable(machine),
+                            qPrintable(post), file.program.blocks, seen.places.size());
+        }
+    }
+};
+
+FACETMILL_TEST(TestPostedJobs)
+#include "test_posted_jobs.moc"
