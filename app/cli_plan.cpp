@@ -2,6 +2,7 @@
 #include "app/cli_commands.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
+#include "core/job/posting.h"
 #include "core/job/program_files.h"
 #include "core/job/report.h"
 #include "core/job/verification.h"
@@ -17,6 +18,7 @@ void run_plan(const Arguments& arguments, Session& session) {
     Project project = load_project(file);
     for (const std::string& setting : arguments.values("--set"))
         apply_setting(project, setting);
+    check_posting(project);
     const std::string folder = arguments.value("-o");
     check_folder(folder);
     for (const auto& name : program_file_names(project))

@@ -60,6 +60,7 @@ void run_report(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
     const Project project = load_project(file);
+    check_posting(project);
     const std::string target = arguments.value("-o");
     keep_inputs(project, target);
     OutputFile output(target); // before the work: a place that cannot be written to is said at once

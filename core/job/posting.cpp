@@ -122,6 +122,28 @@ Post project_post(const Project& project, const std::string& name) {
     return load_post(file.is_absolute() ? file : project.path.parent_path() / file);
 }
 
+void check_posting(const Project& project) {
+    const ProgramSpec& spec = project.programs;
+    if (spec.post.empty()) return;
+    const Post post = project_post(project, spec.post);
+    check_wcs(post, spec.wcs);
+    const bool one = spec.files == ProgramSpec::Files::one;
+    check_program_number(post, spec.number + (one ? 0 : long(project.operations.size()) - 1));
+    std::optional<long> only;
+    for (const auto& operation : project.operations) {
+        std::vector<long> numbers = operation->further_tools();
+        numbers.insert(numbers.begin(), operation->common().tool);
+        for (const long number : numbers)
+            check_tool_number(post, number, operation->common().name);
+        if (one && !post.changes_tools && only && *only != numbers.front())
+            throw Error(ErrorCode::out_of_range, "programs",
+                        "'" + printable(post.label)
+                            + "' cannot change tools, and the operations have several",
+                        "write one program for each operation: \"programs\": \"each\"");
+        only = numbers.front();
+    }
+}
+
 std::vector<PostedFile> post_plan(const Project& project, const PlanResult& result,
                                   const Progress& progress) {
     if (project.programs.post.empty()) return {};

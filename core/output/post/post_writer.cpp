@@ -75,17 +75,8 @@ private:
 
 void PostWriter::check() const {
     check_writable(program_);
-    if (!wcs_.empty() && !post_.knows_wcs(wcs_)) {
-        std::string known;
-        for (const auto& w : post_.wcs)
-            known += (known.empty() ? "" : ", ") + w;
-        refuse("the control has no work coordinate system '" + printable(wcs_) + "'",
-               known.empty() ? "leave `wcs` out" : "use one of: " + known);
-    }
-    if (setup_.program_number < 1 || setup_.program_number > post_.max_program)
-        refuse("the program number " + std::to_string(setup_.program_number) + " is not from 1 to "
-                   + std::to_string(post_.max_program),
-               "change `program_number`");
+    check_wcs(post_, wcs_);
+    check_program_number(post_, setup_.program_number);
     for (const auto& s : program_.sections)
         check_section(*s);
     if (!post_.changes_tools)
@@ -97,10 +88,7 @@ void PostWriter::check() const {
 
 void PostWriter::check_section(const ClSection& s) const {
     const std::string name = "operation '" + printable(s.operation_name) + "'";
-    if (s.tool_number > post_.max_tool)
-        refuse(name + " has tool " + std::to_string(s.tool_number) + ", and the control numbers them to "
-                   + std::to_string(post_.max_tool),
-               "give the tool a smaller number");
+    check_tool_number(post_, s.tool_number, s.operation_name);
     double most = s.motion_feeds.empty() ? s.feed_mm_per_min : 0;
     for (const double f : s.motion_feeds)
         most = std::max(most, f);
@@ -411,7 +399,36 @@ PostedProgram PostWriter::run(const Progress& progress) {
     return std::move(posted_);
 }
 
+[[noreturn]] void refuse(const Post& post, const std::string& what, const std::string& remedy) {
+    throw Error(ErrorCode::out_of_range, "post '" + printable(post.name) + "'", what, remedy);
+}
+
 } // namespace
+
+void check_wcs(const Post& post, const std::string& wcs) {
+    if (wcs.empty() || post.knows_wcs(wcs)) return;
+    std::string known;
+    for (const auto& w : post.wcs)
+        known += (known.empty() ? "" : ", ") + w;
+    refuse(post, "the control has no work coordinate system '" + printable(wcs) + "'",
+           known.empty() ? "leave `wcs` out" : "use one of: " + known);
+}
+
+void check_program_number(const Post& post, long number) {
+    if (number < 1 || number > post.max_program)
+        refuse(post,
+               "the program number " + std::to_string(number) + " is not from 1 to "
+                   + std::to_string(post.max_program),
+               "change `program_number`");
+}
+
+void check_tool_number(const Post& post, long number, const std::string& operation) {
+    if (number > post.max_tool)
+        refuse(post,
+               "operation '" + printable(operation) + "' has tool " + std::to_string(number)
+                   + ", and the control numbers them to " + std::to_string(post.max_tool),
+               "give the tool a smaller number");
+}
 
 PostedProgram post_program(const ClProgram& program, const Post& post, const PostSetup& setup,
                            const Progress& progress) {

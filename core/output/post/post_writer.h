@@ -48,6 +48,11 @@ struct PostedProgram {
     std::size_t rewinds = 0;              ///< how often the tool goes up so that rotary axes can turn
 };
 
+/// What the control does not know, whatever a program holds. Throw Error(out_of_range).
+void check_wcs(const Post& post, const std::string& wcs);
+void check_program_number(const Post& post, long number);
+void check_tool_number(const Post& post, long number, const std::string& operation);
+
 /// Throws what check_writable throws and Error(out_of_range, missing_reference, limit_exceeded) for what the
 /// control or the machine cannot do: a program of several axes for a control of three, a place out of travel,
 /// a feed, tool or program number that is too large, a work coordinate system it does not know. Nothing is

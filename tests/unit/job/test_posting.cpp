@@ -310,6 +310,33 @@ private slots:
         QCOMPARE(seen.gouges.back().by.motion, std::size_t(posted.planned[1][5]));
     }
 
+    /// Told before hours are planned.
+    void what_the_control_has_not_is_told_before_planning() {
+        const auto message = [](const std::string& keys, const std::string& second = "") {
+            const Project p = parse_project(
+                R"({ "facetmill": 1, "units": "mm", "part": { "file": "p.stl" }, )" + keys
+                    + R"(, "tools": [ { "number": 300, "name": "Ball", "diameter": 6, "corner_radius": 3 },
+                                      { "number": 2, "name": "Flat", "diameter": 6 },
+                                      { "number": 3, "name": "Flat 8", "diameter": 8 } ],
+  "operations": [ { "kind": "finish3", "name": "Rows", "tool": 2 })"
+                    + second + "] }",
+                "p");
+            std::string text;
+            return code_of([&] { check_posting(p); }, &text) == "none" ? std::string() : text;
+        };
+        const std::string big = R"(, { "kind": "finish3", "name": "More", "tool": 300 })";
+        QCOMPARE(message(R"("post": "grbl")"), std::string());
+        QVERIFY(message(R"("post": "grbl", "wcs": "G60")").find("G60") != std::string::npos);
+        QVERIFY(message(R"("post": "grbl", "program_number": 100000)").find("100000") != std::string::npos);
+        QVERIFY(message(R"("post": "grbl")", big).find("tool 300") != std::string::npos);
+        QVERIFY(message(R"("post": "grblhal", "programs": "one")", big).empty());
+        QVERIFY(message(R"("post": "marlin", "wcs": "G54")").find("G54") != std::string::npos);
+        QVERIFY(message(R"("post": "nowhere.json")").find("nowhere.json") != std::string::npos);
+        const std::string flat = R"(, { "kind": "finish3", "name": "More", "tool": 3 })";
+        QVERIFY(message(R"("post": "grbl", "programs": "one")", flat).find("change tools")
+                != std::string::npos);
+    }
+
     void the_project_file_has_its_keys() {
         const std::string start = R"({ "facetmill": 1, "units": "mm", "part": { "file": "p.stl" })";
         const Project p = parse_project(
