@@ -1,5 +1,6 @@
 #include "core/strategy/surface/contact_domain.h"
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 namespace facetmill {
@@ -9,6 +10,8 @@ namespace {
 constexpr std::size_t pairs_per_check = 8192;
 /// A fan with more facets than this is represented by its outermost moves in sixteen directions.
 constexpr std::size_t large_fan = 16;
+/// Outlines that one thread finds at a time.
+constexpr std::size_t facets_per_block = 4096;
 
 } // namespace
 
@@ -25,54 +28,72 @@ std::vector<Interval> joined(std::vector<Interval> intervals, double merge) {
     return result;
 }
 
-ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover,
-                             double allowance, const Progress& progress)
-    : mesh_(mesh), frame_(frame), index_(
-                                      0, [](std::size_t) { return std::pair(1.0, 0.0); }, progress) {
-    const std::size_t n = mesh.facet_count();
-    offset_.resize(n);
-    fan_start_.assign(mesh.vertices.size() + 1, 0);
-    const auto usable = [&](std::size_t f) { return offset_[f][0] == offset_[f][0]; };
-    for (std::size_t f = 0; f < n; ++f) {
-        if (f % pairs_per_check == 0) progress.check();
-        Vec3 normal = mesh.facet_normal(f);
-        if (normal.z() < 0) normal = -normal;
-        if (!(normal.z() >= tolerance::vertical_normal_z)) {
-            offset_[f] = {std::numeric_limits<float>::quiet_NaN(), 0};
-            continue;
+/// How far each facet is moved, and the facets around each vertex: between their moves the cutter rolls.
+class ContactDomain::Fans {
+public:
+    using Move = std::array<float, 2>; ///< (u, v); NaN: the facet asks for nothing
+
+    Fans(const Mesh& mesh, const Progress& progress)
+        : mesh_(mesh), moves_(mesh.facet_count(), {std::numeric_limits<float>::quiet_NaN(), 0}),
+          start_(mesh.vertices.size() + 1, 0), progress_(progress) {}
+
+    void set(std::size_t facet, const Move& move) {
+        moves_[facet] = move;
+        for (const Index v : mesh_.facets[facet])
+            ++start_[v + 1];
+    }
+    /// To be called once all moves are set.
+    void join() {
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            check(v);
+            start_[v + 1] += start_[v];
         }
-        const Vec3 move = cover.tip_offset(normal) + allowance * normal;
-        offset_[f] = {float(frame.u(move)), float(frame.v(move))};
-        for (int k = 0; k < 3; ++k) {
-            lowest_tip_ = std::min(lowest_tip_, mesh.corner(f, k).z() + move.z());
-            ++fan_start_[mesh.facets[f][k] + 1];
+        fan_.resize(start_.back());
+        std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+        for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+            check(f);
+            if (!asks(f)) continue;
+            for (const Index v : mesh_.facets[f])
+                fan_[next[v]++] = std::uint32_t(f);
         }
-        ++usable_;
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            check(v);
+            if (start_[v + 1] - start_[v] > large_fan) thin(start_[v], start_[v + 1]);
+        }
     }
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        if (v % pairs_per_check == 0) progress.check();
-        fan_start_[v + 1] += fan_start_[v];
+
+    bool asks(std::size_t facet) const { return moves_[facet][0] == moves_[facet][0]; }
+    /// All places, from the facet's first vertex, that it asks for at its corners.
+    void corners_of(std::size_t facet, const DriveFrame& frame, std::vector<Vec2>& corners) const {
+        corners.clear();
+        const Move& own = moves_[facet];
+        const Vec3& origin = mesh_.corner(facet, 0);
+        for (const Index vertex : mesh_.facets[facet]) {
+            const Vec3 p = mesh_.vertices[vertex] - origin;
+            const double u = frame.u(p), v = frame.v(p);
+            corners.emplace_back(u + own[0], v + own[1]);
+            for (std::uint32_t i = start_[vertex]; i < start_[vertex + 1]; ++i) {
+                const std::uint32_t f = fan_[i];
+                if (f == no_index) break;
+                const Move& move = moves_[f];
+                if (move != own) corners.emplace_back(u + move[0], v + move[1]);
+            }
+        }
     }
-    fan_.resize(fan_start_.back());
-    std::vector<std::uint32_t> next(fan_start_.begin(), fan_start_.end() - 1);
-    for (std::size_t f = 0; f < n; ++f) {
-        if (f % pairs_per_check == 0) progress.check();
-        if (!usable(f)) continue;
-        for (const Index v : mesh.facets[f])
-            fan_[next[v]++] = std::uint32_t(f);
+
+private:
+    void check(std::size_t i) const {
+        if (i % pairs_per_check == 0) progress_.check();
     }
-    // Only the outermost moves of a large fan count; they are put first and the rest is cut off by an end
-    // marker, so that the facets of a fan do not each look at all the others.
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        if (v % pairs_per_check == 0) progress.check();
-        const std::uint32_t from = fan_start_[v], to = fan_start_[v + 1];
-        if (to - from <= large_fan) continue;
+    /// Only the outermost moves of a large fan count; they are put first and the rest is cut off by an end
+    /// marker, so that the facets of a fan do not each look at all the others.
+    void thin(std::uint32_t from, std::uint32_t to) {
         std::vector<std::uint32_t> outermost;
         for (int k = 0; k < 16; ++k) {
             const double a = k * pi / 8, c = std::cos(a), s = std::sin(a);
             std::uint32_t best = fan_[from];
             for (std::uint32_t i = from; i < to; ++i) {
-                const auto &o = offset_[fan_[i]], &b = offset_[best];
+                const auto &o = moves_[fan_[i]], &b = moves_[best];
                 if (c * o[0] + s * o[1] > c * b[0] + s * b[1]) best = fan_[i];
             }
             outermost.push_back(best);
@@ -82,61 +103,123 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
         std::copy(outermost.begin(), outermost.end(), fan_.begin() + from);
         std::fill(fan_.begin() + from + std::ptrdiff_t(outermost.size()), fan_.begin() + to, no_index);
     }
-    Corners corners;
-    index_ = IntervalIndex(
-        n, [&](std::size_t f) { return v_range(f, corners); }, progress);
+
+    const Mesh& mesh_;
+    std::vector<Move> moves_;                ///< per facet
+    std::vector<std::uint32_t> start_, fan_; ///< facets around each vertex
+    const Progress& progress_;
+};
+
+namespace {
+
+/// Turns the points into the corners of their convex hull, in order round it (Andrew's chains).
+void to_hull(std::vector<Vec2>& points) {
+    const auto before = [](const Vec2& a, const Vec2& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    };
+    std::sort(points.begin(), points.end(), before);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) return;
+    std::vector<Vec2> hull;
+    const auto add = [&](const Vec2& p, std::size_t first) {
+        while (hull.size() >= first + 2) {
+            const Vec2 a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
+            if (a.x() * b.y() - a.y() * b.x() > 0) break;
+            hull.pop_back();
+        }
+        hull.push_back(p);
+    };
+    for (const Vec2& p : points)
+        add(p, 0);
+    const std::size_t first = hull.size() - 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;)
+        add(points[i], first);
+    hull.pop_back(); // the first once more
+    points = std::move(hull);
 }
 
-void ContactDomain::corners_of(std::size_t facet, Corners& corners) const {
-    corners.clear();
-    const auto& own = offset_[facet];
-    for (const Index vertex : mesh_.facets[facet]) {
-        const Vec3& p = mesh_.vertices[vertex];
-        const double u = frame_.u(p), v = frame_.v(p);
-        corners.emplace_back(u + own[0], v + own[1]);
-        for (std::uint32_t i = fan_start_[vertex]; i < fan_start_[vertex + 1]; ++i) {
-            const std::uint32_t f = fan_[i];
-            if (f == no_index) break;
-            const auto& o = offset_[f];
-            if (f != facet && (o[0] != own[0] || o[1] != own[1])) corners.emplace_back(u + o[0], v + o[1]);
+} // namespace
+
+ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover,
+                             double allowance, const Progress& progress)
+    : mesh_(mesh), frame_(frame), index_(
+                                      0, [](std::size_t) { return std::pair(1.0, 0.0); }, progress) {
+    const std::size_t n = mesh.facet_count();
+    Fans fans(mesh, progress);
+    for (std::size_t f = 0; f < n; ++f) {
+        if (f % pairs_per_check == 0) progress.check();
+        Vec3 normal = mesh.facet_normal(f);
+        if (normal.z() < 0) normal = -normal;
+        if (!(normal.z() >= tolerance::vertical_normal_z)) continue;
+        const Vec3 move = cover.tip_offset(normal) + allowance * normal;
+        fans.set(f, {float(frame.u(move)), float(frame.v(move))});
+        for (int k = 0; k < 3; ++k)
+            lowest_tip_ = std::min(lowest_tip_, mesh.corner(f, k).z() + move.z());
+        ++usable_;
+    }
+    fans.join();
+    find_outlines(fans, progress);
+    index_ = IntervalIndex(
+        n, [&](std::size_t f) { return v_range(f); }, progress);
+}
+
+void ContactDomain::find_outlines(const Fans& fans, const Progress& progress) {
+    const std::size_t n = mesh_.facet_count(), blocks = (n + facets_per_block - 1) / facets_per_block;
+    outline_start_.assign(n + 1, 0);
+    std::vector<std::vector<Corner>> found(blocks);
+    parallel_for(blocks, 1, progress.part(0, 0), [&](std::size_t block) {
+        std::vector<Vec2> corners;
+        for (std::size_t f = block * facets_per_block; f < std::min(n, (block + 1) * facets_per_block); ++f) {
+            if (!fans.asks(f)) continue;
+            fans.corners_of(f, frame_, corners);
+            to_hull(corners);
+            for (const Vec2& c : corners)
+                found[block].push_back({float(c.x()), float(c.y())});
+            outline_start_[f + 1] = std::uint32_t(corners.size());
         }
+    });
+    for (std::size_t f = 0; f < n; ++f)
+        outline_start_[f + 1] += outline_start_[f];
+    outlines_.reserve(outline_start_.back());
+    for (std::vector<Corner>& block : found) {
+        outlines_.insert(outlines_.end(), block.begin(), block.end());
+        std::vector<Corner>().swap(block);
     }
 }
 
-std::pair<double, double> ContactDomain::v_range(std::size_t facet, Corners& corners) const {
-    if (!(offset_[facet][0] == offset_[facet][0])) return {1, 0};
-    corners_of(facet, corners);
+std::pair<double, double> ContactDomain::v_range(std::size_t facet) const {
     std::pair<double, double> range(infinity, -infinity);
-    for (const Vec2& c : corners) {
-        range.first = std::min(range.first, c.y());
-        range.second = std::max(range.second, c.y());
+    const double v = first_vertex(facet).y();
+    for (std::uint32_t i = outline_start_[facet]; i < outline_start_[facet + 1]; ++i) {
+        range.first = std::min(range.first, v + outlines_[i][1]);
+        range.second = std::max(range.second, v + outlines_[i][1]);
     }
     return range;
 }
 
 std::vector<Interval> ContactDomain::strip(double v0, double v1, double merge) const {
     std::vector<Interval> all;
-    Corners corners;
     index_.visit(v0, v1, [&](std::size_t f) {
-        corners_of(f, corners);
-        // Range of u of the corners' convex hull within the strip: corners inside, and where the segments
-        // between corners cross the strip's sides (those inside the hull add nothing beyond it).
-        Interval r{infinity, -infinity};
+        // Range of u of the outline within the strip: corners inside, and where the sides between them cross
+        // those of the strip.
+        const Vec2 first = first_vertex(f);
+        const double low = v0 - first.y(), high = v1 - first.y();
+        const Corner* begin = outlines_.data() + outline_start_[f];
+        const Corner* end = outlines_.data() + outline_start_[f + 1];
+        double lo = infinity, hi = -infinity;
         const auto add = [&](double u) {
-            r.lo = std::min(r.lo, u);
-            r.hi = std::max(r.hi, u);
+            lo = std::min(lo, u);
+            hi = std::max(hi, u);
         };
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec2& a = corners[i];
-            if (a.y() >= v0 && a.y() <= v1) add(a.x());
-            for (std::size_t j = i + 1; j < corners.size(); ++j) {
-                const Vec2& b = corners[j];
-                for (const double side : {v0, v1})
-                    if ((a.y() < side) != (b.y() < side))
-                        add(a.x() + (b.x() - a.x()) * ((side - a.y()) / (b.y() - a.y())));
-            }
+        const Corner* a = end - 1;
+        for (const Corner* b = begin; b < end; a = b++) {
+            const double av = (*a)[1], bv = (*b)[1];
+            if (bv >= low && bv <= high) add((*b)[0]);
+            for (const double side : {low, high})
+                if ((av < side) != (bv < side))
+                    add((*a)[0] + ((*b)[0] - double((*a)[0])) * ((side - av) / (bv - av)));
         }
-        if (r.lo <= r.hi) all.push_back(r);
+        if (lo <= hi) all.push_back({lo + first.x(), hi + first.x()});
     });
     return joined(std::move(all), merge);
 }

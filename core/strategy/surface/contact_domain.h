@@ -56,15 +56,21 @@ public:
     std::vector<Interval> line(double v, double merge) const { return strip(v, v, merge); }
 
 private:
-    using Corners = std::vector<Vec2>; ///< (u, v)
+    class Fans;
+    using Corner = std::array<float, 2>; ///< (u, v) from the facet's first vertex
 
-    void corners_of(std::size_t facet, Corners& corners) const;
-    std::pair<double, double> v_range(std::size_t facet, Corners& corners) const;
+    Vec2 first_vertex(std::size_t facet) const {
+        const Vec3& p = mesh_.corner(facet, 0);
+        return {frame_.u(p), frame_.v(p)};
+    }
+    void find_outlines(const Fans& fans, const Progress& progress);
+    std::pair<double, double> v_range(std::size_t facet) const;
 
     const Mesh& mesh_;
     DriveFrame frame_;
-    std::vector<std::array<float, 2>> offset_;   ///< per facet in (u, v); NaN: the facet asks for nothing
-    std::vector<std::uint32_t> fan_start_, fan_; ///< facets around each vertex
+    /// Convex outlines of what each facet asks for: from outline_start_[facet] to that of the next one.
+    std::vector<std::uint32_t> outline_start_;
+    std::vector<Corner> outlines_;
     double lowest_tip_ = infinity;
     std::size_t usable_ = 0;
     IntervalIndex index_;

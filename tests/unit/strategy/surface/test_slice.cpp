@@ -204,6 +204,55 @@ private slots:
                  qPrintable(QString::number(lowest)));
     }
 
+    /// Against all pairs of places that a facet asks for at its corners, over rough ground with a hole,
+    /// turned any way.
+    void strips_are_those_of_all_pairs_of_corners() {
+        std::mt19937_64 rng(5);
+        std::uniform_real_distribution<double> height(0, 1.5), at(-13, 13), width(0, 2), turn(0, pi);
+        Mesh m = only(
+            height_field([&](double, double) { return height(rng); }, Vec2(-10, -10), Vec2(10, 10), 14, 14),
+            [](const Vec3& p) { return p.head<2>().norm() > 3; });
+        const CutterCover cover(CutterProfile(AptCutter::bull(6, 1, 50)), 0.005);
+        std::size_t met = 0;
+        for (int k = 0; k < 60; ++k) {
+            const DriveFrame frame(turn(rng));
+            const double v0 = at(rng), v1 = k % 4 == 0 ? v0 : v0 + width(rng);
+            std::vector<Interval> all;
+            for (std::size_t f = 0; f < m.facet_count(); ++f) {
+                std::vector<Vec2> corners;
+                for (int i = 0; i < 3; ++i)
+                    for (std::size_t g = 0; g < m.facet_count(); ++g)
+                        if (std::ranges::count(m.facets[g], m.facets[f][std::size_t(i)]) > 0) {
+                            const Vec3 p = m.corner(f, i) + cover.tip_offset(m.facet_normal(g));
+                            corners.emplace_back(frame.u(p), frame.v(p));
+                        }
+                Interval r{infinity, -infinity};
+                for (const Vec2& a : corners)
+                    for (const Vec2& b : corners)
+                        for (const double side : {v0, v1, a.y()}) {
+                            if (side < v0 || side > v1 || (a.y() < side) == (b.y() < side)) continue;
+                            const double u = a.x() + (b.x() - a.x()) * (side - a.y()) / (b.y() - a.y());
+                            r = {std::min(r.lo, u), std::max(r.hi, u)};
+                        }
+                if (r.lo <= r.hi) all.push_back(r);
+            }
+            const std::vector<Interval> expected = joined(all, 0.1),
+                                        found =
+                                            ContactDomain(m, frame, cover, 0, Progress()).strip(v0, v1, 0.1);
+            QCOMPARE(found.size(), expected.size());
+            for (std::size_t i = 0; i < found.size(); ++i)
+                QVERIFY2(std::abs(found[i].lo - expected[i].lo) < 1e-5
+                             && std::abs(found[i].hi - expected[i].hi) < 1e-5,
+                         qPrintable(QString("%1 to %2, not %3 to %4")
+                                        .arg(found[i].lo)
+                                        .arg(found[i].hi)
+                                        .arg(expected[i].lo)
+                                        .arg(expected[i].hi)));
+            met += found.size();
+        }
+        QVERIFY(met > 60);
+    }
+
     void walls_ask_for_nothing_and_ridges_are_closed() {
         const CutterCover cover(CutterProfile(AptCutter::ball(6, 50)), 0.005);
         const ContactDomain wall(step(0, 5), DriveFrame(0), cover, 0, Progress());
