@@ -219,6 +219,55 @@ private slots:
             }
     }
 
+    void a_table_that_ends_is_rewound_data() {
+        QTest::addColumn<QString>("post");
+        for (const char* post : {"linuxcnc", "fanuc", "heidenhain"})
+            QTest::newRow(post) << post;
+    }
+    /// Round and round a dome with a table that ends after a turn: the tool goes out along its axis, up,
+    /// comes again with the table turned back, and goes on where it was. Nothing turns inside part and stock.
+    void a_table_that_ends_is_rewound() {
+        QFETCH(QString, post);
+        ClSection section = plain_section("Round", 1, true);
+        section.motions.clearance_z = 30;
+        const auto axis = [](double a) { return Vec3(0.4 * std::cos(a), 0.4 * std::sin(a), 1); };
+        const auto tip = [](double a) { return Vec3(15 * std::cos(a), 15 * std::sin(a), -0.1 * a); };
+        add_motion(section, MotionKind::rapid, tip(0) + 40 * axis(0), axis(0));
+        add_motion(section, MotionKind::approach, tip(0), axis(0));
+        const double end = 5 * pi, step = 0.1;
+        for (double a = step; a < end; a += step)
+            add_motion(section, MotionKind::cut, tip(a), axis(a));
+        add_motion(section, MotionKind::retract, tip(end) + 40 * axis(end), axis(end));
+        const ClProgram program = joined_program({section});
+        PostSetup setup = setup_for(program, "trunnion-ac");
+        setup.keep_clear = section.part_box;
+        setup.machine.rotary[1].travel = {-1.2 * pi, 1.2 * pi};
+        const Post& control = find_post(post.toStdString());
+        const PostedProgram posted = post_program(program, control, setup, {});
+        QVERIFY(posted.rewinds >= 1 && posted.rewinds <= 4);
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        const auto& motions = read.sections.front()->motions.motions;
+        std::size_t at = 0;
+        for (const Motion& m : section.motions.motions) {
+            while (at < motions.size()
+                   && ((motions[at].to.tip - m.to.tip).norm() > 0.001
+                       || (motions[at].to.axis - m.to.axis).norm() > 1e-5))
+                ++at;
+            QVERIFY2(at < motions.size(), "a place is missing");
+        }
+        const auto in_stock = [&](const Vec3& p) {
+            return (p - setup.keep_clear.lo).minCoeff() > 0 && (setup.keep_clear.hi - p).minCoeff() > 0;
+        };
+        for (std::size_t i = 1; i < motions.size(); ++i) {
+            const CutterLocation &from = motions[i - 1].to, &to = motions[i].to;
+            const bool inside = in_stock(from.tip) && in_stock(to.tip);
+            if (motions[i].kind == MotionKind::rapid)
+                QVERIFY2(!inside, qPrintable(QString("motion %1").arg(i)));
+            else if (inside)
+                QVERIFY(angle_between(from.axis, to.axis) < 1.5 * step * 0.4);
+        }
+    }
+
     void what_no_machine_could_run_data() {
         QTest::addColumn<int>("fault");
         QTest::addColumn<std::string>("says");
