@@ -1,6 +1,5 @@
 #include "ui/help_dialogs.h"
 
-#include "core/output/apt.h"
 #include "ui/icons.h"
 #include "ui/text.h"
 
@@ -32,8 +31,7 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("Space"), QObject::tr("play, pause"));
     row(QObject::tr(",  ."), QObject::tr("one motion back, on (← and → too while playing back; Shift: ten)"));
     row(QObject::tr("Esc"), QObject::tr("cancel the running job"));
-    row(QObject::tr("Ctrl+E"),
-        QObject::tr("export %1 programs and the report").arg(text(apt_writer().label)));
+    row(QObject::tr("Ctrl+E"), QObject::tr("export programs and the report"));
     row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo"));
     row(QObject::tr("Enter, F2"), QObject::tr("edit the selected tool or the parameters of the selection"));
     row(QObject::tr("Del"), QObject::tr("remove the selected tool or operation"));

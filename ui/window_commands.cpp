@@ -66,7 +66,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   [&] { files.save_as(); },
                   has_part});
     commands.add({"export",
-                  tr("&Export %1…").arg(text(apt_writer().label)),
+                  tr("&Export programs…"),
                   Icon::export_program,
                   {QKeySequence(Qt::CTRL | Qt::Key_E)},
                   [&] { exports.programs_with_dialog(); },
