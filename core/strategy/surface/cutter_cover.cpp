@@ -59,7 +59,7 @@ public:
     LineThroughCutter(const CutterProfile& profile, const Vec3& d, const Vec3& n)
         : profile_(profile), z_(d.z()), rise_(n.z()), a_(n.head<2>().squaredNorm()),
           b_(d.head<2>().dot(n.head<2>())), c_(d.head<2>().squaredNorm()), nearest_(-b_ / a_),
-          least_square_(std::max(0.0, c_ - b_ * b_ / a_)) {}
+          min_square_(std::max(0.0, c_ - b_ * b_ / a_)) {}
 
     /// Smallest t in [enter, leave] that is in the cutter, where the line is not beyond its largest radius;
     /// infinite where there is none.
@@ -71,8 +71,8 @@ public:
         double t = enter;
         for (std::size_t k = pieces.size(); k-- > 0;) {
             const double inner = pieces[k].from.x();
-            const bool turns = inner * inner <= least_square_;
-            if (pieces[k].to.x() * pieces[k].to.x() <= least_square_) break;
+            const bool turns = inner * inner <= min_square_;
+            if (pieces[k].to.x() * pieces[k].to.x() <= min_square_) break;
             const double end = turns ? nearest_ : nearest_ - half_chord(inner);
             if (const double found = entry_on(pieces[k], t, std::min(end, leave)); found < infinity)
                 return found;
@@ -81,7 +81,7 @@ public:
         }
         for (const ProfilePiece& piece : pieces) {
             const double outer = piece.to.x();
-            if (outer * outer <= least_square_) continue;
+            if (outer * outer <= min_square_) continue;
             const double end = nearest_ + half_chord(outer);
             if (end <= t) continue;
             if (const double found = entry_on(piece, t, std::min(end, leave)); found < infinity) return found;
@@ -98,7 +98,7 @@ private:
     }
     /// Half the length, in t, over which the line is within this radius.
     double half_chord(double radius) const {
-        return std::sqrt(std::max(0.0, (radius * radius - least_square_) / a_));
+        return std::sqrt(std::max(0.0, (radius * radius - min_square_) / a_));
     }
 
     /// Where the line first meets the piece in [from, to], on which it is over or under that piece alone; it
@@ -160,8 +160,8 @@ private:
     }
 
     const CutterProfile& profile_;
-    double z_, rise_, a_, b_, c_;   ///< rho^2 = a t^2 + 2 b t + c
-    double nearest_, least_square_; ///< t nearest to the axis, and the square of that distance
+    double z_, rise_, a_, b_, c_; ///< rho^2 = a t^2 + 2 b t + c
+    double nearest_, min_square_; ///< t nearest to the axis, and the square of that distance
 };
 
 } // namespace
