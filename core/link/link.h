@@ -48,8 +48,8 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// the axis +Z cut before, and what the flutes have cut at the location itself). Where something does, the
 /// tool goes to or from a location near it at which it has cut and behind which nothing stands, over the part
 /// at feed, or along its axis through the stock at feed, whichever is shorter. In no motion of a link does
-/// the axis turn by more than 5 degrees. `clearance` is what cutter, shank and holder keep from the part, mm.
-/// Throws Error(out_of_range).
+/// the axis turn by more than 5 degrees, nor do interpolations of the axis differ (even_motion.h).
+/// `clearance` is what cutter, shank and holder keep from the part, mm. Throws Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress);

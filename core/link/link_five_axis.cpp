@@ -4,6 +4,7 @@
 #include "core/link/link.h"
 #include "core/link/tilted_stock.h"
 #include "core/setup/kinematics.h"
+#include "core/strategy/five_axis/even_motion.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/surface/stock_before.h"
 
@@ -30,6 +31,8 @@ const double turn_at_once = radians(5);
 /// The length of a piece of a link, in steps at which it is looked at. A longer one is halved first: no check
 /// looks at more places than that.
 constexpr double longest_steps = 200;
+/// The share of the chord tolerance by which the routes of different machines may differ in one motion.
+constexpr double even_link_share = 0.25;
 /// How far a tool comes off before it turns over, in the distance by which it has to be clear then.
 constexpr double off_share = 2;
 /// The cells of the stock that rapids keep out of, in radii of the cutter, and what the sides of the tool
@@ -44,8 +47,8 @@ constexpr double short_entry = 2;
 /// along the tool axis where it has to be.
 class SurfaceLink {
 public:
-    SurfaceLink(const ToolLift& lift, double chord, const Progress& progress)
-        : lift_(lift), step_(looking_step(lift.cutter().max_radius(), chord)), chord_(chord),
+    SurfaceLink(const ToolLift& lift, const EvenMotion& motion, double chord, const Progress& progress)
+        : lift_(lift), motion_(motion), step_(looking_step(lift.cutter().max_radius(), chord)), chord_(chord),
           progress_(progress) {}
 
     struct Limits {
@@ -63,8 +66,8 @@ private:
                  int depth, std::vector<CutterLocation>& route) {
         progress_.check();
         // Steps show only so much; and machines move their joints evenly, not the axis in one plane.
-        const bool far =
-            (b.tip - a.tip).norm() > longest_steps * step_ || a.axis.dot(b.axis) < std::cos(limits.turn);
+        const bool far = (b.tip - a.tip).norm() > longest_steps * step_
+                         || a.axis.dot(b.axis) < std::cos(limits.turn) || !motion_.even(a, b);
         if (!far && keeps_clear_between(lift_, a, b, step_, chord_, hint_)) return true;
         if ((!far && divisions == max_divisions) || depth == max_depth) return false;
         CutterLocation middle = location_on_route(a, b, 0.5);
@@ -82,6 +85,7 @@ private:
     }
 
     const ToolLift& lift_;
+    const EvenMotion& motion_;
     double step_, chord_;
     const Progress& progress_;
     ToolLift::Hint hint_;
@@ -97,10 +101,12 @@ public:
                       default_part_origin(context.machine, context.part_box)),
           radius_(lift_.cutter().max_radius()), clearance_(options.clearance + clearance.cutter),
           chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
-          apart_(looking_step(radius_, chord_)), on_surface_(lift_, chord_, progress),
+          apart_(looking_step(radius_, chord_)),
+          motion_(kinematics_, radius_, even_link_share * options.chord_tolerance),
+          on_surface_(lift_, motion_, chord_, progress),
           clear_lift_(context.contact, context.tool,
                       {clearance.cutter + apart_, clearance.shank + apart_, clearance.holder + apart_}),
-          over_surface_(clear_lift_, chord_, progress), envelope_(kept_clear_of(path, context)),
+          over_surface_(clear_lift_, motion_, chord_, progress), envelope_(kept_clear_of(path, context)),
           stock_(stock_before(context, stock_cell_share * radius_, progress.part(0, 0.1)), context.tool,
                  radius_, side_gap_share * clearance_),
           places_(stock_, context.tool, radius_, clearance_) {}
@@ -303,6 +309,7 @@ private:
     Kinematics kinematics_;
     double radius_, clearance_, chord_, max_lift_;
     double apart_; ///< The places of a route at which the part is looked at are no farther from each other.
+    EvenMotion motion_;
     SurfaceLink on_surface_;
     /// Keeps clear by `apart_` more: the rim of an inclined tool sweeps over borders of the part.
     ToolLift clear_lift_;

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/five_axis/even_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,10 @@ constexpr int max_divisions = 6;
 constexpr std::size_t places_per_block = 4;
 /// A run of free points shorter than this, in radii of the cutter, is left to clean-up with its neighbours.
 constexpr double shortest_run_share = 0.1;
+
+/// The share of the chord tolerance by which the routes of different machines between two stops may differ:
+/// what motion_share and the looks between places leave of it.
+constexpr double even_share = 0.25;
 
 struct Stop {
     ContactPlace place;
@@ -63,6 +68,24 @@ public:
         stops.push_back(at);
         stops.insert(stops.end(), second.begin(), second.end());
         return true;
+    }
+
+    /// The run with further stops on its motions, where machines would go different ways between two of them
+    /// (even_motion.h). The motions stay as they were checked.
+    std::vector<Stop> evened(const std::vector<Stop>& run) const {
+        const EvenMotion motion(field_.kinematics(), field_.radius(), even_share * field_.chord());
+        std::vector<Stop> all;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            if (i > 0) {
+                const Stop &a = run[i - 1], &b = run[i];
+                for (const double t : motion.cuts(a.cl, b.cl)) {
+                    const CutterLocation on = location_on_route(a.cl, b.cl, t);
+                    all.push_back({place_between(a.place, b.place, t), a.posture, on, 0});
+                }
+            }
+            all.push_back(run[i]);
+        }
+        return all;
     }
 
 private:
@@ -229,7 +252,7 @@ JoinedPasses join_postures(const FiveAxisField& field, const PlacedLine& line, c
                 result.uncut.push_back(on_part(s.place));
         } else {
             Pass pass;
-            for (const Stop& s : run) {
+            for (const Stop& s : joiner.evened(run)) {
                 pass.cc.push_back({s.place.surface, s.place.frame.normal});
                 pass.cl.push_back(s.cl);
                 result.cusp = std::max(result.cusp, s.cusp);

@@ -1,4 +1,5 @@
 // Motions between contact points against densely placed poses, with the safety of the constants they rest on.
+#include "core/strategy/five_axis/even_motion.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "tests/property/shapes.h"
 #include "tests/support/random_meshes.h"
@@ -57,6 +58,49 @@ std::pair<CutterLocation, CutterLocation> motion(const ToolLift& lift, Random& r
 class TestPosturePath : public QObject {
     Q_OBJECT
 private slots:
+    /// Near the pole, over it and far from it, within the travel of the rotary axes.
+    void divided_motions_turn_alike_by_every_interpolation() {
+        Random rng(7);
+        constexpr double radius = 3, limit = 0.0025;
+        for (const char* name : {"trunnion-ac", "head-b-table-c", "tarus-tpi-2000"}) {
+            const Kinematics kinematics(find_machine(name), 100, Vec3(0, 0, 200));
+            const EvenMotion motion(kinematics, radius, limit);
+            std::size_t divided = 0;
+            for (int round = 0; round < 60; ++round) {
+                const double near = round % 3 == 0 ? 0.02 : 0.35;
+                const auto axis = [&] {
+                    return Vec3(Vec3(uniform(rng, -near, near), uniform(rng, -near, near), 1).normalized());
+                };
+                CutterLocation a{Vec3(0, 0, 0), axis()}, b{Vec3(2, 0, 0), axis()};
+                b.axis = (a.axis + 0.3 * (b.axis - a.axis)).normalized();
+                if (round % 3 == 1) b.axis = Vec3(-a.axis.x(), -a.axis.y(), a.axis.z()); // over the pole
+                std::vector<double> shares = motion.cuts(a, b);
+                divided += shares.size();
+                QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+                shares.push_back(1);
+                CutterLocation from = a;
+                for (const double share : shares) {
+                    const CutterLocation to = share == 1 ? b : location_on_route(a, b, share);
+                    const auto start = kinematics.nearest({from.tip, from.axis}, Joints{});
+                    const auto end = start ? kinematics.nearest({to.tip, to.axis}, *start) : start;
+                    for (double t = 0.1; t < 0.95; t += 0.1) {
+                        const Vec3 circle = location_on_route(from, to, t).axis;
+                        const Vec3 straight = (from.axis + t * (to.axis - from.axis)).normalized();
+                        QVERIFY((straight - circle).norm() * 2 * radius < 1.3 * limit);
+                        if (!end) continue;
+                        Joints on = *start;
+                        for (std::size_t r = 0; r < 2; ++r)
+                            on.rotary[r] += t * (end->rotary[r] - on.rotary[r]);
+                        const double off = (kinematics.forward(on).axis - circle).norm();
+                        QVERIFY2(off * 2 * radius < 1.3 * limit, qPrintable(QString::number(off)));
+                    }
+                    from = to;
+                }
+            }
+            QVERIFY(divided > 60);
+        }
+    }
+
     void locations_move_straight_and_turn_evenly() {
         const CutterLocation a{Vec3(0, 0, 0), Vec3(0, 0, 1)},
             b{Vec3(4, 2, 1), Vec3(std::sin(0.6), 0, std::cos(0.6))};
