@@ -183,11 +183,13 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
     result.blocks = read.blocks;
     result.seconds = read.seconds;
     const std::string file = fs::path(name).filename().string();
+    const auto machine = std::make_shared<const Machine>(setup.machine);
     for (std::size_t i = 0; i < read.sections.size(); ++i) {
         const auto& section = read.sections[i];
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == section->tool_number; });
-        VerifyProgram program{file, VerifyTool(*tool), {section, &section->motions}, setup.turning, {}};
+        VerifyProgram program{file,   VerifyTool(*tool), {section, &section->motions}, setup.turning, {},
+                              machine};
         if (read.sections.size() > 1) program.name += ", tool " + std::to_string(section->tool_number);
         program.lines = std::move(read.lines[i]);
         result.programs.push_back(std::move(program));

@@ -80,11 +80,25 @@ private:
     double per_;
 };
 
+/// Null for a great circle, which needs no word.
+const char* course_name(AxisCourse course) {
+    switch (course) {
+    case AxisCourse::great_circle:
+        return nullptr;
+    case AxisCourse::normalized_linear:
+        return "normalized linear";
+    case AxisCourse::joint_linear:
+        return "joint linear";
+    }
+    return nullptr;
+}
+
 void put_place(Json& to, const MotionPlace& at, std::span<const VerifyProgram> programs) {
     if (!at.known()) return;
     to["operation"] = printable(programs[at.program].name, 200);
     to["goto"] = at.motion + 1;
     if (const auto& lines = programs[at.program].lines; !lines.empty()) to["line"] = lines[at.motion];
+    if (const char* name = course_name(at.course)) to["interpolation"] = name;
 }
 
 Json extremes(const Numbers& n, const std::vector<DeviationExtreme>& list,
@@ -104,9 +118,11 @@ Json extremes(const Numbers& n, const std::vector<DeviationExtreme>& list,
 std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> programs) {
     if (!at.known()) return "nowhere";
     const VerifyProgram& program = programs[at.program];
+    const char* course = course_name(at.course);
     return "'" + printable(program.name) + "', "
            + (program.lines.empty() ? "GOTO " + std::to_string(at.motion + 1)
-                                    : "line " + std::to_string(program.lines[at.motion]));
+                                    : "line " + std::to_string(program.lines[at.motion]))
+           + (course ? std::string(", where the axis turns ") + course : std::string());
 }
 
 /// "12 % of what is to be cut is left uncut, up to 3.1 mm (no tool fits: 11 %; ...), limit 2 %".
@@ -165,11 +181,13 @@ std::string uncut_reason_text(UncutReason::Why why) {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan) {
     std::vector<VerifyProgram> programs;
+    const auto machine = std::make_shared<const Machine>(project_machine(project));
     for (const auto& o : plan->operations) {
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == o->program.tool_number; });
         VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : VerifyTool(o->program.cutter);
-        programs.push_back({o->name, std::move(used), {o, &o->program.motions}, o->program.motions.turning});
+        programs.push_back(
+            {o->name, std::move(used), {o, &o->program.motions}, o->program.motions.turning, {}, machine});
     }
     return programs;
 }
@@ -248,6 +266,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
     const std::string file = printable(path.string(), 400);
     AptReadResult read = read_apt(path, project.unit, progress);
     ClFilePrograms result;
+    const auto machine = std::make_shared<const Machine>(project_machine(project));
     result.ignored = std::move(read.ignored);
     for (std::size_t i = 0; i < read.program.sections.size(); ++i) {
         const auto& section = read.program.sections[i];
@@ -255,7 +274,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
         if (read.program.sections.size() > 1) name += ", operation " + std::to_string(i + 1);
         VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
         result.programs.push_back(
-            {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt});
+            {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt, {}, machine});
         result.sections.push_back(section);
     }
     return result;

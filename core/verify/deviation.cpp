@@ -143,8 +143,9 @@ private:
             findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
             if (!(depth > deepest)) continue;
             deepest = depth;
-            by = {b, depth > aims_.gouge_limit ? bodies_[b].cutting.first_as_deep(surface, probe)
-                                               : probe.motion};
+            by = {b,
+                  depth > aims_.gouge_limit ? bodies_[b].cutting.first_as_deep(surface, probe) : probe.motion,
+                  probe.course};
         }
         return deepest;
     }
@@ -164,7 +165,8 @@ private:
                 DepthProbe probe{collision_limit_, no_index};
                 if (!watch.probes.deepen(surface, no_index, probe)) continue;
                 const Index motion = watch.probes.first_as_deep(surface, probe);
-                keep_deepest(findings_.collisions, {watch.kind, true, {b, motion}, surface, probe.depth});
+                keep_deepest(findings_.collisions,
+                             {watch.kind, true, {b, motion, probe.course}, surface, probe.depth});
             }
     }
 

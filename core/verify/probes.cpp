@@ -109,7 +109,7 @@ Vec3 BodySupport::support(const Vec3& direction, const Vec3& axis) const {
 
 MotionTree::MotionTree(const VerifyProgram& program, const std::function<bool(MotionKind)>& counts,
                        const Progress& progress)
-    : program_(&program) {
+    : program_(&program), courses_(program, progress) {
     const auto& motions = program.motions->motions;
     std::vector<Node> leaves;
     for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -155,6 +155,15 @@ MotionTree::Node MotionTree::leaf(Index motion) const {
             box.lo.array() -= 2 * sagitta;
             box.hi.array() += 2 * sagitta;
             node.cone *= 1.05; // between the pieces' ends
+        }
+        if (courses_.differs(motion, AxisCourse::joint_linear)) {
+            constexpr int looks = 16;
+            double cone = 0;
+            for (int k = 1; k < looks; ++k)
+                cone = std::max(
+                    cone, unit_angle(courses_.at(motion, AxisCourse::joint_linear, double(k) / looks).axis,
+                                     node.axis));
+            node.cone = std::max(node.cone, 1.1 * cone); // between them
         }
         node.cone += tolerance::level_angle;
     }
@@ -449,7 +458,13 @@ double MotionProbes::max_depth(const MotionTree::Node& node, const Vec3& p) cons
 /// share gives its tangent: the largest depth lies below where two tangents meet.
 bool MotionProbes::ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const {
     const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
-    if (a.axis != b.axis) return ask_depth_turning(motion, p, probe);
+    if (a.axis != b.axis) {
+        bool deeper = ask_depth_turning(motion, AxisCourse::great_circle, p, probe);
+        for (const AxisCourse course : AxisCourses::others)
+            if (tree_->courses_.differs(motion, course))
+                deeper = ask_depth_turning(motion, course, p, probe) || deeper;
+        return deeper;
+    }
     const Vec3 route = b.tip - a.tip, from = p - a.tip;
     const double square = route.squaredNorm();
     struct Tangent {
@@ -463,7 +478,7 @@ bool MotionProbes::ask_depth(Index motion, const Vec3& p, DepthProbe& probe) con
     bool deeper = false;
     const auto take = [&](const Tangent& t) {
         if (!(t.depth > probe.depth)) return;
-        probe = {t.depth, motion};
+        probe = {t.depth, motion, AxisCourse::great_circle};
         deeper = true;
     };
     double s =
@@ -492,13 +507,21 @@ bool MotionProbes::ask_depth(Index motion, const Vec3& p, DepthProbe& probe) con
     return deeper;
 }
 
-bool MotionProbes::ask_depth_turning(Index motion, const Vec3& p, DepthProbe& probe) const {
-    const auto at = [&](double s) {
-        return location_between(tree_->from(motion), tree_->to(motion), tree_->program().turning, s);
-    };
+bool MotionProbes::ask_depth_turning(Index motion, AxisCourse course, const Vec3& p,
+                                     DepthProbe& probe) const {
+    const auto at = [&](double s) { return tree_->courses_.at(motion, course, s); };
     std::array<Pose, 64> open; // halving ends long before that depth
     std::size_t n = 0;
-    open[n++] = {0, 1, tree_->from(motion), tree_->to(motion)};
+    if (course == AxisCourse::joint_linear) {
+        // What a part's middle says of it holds for parts that bend one way.
+        constexpr int parts = 4;
+        for (int k = 0; k < parts; ++k) {
+            const double s0 = double(k) / parts, s1 = double(k + 1) / parts;
+            open[n++] = {s0, s1, at(s0), at(s1)};
+        }
+    } else {
+        open[n++] = {0, 1, tree_->from(motion), tree_->to(motion)};
+    }
     bool deeper = false;
     while (n > 0) {
         const Pose part = open[--n];
@@ -509,7 +532,7 @@ bool MotionProbes::ask_depth_turning(Index motion, const Vec3& p, DepthProbe& pr
         const double comes = turned.small() ? turned.swing(plane.normal, p) + turned.rest(0) : turned.size(0);
         if (!(plane.inside + comes > probe.depth)) continue;
         if (plane.inside > probe.depth) {
-            probe = {plane.inside, motion};
+            probe = {plane.inside, motion, course};
             deeper = true;
         }
         if (turned.size(0) <= bound_ || n + 2 > open.size()) continue;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/verify/axis_courses.h"
 #include "core/verify/sweep.h"
 
 #include <functional>
@@ -57,6 +58,7 @@ struct LineProbe {
 struct DepthProbe {
     double depth = 0;        ///< mm; below 0: so far from it
     Index motion = no_index; ///< that has it
+    AxisCourse course = AxisCourse::great_circle;
 };
 
 /// The motions of a program, or some of them, in a tree of boxes.
@@ -84,6 +86,7 @@ private:
     Index build(std::size_t begin, std::size_t end, std::vector<Node>& leaves, const Progress& progress);
 
     const VerifyProgram* program_;
+    AxisCourses courses_;
     bool turns_ = false;
     std::vector<Node> nodes_;
 };
@@ -103,7 +106,7 @@ public:
     bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const;
     /// Raises `probe.depth` to the largest depth of the point p inside the moving body, and says whether it
     /// did: the depth is the distance to the body's surface, which needs to know nothing of the part but the
-    /// point. `hint`: as above.
+    /// point. Of the courses that the axis may take the deepest. `hint`: as above.
     bool deepen(const Vec3& p, Index hint, DepthProbe& probe) const;
     /// The first of an unbroken run of motions, up to `probe.motion`, in which p lies as deep: where a motion
     /// ends the next one begins, and both have that place.
@@ -120,7 +123,7 @@ private:
     bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
     double max_depth(const MotionTree::Node& node, const Vec3& p) const;
     bool ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const;
-    bool ask_depth_turning(Index motion, const Vec3& p, DepthProbe& probe) const;
+    bool ask_depth_turning(Index motion, AxisCourse course, const Vec3& p, DepthProbe& probe) const;
 
     TurnedBody body_;
     BodySupport support_;

@@ -5,6 +5,7 @@
 
 #include "core/cutter/cutter.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/machine.h"
 #include "core/setup/motion.h"
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
@@ -47,11 +48,21 @@ struct VerifyProgram {
     std::optional<TurningAxis> turning;
     /// The line of the program file that each motion comes from; empty where there is no such file.
     std::vector<std::uint32_t> lines;
+    /// The machine that runs it; null: not known, and what its joints do between locations is not asked.
+    std::shared_ptr<const Machine> machine = nullptr;
+};
+
+/// How the tool axis may go from one location to the next; the tip moves straight.
+enum class AxisCourse : std::uint8_t {
+    great_circle,      ///< turns evenly in one plane
+    normalized_linear, ///< its end moves straight: in the same plane, slower at the ends
+    joint_linear,      ///< the machine's rotary axes turn evenly
 };
 
 /// A motion of one of several programs; both count from 0.
 struct MotionPlace {
     std::size_t program = std::size_t(-1), motion = std::size_t(-1);
+    AxisCourse course = AxisCourse::great_circle; ///< on which it was so
     bool known() const { return program != std::size_t(-1); }
     bool operator==(const MotionPlace&) const = default;
 };

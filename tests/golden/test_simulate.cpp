@@ -450,8 +450,9 @@ private slots:
         QVERIFY(o["gouge_max"].toDouble() < 2e-4);
         QVERIFY(o["settings"].toObject()["motion_bound"].toDouble() > 0);
 
-        // Both ends of the swing touch the plate; between them the rim is 0.0684 r below it, and the plate's
-        // points come 0.0494 r inside, where end and side are as far away.
+        // Both ends of the swing touch the plate; between them, where the axis moves along its chord, the rim
+        // is 0.0776 r below it, and the plate's points come 0.0551 r inside, where end and side are as far
+        // away.
         const double wide = 3.14159265358979 / 3;
         apt += "RAPID\n" + go(10, 15, 60, 0) + go(10, 15, 0, 0) + go(14, 15, r * std::sin(wide), wide)
                + "RAPID\n" + go(14, 15, 60, wide) + "FINI\n";
@@ -459,7 +460,7 @@ private slots:
         QCOMPARE(bad.status, 1);
         const QJsonObject b = json(bad.out);
         const double depth = b["gouge_max"].toDouble();
-        QVERIFY2(depth > 0.247 - 0.07 && depth < 0.2475, bad.out.constData()); // places 0.5 apart
+        QVERIFY2(depth > 0.2755 - 0.07 && depth < 0.276, bad.out.constData()); // places 0.5 apart
         QCOMPARE(b["gouges"].toArray()[0].toObject()["goto"].toInt(), 1 + 41 * 121 + 4);
         QVERIFY2(bad.err.contains("gouge of 0.") && bad.err.contains("GOTO"), bad.err.constData());
     }

@@ -1,5 +1,6 @@
 // How deep points come to lie inside a moving tool, against a search over poses that knows nothing but the
 // radius of the tool at a height.
+#include "core/setup/kinematics.h"
 #include "core/verify/probes.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
@@ -124,6 +125,75 @@ private slots:
                 }
             }
         QVERIFY(inside > trials(std::size_t(100)));
+    }
+
+    /// A control may turn the axis on a great circle, along its ends' chord or joint by joint: the deepest of
+    /// all counts, and is named. Without a machine nobody knows what its joints do.
+    void under_every_course() {
+        std::mt19937 random(8);
+        std::uniform_real_distribution<double> share(-1, 1);
+        constexpr double bound = 1e-3;
+        const auto machine = std::make_shared<const Machine>(find_machine("trunnion-ac"));
+        const Kinematics kinematics(*machine, 0, Vec3::Zero());
+        const Tool tool = ball_tool(4);
+        const CutterProfile cutter(tool.cutter());
+        const BodySupport body(cutter);
+        std::array<int, 3> deepest{0, 0, 0};
+        for (int round = 0; round < trials(12); ++round) {
+            std::vector<Joints> joints;
+            auto motions = std::make_shared<ToolMotions>();
+            double turn = 0;
+            for (int i = 0; i < 6; ++i) {
+                Joints at;
+                turn += radians(100) * share(random);
+                // The other solution lies beyond the travel of A.
+                at.rotary = {radians(-65 + 25 * share(random)), turn};
+                joints.push_back(at);
+                const Vec3 tip = 3 * Vec3(share(random), share(random), share(random));
+                motions->motions.push_back(
+                    {MotionKind::cut, {tip, kinematics.forward(at).axis}, no_index, no_index});
+            }
+            for (const bool known : {true, false}) {
+                const VerifyProgram program{"P", VerifyTool(tool),         motions, std::nullopt,
+                                            {},  known ? machine : nullptr};
+                const auto tree = std::make_shared<const MotionTree>(
+                    program, [](MotionKind) { return true; }, Progress());
+                const MotionProbes probes{TurnedBody(cutter), BodySupport(cutter), tree, bound};
+                for (int k = 0; k < 20; ++k) {
+                    const Vec3 p = Vec3(9 * share(random), 9 * share(random), 6 + 6 * share(random));
+                    std::array<double, 3> expected{0, 0, 0};
+                    for (std::size_t m = 1; m < joints.size(); ++m)
+                        for (int i = 0; i <= 400; ++i) {
+                            const double t = i / 400.0;
+                            const CutterLocation &a = motions->motions[m - 1].to, &b = motions->motions[m].to;
+                            const CutterLocation at = location_between(a, b, std::nullopt, t);
+                            Joints between;
+                            for (std::size_t r = 0; r < 2; ++r)
+                                between.rotary[r] =
+                                    (1 - t) * joints[m - 1].rotary[r] + t * joints[m].rotary[r];
+                            const Vec3 chord = ((1 - t) * a.axis + t * b.axis).normalized();
+                            const std::array<Vec3, 3> axes{at.axis, chord, kinematics.forward(between).axis};
+                            for (std::size_t c = 0; c < 3; ++c)
+                                expected[c] = std::max(expected[c], body.nearest(p - at.tip, axes[c]).inside);
+                        }
+                    if (!known) expected[2] = 0;
+                    const auto most = std::max_element(expected.begin(), expected.end());
+                    DepthProbe probe;
+                    probes.deepen(p, no_index, probe);
+                    QVERIFY2(std::abs(probe.depth - *most) < 0.03,
+                             qPrintable(QString("%1 of %2").arg(probe.depth).arg(*most)));
+                    const auto course = std::size_t(most - expected.begin());
+                    bool clear = true;
+                    for (std::size_t c = 0; c < 3; ++c)
+                        clear = clear && (c == course || *most - expected[c] > 0.05);
+                    if (!clear) continue;
+                    ++deepest[course];
+                    QCOMPARE(std::size_t(probe.course), course);
+                }
+            }
+        }
+        for (const int times : deepest)
+            QVERIFY(times >= trials(3));
     }
 };
 

@@ -1,5 +1,6 @@
 // What the judge says of the whole: verified, failed or not to be judged, on jobs whose answer is known, also
 // where the mesh is dirty.
+#include "core/setup/machine.h"
 #include "core/verify/verify.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
@@ -333,6 +334,27 @@ private slots:
             judged(part, stock_of(part.box()), lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0.3, 6), s);
         QCOMPARE(int(v.verdict()), int(Verdict::verified));
         QVERIFY(!reason(v, UncutReason::Why::outside_stock));
+    }
+
+    /// A post beside a tool that turns about its tip: the great circle passes it by, the joints of the
+    /// machine bring the tool into it. What does it is named.
+    void a_gouge_that_only_the_joints_make() {
+        const auto machine = std::make_shared<const Machine>(find_machine("trunnion-ac"));
+        const double lean = radians(45), place = radians(50), half = std::sqrt(0.5);
+        const Vec3 top = 20 * Vec3(std::sin(place) * half, std::sin(place) * half, std::cos(place));
+        const Mesh part = box(top - Vec3(0.5, 0.5, 5), top + Vec3(0.5, 0.5, 0));
+        auto motions = std::make_shared<ToolMotions>();
+        for (const Vec3& axis :
+             {Vec3(std::sin(lean), 0, std::cos(lean)), Vec3(0, std::sin(lean), std::cos(lean))})
+            motions->motions.push_back({MotionKind::cut, {Vec3::Zero(), axis}, no_index, no_index});
+        VerifyProgram program{"Turn", VerifyTool(AptCutter::flat(4, 40)), motions, std::nullopt};
+        StockSolid stock = stock_of(part.box());
+        stock.box.lo.array() -= 3;
+        QVERIFY(!judged(part, stock, program).gouged());
+        program.machine = machine;
+        const Verification v = judged(part, stock, program);
+        QCOMPARE(int(v.verdict()), int(Verdict::failed));
+        QVERIFY(v.gouged() && v.gouges.front().by.course == AxisCourse::joint_linear);
     }
 
     /// A program that begins on the surface does not begin inside.
