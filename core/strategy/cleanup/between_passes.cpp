@@ -39,7 +39,7 @@ double BetweenPasses::left(const ValleySpot& a, const ValleySpot& b, const Vec3&
         }
         const double rest = std::min(by_a, by_b);
         if (rest <= std::max(most, with_.cusp)) continue;
-        most = std::max(most, rest - min_left(*at, rest - 2 * with_.cusp, hint));
+        most = std::max(most, rest - min_left(*at, rest, hint));
     }
     return most;
 }
@@ -60,13 +60,14 @@ std::optional<BetweenPasses::Between> BetweenPasses::between(const ValleySpot& a
                    facet, normal};
 }
 
-/// The least that the cutter can leave there; no better place is looked for than one that leaves `enough`.
-double BetweenPasses::min_left(const Between& at, double enough, LiftHint& hint) const {
+/// The least that the cutter can leave there where that is less than `rest` by the cusp; no better place is
+/// looked for than one that leaves twice as much less.
+double BetweenPasses::min_left(const Between& at, double rest, LiftHint& hint) const {
     RestSample least = nearest_touch(reach_, at.point, at.facet, hint);
     if (at.normal.z() >= 0)
         if (const RestSample other = nearest_touch(reach_, at.point, at.normal, hint); other.gap < least.gap)
             least = other;
-    return nearest_about(reach_, least, enough, finest_share * with_.cusp, hint).gap;
+    return nearest_about(reach_, least, rest - 2 * with_.cusp, finest_share * with_.cusp, hint, rest).gap;
 }
 
 } // namespace facetmill

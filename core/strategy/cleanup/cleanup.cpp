@@ -7,38 +7,20 @@
 #include "core/strategy/cleanup/strip_search.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"
+#include "core/strategy/cleanup/working_passes.h"
+#include "core/strategy/plan/pass_order.h"
+
+#include <atomic>
+#include <iterator>
 
 namespace facetmill {
 
 namespace {
 
-const OperationRegistration registration("cleanup", "Clean-up", [] { return std::make_unique<Cleanup>(); });
+/// Points of all passes, before those that take nothing away are left out.
+constexpr std::size_t max_cleanup_points = 3'000'000;
 
-/// The passes of all strips: from each strip to the nearest that is left.
-std::vector<Pass> in_order(std::vector<StripCut> cuts) {
-    std::erase_if(cuts, [](const StripCut& c) { return c.passes.empty(); });
-    std::vector<Pass> passes;
-    std::vector<char> done(cuts.size(), 0);
-    Vec3 at = Vec3::Zero();
-    for (std::size_t n = 0; n < cuts.size(); ++n) {
-        std::size_t nearest = cuts.size();
-        double least = infinity;
-        for (std::size_t i = 0; i < cuts.size(); ++i) {
-            if (done[i]) continue;
-            const double d = n == 0 ? 0 : (cuts[i].passes.front().cl.front().tip - at).squaredNorm();
-            if (d < least) {
-                least = d;
-                nearest = i;
-            }
-        }
-        done[nearest] = 1;
-        for (Pass& p : cuts[nearest].passes) {
-            at = p.cl.back().tip;
-            passes.push_back(std::move(p));
-        }
-    }
-    return passes;
-}
+const OperationRegistration registration("cleanup", "Clean-up", [] { return std::make_unique<Cleanup>(); });
 
 class CleanupPlanner {
 public:
@@ -51,6 +33,7 @@ public:
             throw Error(ErrorCode::empty_result, settings_.name,
                         "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than "
                             + job_.text(job_.cusp)
+                            + (context_.earlier.empty() ? "" : " that the operations before have not cut")
                             + (settings_.left_points || settings_.rest_material
                                    ? ", nor do the operations before"
                                    : ""),
@@ -74,12 +57,21 @@ private:
         std::vector<StripCut> cuts(found_.size());
         std::vector<BandCut> touched;
         const Progress strips = progress.part(0, 0.7), within = progress.part(0, 0);
+        std::atomic<std::size_t> points = 0;
         parallel_for(found_.size(), 1, strips, [&](std::size_t i) {
             const FoundStrip& f = found_[i];
             if (!result_.strips[i].enabled) return;
             cuts[i] = f.left.piece.mesh ? cut_around_places(f, within)
                       : f.curve         ? cut_valley(with, *f.curve, f.band, within)
                                         : cut_hollow(with, f.band, within);
+            for (const Pass& pass : cuts[i].passes)
+                points += pass.cl.size();
+            if (points > max_cleanup_points)
+                throw Error(ErrorCode::limit_exceeded, settings_.name,
+                            "its " + std::to_string(found_.size()) + " strips would take more than "
+                                + std::to_string(max_cleanup_points) + " points of passes",
+                            "allow a larger tolerance, use a tool with a larger corner radius, or switch "
+                            "strips off");
         });
         for (std::size_t i = 0; i < found_.size(); ++i) {
             if (!result_.strips[i].enabled) continue;
@@ -89,9 +81,13 @@ private:
             blocked_ += c.blocked;
             if (!found_[i].left.piece.mesh) touched.push_back({&found_[i].band, &c});
         }
-        touch_up(with, touched, progress.part(0.7, 1));
         if (result_.stepover_min == infinity) result_.stepover_min = result_.stepover_max;
-        result_.passes = in_order(std::move(cuts));
+        for (const BandCut& b : touched)
+            planned_ += b.cut->passes.size();
+        keep_working(with, touched, progress.part(0.7, 0.8));
+        touch_up(with, touched, progress.part(0.8, 1));
+        for (StripCut& c : cuts)
+            std::move(c.passes.begin(), c.passes.end(), std::back_inserter(result_.passes));
         // Whatever made a pass, and however it was joined or shortened: no move is left unchecked.
         clear_passes(with, result_.passes, progress.part(1, 1));
     }
@@ -113,6 +109,9 @@ private:
         held_ = cleared.held;
         held_by_ = cleared.held_by;
         result_.passes = std::move(cleared.passes);
+        const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
+        order_by_travel(result_.passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
+                        top + settings_.clearance, progress.part(1, 1));
         if (settings_.tilt_limit > 0) {
             own_.lead_min = 0;
             own_.lead_max = cleared.largest_tilt;
@@ -134,6 +133,11 @@ private:
                         + " would touch the part wherever there is something to cut",
                     settings_.tilt_limit > 0 ? "use a longer tool, or allow a larger tilt_limit"
                                              : "use a longer tool, or allow it to be inclined (tilt_limit)"};
+        if (planned_ > 0)
+            return {ErrorCode::empty_result, settings_.name,
+                    "the tool takes away nowhere more than " + job_.text(job_.cusp)
+                        + " of what stands on the " + std::to_string(found_.size()) + " strips",
+                    "use a smaller tool, or leave the operation out"};
         return {ErrorCode::empty_result, settings_.name,
                 "the tool can stand nowhere along the " + std::to_string(found_.size()) + " strips that tool "
                     + std::to_string(settings_.previous_tool) + " left",
@@ -183,6 +187,7 @@ private:
     const PlanContext& context_;
     CleanupJob job_;
     std::vector<FoundStrip> found_;
+    std::size_t planned_ = 0;       ///< passes, before those that take nothing away were left out
     double blocked_ = 0, held_ = 0; ///< lengths of what is left out: no place; shank or holder would touch
     ToolBody held_by_ = ToolBody::none;
     StrategyResult result_;

@@ -74,6 +74,7 @@ public:
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Cleanup>(settings_); }
     bool three_axis() const override { return settings_.tilt_limit == 0; }
     std::vector<long> further_tools() const override { return {settings_.previous_tool}; }
+    bool reads_stock() const override { return true; }
     ReadsLeft reads_left() const override { return {settings_.left_points, settings_.rest_material}; }
 
     /// The result's strips are all that were found, its cusp_max is the most that stays where the cutter can
@@ -81,7 +82,7 @@ public:
     ///
     /// Throws Error(missing_reference) where the previous tool is not given, Error(out_of_range) where
     /// tessellation tolerances use up the tolerance or a cutter is impossible, Error(empty_result) where the
-    /// previous cutter leaves nothing above the tolerance.
+    /// previous cutter leaves nothing above the tolerance, or the operations before have cut it.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
 

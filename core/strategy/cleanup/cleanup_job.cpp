@@ -9,7 +9,8 @@ CleanupJob::CleanupJob(const CleanupSettings& asked, const PlanContext& given, c
       chord(chord_budget({0, "auto"}, cusp)),
       allowance(settings.allowance + context.tessellation_tolerance[1]), profile(context.tool.cutter()),
       cover(profile, cusp_detail(cusp)), lift(context.contact, profile, allowance),
-      grid(*context.part, progress), side(*context.part, progress), radius(profile.max_radius()),
+      grid(*context.part, progress), side(*context.part, progress),
+      standing(context, context.further_tools.front().cutter(), cusp, progress), radius(profile.max_radius()),
       ripple(settings.smallest_strip.is_number() ? settings.smallest_strip.number : radius),
       overlap(settings.overlap.is_number() ? settings.overlap.number : 0.5 * radius) {}
 
@@ -20,6 +21,7 @@ StripCutting CleanupJob::cutting() const {
     with.side = &side;
     with.lift = &lift;
     with.cover = &cover;
+    with.standing = &standing;
     with.allowance = allowance;
     // Moves may stay off the part by the chord tolerance, so passes leave that much less.
     with.cusp = std::max(cusp - chord, 0.5 * cusp);
@@ -37,6 +39,7 @@ ValleyInput CleanupJob::asking(const AxialLift& other, const CutterCover& its_co
     in.side = &side;
     in.lift = &other;
     in.cover = &its_cover;
+    in.standing = &standing;
     in.tolerance = cusp;
     in.ripple = ripple;
     return in;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/strategy/cleanup/cleanup.h"
+#include "core/strategy/cleanup/standing.h"
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/plan/plan_text.h"
 
@@ -25,6 +26,7 @@ struct CleanupJob {
     AxialLift lift; ///< with the allowance
     FacetGrid grid;
     UpSide side;
+    Standing standing;
     double radius, ripple, overlap;
 };
 

@@ -30,7 +30,7 @@ RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n,
 }
 
 RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
-                         LiftHint& hint) {
+                         LiftHint& hint, double hopeless) {
     for (double step = first_step * input.cover->radius(); step > finest && from.gap > enough;) {
         bool better = false;
         for (int k = 0; k < directions && from.gap > enough; ++k) {
@@ -44,7 +44,9 @@ RestSample nearest_about(const ValleyInput& input, RestSample from, double enoug
                 better = true;
             }
         }
-        if (!better) step *= 0.5;
+        if (better) continue;
+        step *= 0.5;
+        if (step < input.tolerance && from.gap > hopeless) break;
     }
     return from;
 }

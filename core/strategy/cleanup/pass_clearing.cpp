@@ -11,6 +11,9 @@ namespace {
 /// what still runs into the part then goes over it.
 constexpr int max_clearing_divisions = 30;
 constexpr double shortest_share = 0.1;
+/// And no further once so many points are put into one move: a cutter with a flat bottom that goes over a
+/// comb of edges would ask for a point at each, again and again.
+constexpr std::size_t max_put_in = 1000;
 /// Moved aside are places of the first divisions only: beside a ridge, each of them would ask for the next.
 constexpr int max_divisions_aside = 10;
 /// A point is moved out of what it would cut sideways, along the normal, by so many chord tolerances,
@@ -31,7 +34,9 @@ public:
         LiftHint hint;
         for (std::size_t i = 0; i < pass.cl.size(); ++i) {
             progress.check();
-            if (i > 0) between(pass.cl[i - 1].tip, pass.cl[i].tip, pass.cc[i], result, hint, 0);
+            if (i > 0)
+                between(pass.cl[i - 1].tip, pass.cl[i].tip, pass.cc[i], result, hint,
+                        {0, result.cl.size() + max_put_in});
             result.cl.push_back(pass.cl[i]);
             result.cc.push_back(pass.cc[i]);
         }
@@ -43,8 +48,14 @@ private:
     double below(const Vec3& tip, LiftHint& hint) const {
         return with_.lift->tip_z(tip.x(), tip.y(), hint) - tip.z();
     }
+    /// How deep in the divisions of a move, and how many points the pass may have then.
+    struct Divided {
+        int depth;
+        std::size_t limit;
+    };
     void between(const Vec3& a, const Vec3& b, const CutterContact& cc, Pass& out, LiftHint& hint,
-                 int depth) const {
+                 const Divided& divided) const {
+        const auto [depth, limit] = divided;
         const double length = (b - a).norm();
         const auto parts = std::max<std::size_t>(2, std::size_t(std::ceil(length / spacing_)));
         double worst = dip_;
@@ -57,7 +68,8 @@ private:
             }
         }
         if (where == 0) return;
-        if (depth > max_clearing_divisions || length < shortest_share * with_.chord) {
+        if (depth > max_clearing_divisions || length < shortest_share * with_.chord
+            || out.cl.size() >= limit) {
             over(a, b, worst, cc, out);
             return;
         }
@@ -74,10 +86,10 @@ private:
             free = true;
         }
         if (!free) mid.z() += worst;
-        between(a, mid, cc, out, hint, depth + 1);
+        between(a, mid, cc, out, hint, {depth + 1, limit});
         out.cl.push_back({mid, Vec3::UnitZ()});
         out.cc.push_back(cc);
-        between(mid, b, cc, out, hint, depth + 1);
+        between(mid, b, cc, out, hint, {depth + 1, limit});
     }
 
     /// Up beside a, level over what a move would run into by `deep`, and down on b: both stand free.

@@ -39,10 +39,12 @@ std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& al
 
 } // namespace
 
-void add_leads(const StripCutting& with, Pass& pass, const Vec3& up_front, const Vec3& up_back) {
+void add_leads(const StripCutting& with, Pass& pass, const Vec3& up_front, const Vec3& up_back, bool at_front,
+               bool at_back) {
     const std::size_t n = pass.cl.size();
-    const auto front = lead(with, pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
-    const auto back = lead(with, pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
+    std::vector<Vec3> front, back;
+    if (at_front) front = lead(with, pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
+    if (at_back) back = lead(with, pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
     std::vector<CutterLocation> cl;
     std::vector<CutterContact> cc;
     for (std::size_t k = front.size(); k-- > 0;) {

@@ -21,9 +21,13 @@
 namespace facetmill {
 
 struct RestBand {
-    int curve = -1;                        ///< index in Valleys::curves; -1: a hollow without a valley
-    std::vector<std::array<Vec3, 3>> band; ///< triangles, cut along the boundaries, oriented as the part's
+    int curve = -1;                         ///< index in Valleys::curves; -1: a hollow without a valley
+    std::vector<std::array<Vec3, 3>> band;  ///< triangles, cut along the boundaries, oriented as the part's
+    std::vector<std::array<float, 3>> left; ///< how much is left at the corners of each triangle
     std::vector<std::vector<Vec3>> boundaries;
+    /// Corners, not in the band, of the facets that it was cut out of, and the part's normals there, unit,
+    /// towards the tool: where the band ends is not known better than to such a facet.
+    std::vector<std::array<Vec3, 2>> beside;
     double area = 0;
     double depth = 0;             ///< the most that is left
     double length = 0, width = 0; ///< length of the centre, largest width across it

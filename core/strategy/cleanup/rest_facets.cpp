@@ -3,7 +3,11 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/index_pair.h"
 #include "core/strategy/cleanup/mark_grid.h"
+#include "core/strategy/surface/cell_set.h"
+#include "core/strategy/surface/point_grid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace facetmill {
@@ -11,25 +15,33 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t divided_per_check = 2048;
-/// Edges of facets in a band are not longer than this many radii of the cutter.
-constexpr double edge_share = 0.07;
+/// Edges of facets in a band are not longer than this many radii of the cutter, or than this share of the
+/// half width of what a ball of that radius touches within the tolerance.
+constexpr double edge_share = 0.07, touched_share = 0.5;
 /// Cells that say where a band may be, in radii; larger where there would be more than so many.
-constexpr double mark_share = 0.12, max_cells = 1.6e7;
+constexpr double mark_share = 0.12, max_cells = 4e6;
 /// Samples are not farther apart than this many radii.
 constexpr double sample_share = 0.25;
+/// One sample in so many radii stands for those about it; they are looked for in cells of so many.
+constexpr double thin_share = 0.1, place_cell_share = 0.5;
 constexpr int max_facet_divisions = 24;
+/// Pieces of facets, about: where they would be more they are larger.
+constexpr double max_pieces = 1e6, piece_share = 0.25;
 
 class FacetDivider {
 public:
     explicit FacetDivider(const ValleyInput& input)
-        : in_(input), radius_(input.cover->radius()), longest_(edge_share * radius_),
-          marks_(input.mesh->box(), mark_cell(), radius_) {}
+        : in_(input), radius_(input.cover->radius()),
+          longest_(std::max(edge_share * radius_, touched_share * std::sqrt(2 * radius_ * input.tolerance))),
+          marks_(input.mesh->box(), mark_cell(), radius_), places_(place_cell_share * radius_) {}
 
     RestFacets run(const std::vector<RestSample>& samples, const Progress& progress) {
         mark(samples, progress.part(0, 0.2));
         const Mesh& mesh = *in_.mesh;
         out_.points = mesh.vertices;
         if (samples.empty()) return std::move(out_);
+        // A piece has this share of the square of the longest edge, or more.
+        longest_ = std::max(longest_, std::sqrt(marked_area() / (piece_share * max_pieces)));
         const Progress dividing = progress.part(0.2, 1);
         for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
             if (f % divided_per_check == 0) dividing.set(double(f) / double(mesh.facet_count()));
@@ -49,11 +61,36 @@ private:
     }
 
     void mark(const std::vector<RestSample>& samples, const Progress& progress) {
+        CellSet thin(thin_share * radius_);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (i % divided_per_check == 0) progress.check();
             marks_.mark(samples[i].point.head<2>(), sample_share * radius_);
+            if (thin.add_first(samples[i].point)) places_.add(samples[i].point);
         }
         marks_.finish();
+    }
+
+    /// Is a sample near a box? Of a box wider than the cutter's radius heights are not asked.
+    bool is_near(const Vec3& lo, const Vec3& hi) const {
+        if (!marks_.any(lo.head<2>(), hi.head<2>())) return false;
+        const double size = (hi - lo).maxCoeff(), beside = (sample_share + thin_share) * radius_;
+        if (size > radius_) return true;
+        return places_.near_until(0.5 * (lo + hi), 0.5 * size + beside, [&](std::size_t i) {
+            const Vec3& p = places_.points()[i];
+            return ((p - lo).array() >= -beside).all() && ((hi - p).array() >= -beside).all();
+        });
+    }
+
+    /// Area of all facets that are to be divided, if only somewhere.
+    double marked_area() const {
+        const Mesh& mesh = *in_.mesh;
+        double area = 0;
+        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+            const Vec3 &a = mesh.corner(f, 0), &b = mesh.corner(f, 1), &c = mesh.corner(f, 2);
+            if (is_near(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)))
+                area += 0.5 * mesh.facet_cross(f).norm();
+        }
+        return area;
     }
 
     Index middle(Index a, Index b) {
@@ -64,7 +101,7 @@ private:
 
     bool splits(Index a, Index b) const {
         const Vec3 &p = out_.points[a], &q = out_.points[b];
-        return (p - q).norm() > longest_ && marks_.any(p.cwiseMin(q).head<2>(), p.cwiseMax(q).head<2>());
+        return (p - q).norm() > longest_ && is_near(p.cwiseMin(q), p.cwiseMax(q));
     }
 
     double longest_edge(const Corners& c) const {
@@ -79,7 +116,7 @@ private:
         const auto& points = out_.points;
         const Vec3 lo = points[c[0]].cwiseMin(points[c[1]]).cwiseMin(points[c[2]]);
         const Vec3 hi = points[c[0]].cwiseMax(points[c[1]]).cwiseMax(points[c[2]]);
-        if (!marks_.any(lo.head<2>(), hi.head<2>())) return;
+        if (!is_near(lo, hi)) return;
         int split = -1, count = 0, whole = -1;
         for (int k = 0; k < 3; ++k) {
             if (splits(c[std::size_t(k)], c[std::size_t((k + 1) % 3)])) {
@@ -136,7 +173,8 @@ private:
 
     const ValleyInput& in_;
     double radius_, longest_;
-    MarkGrid marks_;
+    MarkGrid marks_;   ///< beside samples, seen from above
+    PointGrid places_; ///< samples
     RestFacets out_;
     std::unordered_map<std::uint64_t, Index> middles_;
 };

@@ -1,8 +1,11 @@
 #include "core/strategy/cleanup/rest_gaps.h"
 
 #include "core/base/parallel.h"
+#include "core/strategy/cleanup/cut_tree.h"
 #include "core/strategy/cleanup/nearest_place.h"
-#include "core/strategy/surface/point_grid.h"
+#include "core/strategy/cleanup/standing.h"
+
+#include <algorithm>
 
 namespace facetmill {
 
@@ -10,9 +13,8 @@ namespace {
 
 /// Normals nearer to each other than this (cosine) ask the same.
 constexpr double same_gap_normal = 0.9999;
-/// Tips are asked within so many radii, one after the other until none farther away can be nearer: an upright
-/// wall is just at the radius.
-constexpr std::array asked_radii{1.02, 1.5, 2.5, 4.0};
+/// Tips are asked that leave no more than so many radii.
+constexpr double farthest_left = 3;
 /// Two valleys that leave the same within this share of the tolerance leave alike.
 constexpr double alike_share = 0.25;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
@@ -49,14 +51,14 @@ private:
 
 class GapMeasuring {
 public:
-    GapMeasuring(const ValleyInput& input, const Valleys& valleys, const RestFacets& rest)
-        : in_(input), valleys_(valleys), rest_(rest), radius_(input.cover->radius()), tips_(radius_) {}
+    GapMeasuring(const ValleyInput& input, const Valleys& valleys, const RestFacets& rest,
+                 const Progress& progress)
+        : in_(input), valleys_(valleys), rest_(rest), radius_(input.cover->radius()),
+          places_(places(valleys)), tips_(*input.cover, places_, 0, progress) {}
 
     RestGaps run(const Progress& progress) {
         const FacetsOfPoints around(rest_);
         progress.check();
-        for (const Valleys::Tip& t : valleys_.tips)
-            tips_.add(Vec3(t.tip.x(), t.tip.y(), 0));
         RestGaps result{std::vector<double>(rest_.points.size(), 0),
                         std::vector<int>(rest_.points.size(), -1)};
         const auto& used = around.used();
@@ -87,8 +89,19 @@ private:
             nearest.gap = nearest.gap < least
                               ? nearest_about(in_, nearest, in_.tolerance, last_step * radius_, hint).gap
                               : least;
+            if (in_.standing && nearest.gap > in_.tolerance)
+                nearest.gap = in_.standing->uncut(p, std::min(nearest.gap, raw_over(p, facets)));
         }
         result.gap[v] = nearest.gap;
+    }
+
+    /// The raw material over the facet of those about a point on which most of it stands.
+    double raw_over(const Vec3& p, std::span<const Index> facets) const {
+        double most = 0;
+        for (const Index f : facets)
+            most =
+                std::max(most, in_.standing->raw_over(p, in_.side->towards_tool(in_.mesh->facet_normal(f))));
+        return most;
     }
 
     RestSample nearest_by_normals(const Vec3& p, std::span<const Index> facets, LiftHint& hint) const {
@@ -106,28 +119,27 @@ private:
         return nearest;
     }
 
+    static std::vector<CutTree::Motion> places(const Valleys& valleys) {
+        std::vector<CutTree::Motion> all;
+        for (const Valleys::Tip& t : valleys.tips)
+            all.push_back({t.tip, t.tip});
+        return all;
+    }
+
+    /// The least that any tip leaves; what those leave that leave alike, and perhaps others, by their curves.
     double min_by_tips(const Vec3& p, std::vector<ByCurve>& by_curve) const {
         double least = infinity;
-        // A cutter is nearer than the distance of its axis less the radius nowhere.
-        for (const double share : asked_radii) {
-            const double within = share * radius_;
-            by_curve.clear();
-            tips_.near(Vec3(p.x(), p.y(), 0), within, [&](std::size_t t) {
-                const Valleys::Tip& tip = valleys_.tips[t];
-                const Vec3 rel = p - tip.tip;
-                const double most = least + alike_share * in_.tolerance + radius_;
-                if (rel.head<2>().squaredNorm() > most * most) return;
-                const double d = in_.cover->distance(rel);
-                least = std::min(least, d);
-                for (ByCurve& by : by_curve)
-                    if (by.curve == tip.curve) {
-                        by.left = std::min(by.left, d);
-                        return;
-                    }
-                by_curve.push_back({tip.curve, d});
-            });
-            if (least + radius_ <= within) break;
-        }
+        tips_.nearer(p, farthest_left * radius_, [&](std::size_t t, double d) {
+            least = std::min(least, d);
+            const int curve = valleys_.tips[t].curve;
+            const auto by = std::find_if(by_curve.begin(), by_curve.end(),
+                                         [&](const ByCurve& b) { return b.curve == curve; });
+            if (by == by_curve.end())
+                by_curve.push_back({curve, d});
+            else
+                by->left = std::min(by->left, d);
+            return least + alike_share * in_.tolerance;
+        });
         return least;
     }
 
@@ -157,14 +169,15 @@ private:
     const Valleys& valleys_;
     const RestFacets& rest_;
     double radius_;
-    PointGrid tips_; ///< seen from above
+    std::vector<CutTree::Motion> places_; ///< of the valleys' tips
+    CutTree tips_;
 };
 
 } // namespace
 
 RestGaps measure_gaps(const ValleyInput& input, const Valleys& valleys, const RestFacets& rest,
                       const Progress& progress) {
-    return GapMeasuring(input, valleys, rest).run(progress);
+    return GapMeasuring(input, valleys, rest, progress).run(progress);
 }
 
 double square_from_centers(const Vec3& p, const ValleyCurve& curve) {

@@ -3,8 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/cleanup/nearest_place.h"
+#include "core/strategy/cleanup/standing.h"
+#include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/facet_rows.h"
-#include "core/strategy/surface/point_grid.h"
 
 namespace facetmill {
 
@@ -53,8 +54,8 @@ std::vector<Index> asked_facets(const ValleyInput& in, double spacing, const Pro
         const bool is_small = longest2 < small_share * small_share * spacing * spacing;
         what[f] = is_small ? std::uint8_t(small + facing_of(n)) : std::uint8_t(asked_for);
     });
-    std::array<PointGrid, 5> seen{PointGrid(spacing), PointGrid(spacing), PointGrid(spacing),
-                                  PointGrid(spacing), PointGrid(spacing)};
+    std::array<CellSet, 5> seen{CellSet(spacing), CellSet(spacing), CellSet(spacing), CellSet(spacing),
+                                CellSet(spacing)};
     std::vector<Index> asked;
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
         if (f % sampled_per_check == 0) progress.check();
@@ -66,6 +67,14 @@ std::vector<Index> asked_facets(const ValleyInput& in, double spacing, const Pro
         asked.push_back(Index(f));
     }
     return asked;
+}
+
+/// Is a sample on which the cutter leaves too much in the raw material, and was nothing else there before it?
+bool stands(const ValleyInput& in, const RestSample& s) {
+    // A hair more than the tolerance says enough.
+    const double thick =
+        std::min((1 + tolerance::uncut_margin) * in.tolerance, in.standing->raw_over(s.point, s.normal));
+    return in.standing->uncut(s.point, thick) > in.tolerance;
 }
 
 } // namespace
@@ -88,7 +97,8 @@ std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& p
                     for (std::size_t c = 0; c < rows.columns(r); ++c) {
                         if (c % 512 == 0) progress.check();
                         const RestSample s = nearest_touch(input, rows.point(r, c), n, hint);
-                        if (s.gap > input.tolerance) found.push_back(s);
+                        if (!(s.gap > input.tolerance)) continue;
+                        if (!input.standing || stands(input, s)) found.push_back(s);
                     }
             }
             return found;

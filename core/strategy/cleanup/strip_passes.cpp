@@ -274,7 +274,22 @@ private:
         Row pass = row;
         for (std::size_t i = 0; i < count_; ++i)
             if (longer[i]) pass.spots[i] = more[i];
-        passes_.add(pass, which, ++number_, offset, cut_);
+        add(pass, which, offset);
+    }
+
+    void add(const Row& row, const Marked& which, double offset) {
+        const std::size_t first = cut_.passes.size();
+        passes_.add(row, which, ++number_, offset, cut_);
+        for (std::size_t i = first; i < cut_.passes.size(); ++i)
+            points_ += cut_.passes[i].cl.size();
+        if (points_ <= with_.max_points) return;
+        const Vec3& at = curve_.points.front().center;
+        const auto text = [](double x) { return format_number(x, 6); };
+        throw Error(ErrorCode::limit_exceeded, "valley",
+                    "the one that begins at (" + text(at.x()) + ", " + text(at.y()) + ", " + text(at.z())
+                        + ") mm would take more than " + std::to_string(with_.max_points)
+                        + " points of passes",
+                    "allow a larger tolerance, or use a tool with a larger corner radius");
     }
 
     /// What stays between two rows; 0 where not both have a place.
@@ -308,7 +323,7 @@ private:
         middle.spots = spots(middle.offsets, which, progress);
         fill(a, middle, depth - 1, progress);
         const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
-        passes_.add(middle, which, ++number_, middle.offsets[first], cut_);
+        add(middle, which, middle.offsets[first]);
         fill(middle, b, depth - 1, progress);
     }
 
@@ -357,7 +372,8 @@ private:
     BetweenPasses between_;
     RowPasses passes_;
     StripCut cut_;
-    int number_ = 0; ///< counts passes, for turning every other one
+    std::size_t points_ = 0; ///< of its passes
+    int number_ = 0;         ///< counts passes, for turning every other one
 };
 
 /// The curve goes on beyond its ends, where it meets no other: as far as the cutter overlaps, and past a

@@ -22,12 +22,16 @@ struct StripCutting {
     const UpSide* side = nullptr;
     const AxialLift* lift = nullptr; ///< lift of the cutter, with the allowance
     const CutterCover* cover = nullptr;
+    const Standing* standing = nullptr; ///< what stands before the cutter comes; null: everything
     double allowance = 0;
     double cusp = 0.05;    ///< what may be left between passes
     double chord = 0.0025; ///< how far moves between points may run into the part
     double overlap = 1;    ///< how far passes go on over their ends and over the border of the band
     bool along_z = false;  ///< the cutter is lifted along Z, not along the fitted vector
     bool one_way = false;  ///< all passes run the same way
+    /// Most points of the passes along one valley: more come from a tolerance that no step-over of the tool
+    /// can keep.
+    std::size_t max_points = 500'000;
 };
 
 /// Part and cutter as the search for what the cutter can reach takes them.
@@ -38,6 +42,12 @@ struct StripCut {
     double stepover_min = infinity, stepover_max = 0;
     double cusp_max = 0; ///< what is expected to stay between neighbouring passes
     double blocked = 0;  ///< length of passes left out because the cutter cannot stand there
+};
+
+/// A band and what has been cut of it.
+struct BandCut {
+    const RestBand* band = nullptr;
+    StripCut* cut = nullptr;
 };
 
 /// Passes along a valley.

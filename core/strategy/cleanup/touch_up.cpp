@@ -2,14 +2,20 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/cleanup/border_touch.h"
+#include "core/strategy/cleanup/cut_tree.h"
 #include "core/strategy/cleanup/nearest_place.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/pass_leads.h"
+#include "core/strategy/cleanup/standing.h"
+#include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/facet_rows.h"
 #include "core/strategy/surface/point_grid.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <optional>
 
 namespace facetmill {
 
@@ -18,13 +24,12 @@ namespace {
 constexpr std::size_t touched_per_check = 4096;
 /// In hollows that the cutter does not fill samples are so far apart, in radii.
 constexpr double deep_share = 0.25;
-constexpr double max_touch_samples = 2e6;
+constexpr double max_touch_samples = 1e6;
 /// The least that the cutter can leave is looked for in steps down to this share of what may be left, unless
 /// it is less than enough.
 constexpr double finest_touch_share = 0.1, enough_share = 0.25;
-/// Places of the cutter are looked for by cells of this size, in radii; those over a sample are within a
-/// reach.
-constexpr double cell_share = 0.25, near_share = 0.2;
+/// Distances from motions are known to this share of what may be left.
+constexpr double rest_accuracy = 0.02;
 /// The next place on a pass is within this many radii, or else the first after a gap of up to this many.
 constexpr double next_touch_share = 0.5, gap_share = 4;
 /// A pass turns by no more than this cosine from one place to the next.
@@ -37,6 +42,7 @@ constexpr double end_share = 0.1;
 struct Left {
     RestSample sample; ///< `tip` and `gap` are those of the least that the cutter can leave
     double rest = 0;   ///< what is left
+    double before = 0; ///< what stood before the cutter came
     std::size_t band = 0;
 };
 
@@ -46,64 +52,35 @@ public:
         : with_(with), bands_(bands), sampling_(sampling), in_(reach_of(with)), radius_(with.cover->radius()),
           allowed_(with.cusp), enough_(enough_share * with.cusp),
           ball_(std::max(with.cover->profile().cutter().r, 0.1 * radius_)),
-          spacing_(std::sqrt(8 * ball_ * sampling.stand_share * with.cusp)), stands_(cell_share * radius_),
-          tips_(cell_share * radius_) {}
+          spacing_(std::sqrt(8 * ball_ * sampling.stand_share * with.cusp)) {}
 
     void run(const Progress& progress) {
         for (const BandCut& b : bands_)
             for (const Pass& pass : b.cut->passes) {
                 progress.check();
                 for (std::size_t i = 0; i < pass.cl.size(); ++i)
-                    stand_along(pass.cl[i > 0 ? i - 1 : 0].tip, pass.cl[i].tip);
+                    motions_.push_back({pass.cl[i > 0 ? i - 1 : 0].tip, pass.cl[i].tip});
             }
+        tree_.emplace(*with_.cover, motions_, rest_accuracy * allowed_, progress);
         find(progress.part(0, 0.9));
         join(progress.part(0.9, 1));
     }
 
 private:
-    struct Stand {
-        Vec3 tip, along;
-    };
-
-    void stand_along(const Vec3& from, const Vec3& to) {
-        const Vec3 d = to - from;
-        const auto parts = std::size_t(d.norm() / spacing_) + 1;
-        for (std::size_t k = 1; k <= parts; ++k) {
-            const Vec3 tip = from + double(k) / double(parts) * d;
-            stands_.add(level(tip));
-            tips_.add(tip);
-            stand_.push_back({tip, d});
-        }
-    }
-
     static Vec3 level(const Vec3& p) { return Vec3(p.x(), p.y(), 0); }
 
-    /// What the cutter leaves over p in those of its places that are near to one, or any that is not more
-    /// than `enough`.
-    double rest_near(const Vec3& p, const Vec3& tip, double enough) const {
-        double least = infinity;
-        tips_.near_until(tip, near_share * radius_, [&](std::size_t i) {
-            least = std::min(least, with_.cover->distance(p - stand_[i].tip));
-            return least <= enough;
-        });
-        return least;
+    /// A sample of a band.
+    struct Place {
+        Vec3 point; ///< on the triangle
+        std::uint32_t band, triangle;
+    };
+    const std::array<Vec3, 3>& triangle(const Place& at) const {
+        return bands_[at.band].band->band[at.triangle];
     }
-    /// What the cutter leaves over p in all its places, or any that is not more than `enough`.
-    double rest(const Vec3& p, double enough) const {
-        double least = infinity;
-        stands_.near_until(level(p), 1.1 * radius_ + enough, [&](std::size_t i) {
-            const Vec3 rel = p - stand_[i].tip;
-            if (-rel.z() < least) least = std::min(least, with_.cover->distance(rel));
-            return least <= enough;
-        });
-        return least;
+    Vec3 normal(const std::array<Vec3, 3>& t) const {
+        return with_.side->towards_tool((t[1] - t[0]).cross(t[2] - t[0]).normalized());
     }
 
-    /// Samples of the bands, and of which one.
-    struct Place {
-        Vec3 point, normal;
-        std::size_t band;
-    };
     std::vector<Place> places(const Progress& progress) const {
         double area = 0;
         for (const BandCut& b : bands_)
@@ -111,14 +88,15 @@ private:
         const double apart = std::max(sampling_.sample_share * std::sqrt(2 * ball_ * with_.cusp),
                                       std::sqrt(area / max_touch_samples));
         std::vector<Place> all;
-        PointGrid seen(apart);
+        CellSet seen(apart);
         std::size_t count = 0;
-        for (std::size_t b = 0; b < bands_.size(); ++b)
-            for (const std::array<Vec3, 3>& t : bands_[b].band->band) {
+        for (std::uint32_t b = 0; b < bands_.size(); ++b)
+            for (std::uint32_t k = 0; k < bands_[b].band->band.size(); ++k) {
                 if (count++ % touched_per_check == 0) progress.check();
-                const Vec3 n = with_.side->towards_tool((t[1] - t[0]).cross(t[2] - t[0]).normalized());
+                const std::array<Vec3, 3>& t = bands_[b].band->band[k];
+                const Vec3 n = normal(t);
                 if (!(n.squaredNorm() > 0) || n.z() < -tolerance::vertical_normal_z) continue;
-                const auto add = [&](const Vec3& at) { all.push_back({at + with_.allowance * n, n, b}); };
+                const auto add = [&](const Vec3& at) { all.push_back({at, b, k}); };
                 const FacetRows rows(t, apart);
                 if (rows.rows() == 1 && rows.columns(0) == 1) {
                     if (const Vec3 middle = rows.point(0, 0); seen.add_first(middle)) add(middle);
@@ -128,55 +106,83 @@ private:
                 for (const Vec3& corner : t)
                     if (seen.add_first(corner)) add(corner);
                 for (std::size_t i = 0; i < rows.rows(); ++i)
-                    for (std::size_t k = 0; k < rows.columns(i); ++k)
-                        add(rows.point(i, k));
+                    for (std::size_t j = 0; j < rows.columns(i); ++j)
+                        add(rows.point(i, j));
             }
         return all;
+    }
+
+    /// What stood over a place before the cutter came, as known at the corners of its triangle.
+    double before(const Place& at) const {
+        const auto& [a, b, c] = triangle(at);
+        const auto& left = bands_[at.band].band->left[at.triangle];
+        const Vec3 n = (b - a).cross(c - a);
+        const double in_a = (b - at.point).cross(c - at.point).dot(n) / n.squaredNorm(),
+                     in_b = (c - at.point).cross(a - at.point).dot(n) / n.squaredNorm();
+        return in_a * double(left[0]) + in_b * double(left[1]) + (1 - in_a - in_b) * double(left[2]);
+    }
+
+    /// A place on which more is left than may be, if it is one.
+    std::optional<Left> left_at(const Place& at) const {
+        Left l;
+        const Vec3 n = normal(triangle(at)), p = at.point + with_.allowance * n;
+        l.rest = tree_->nearest(p, allowed_);
+        if (l.rest <= allowed_) return std::nullopt;
+        l.before = before(at);
+        if (with_.standing) l.before = with_.standing->uncut(p, l.before);
+        if (with_.standing && l.before <= with_.standing->enough()) return std::nullopt;
+        LiftHint hint;
+        l.sample = nearest_touch(in_, p, n, hint);
+        l.band = at.band;
+        return l;
     }
 
     /// Where more is left than need be.
     void find(const Progress& progress) {
         const std::vector<Place> all = places(progress.part(0, 0.1));
-        std::vector<Left> found(all.size());
-        parallel_for((all.size() + touched_per_check - 1) / touched_per_check, 1, progress.part(0.1, 0.7),
-                     [&](std::size_t block) {
-                         LiftHint hint;
-                         const std::size_t end = std::min(all.size(), (block + 1) * touched_per_check);
-                         for (std::size_t i = block * touched_per_check; i < end; ++i) {
-                             if (i % 256 == 0) progress.check();
-                             Left& l = found[i];
-                             const auto& [p, n, band] = all[i];
-                             const Vec3 wanted =
-                                 p
-                                 + (n.z() > tolerance::vertical_normal_z ? with_.cover->tip_offset(n)
-                                                                         : Vec3(radius_ * n));
-                             l.rest = rest_near(p, wanted, allowed_);
-                             if (l.rest <= allowed_) continue;
-                             l.sample = nearest_touch(in_, p, n, hint);
-                             l.rest = std::min(l.rest, rest_near(p, l.sample.tip, allowed_));
-                             l.band = band;
-                         }
-                     });
+        std::vector<Left> found = parallel_reduce(
+            all.size(), touched_per_check, std::vector<Left>(), progress.part(0.1, 0.7),
+            [&](std::size_t begin, std::size_t end) {
+                std::vector<Left> some;
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (i % 256 == 0) progress.check();
+                    if (const auto l = left_at(all[i])) some.push_back(*l);
+                }
+                return some;
+            },
+            [](std::vector<Left> a, const std::vector<Left>& b) {
+                a.insert(a.end(), b.begin(), b.end());
+                return a;
+            });
         // Where the cutter does not touch, what is left changes less from place to place.
-        PointGrid deep(deep_share * radius_);
+        CellSet deep(deep_share * radius_);
         std::erase_if(found, [&](const Left& l) {
-            return l.rest <= allowed_ || (l.sample.gap > 0.5 * allowed_ && !deep.add_first(l.sample.point));
+            return l.sample.gap > 0.5 * allowed_ && !deep.add_first(l.sample.point);
         });
         parallel_for(found.size(), 16, progress.part(0.7, 1), [&](std::size_t i) {
             LiftHint hint;
             Left& l = found[i];
-            l.rest = rest(l.sample.point, allowed_);
-            if (l.rest <= allowed_ || l.rest == infinity) return;
-            l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint);
+            l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint,
+                                     std::min(l.rest, l.before));
         });
-        std::erase_if(found, [&](const Left& l) { return l.rest <= allowed_ || l.rest == infinity; });
-        std::erase_if(found, [&](const Left& l) { return !too_much(l); });
+        std::erase_if(found, [&](const Left& l) { return !too_much(l) || is_over_border(l.sample.tip); });
         left_ = std::move(found);
     }
 
     /// Where the search ended early the cutter can leave next to nothing.
     double at_best(const Left& l) const { return l.sample.gap > enough_ ? l.sample.gap : 0; }
-    bool too_much(const Left& l) const { return l.rest > at_best(l) + allowed_; }
+    bool too_much(const Left& l) const {
+        const double best = at_best(l);
+        // Where too much stays in any case, it has to be worth it.
+        return l.rest > best + allowed_ && (best <= allowed_ || l.before > best + allowed_);
+    }
+
+    /// Beyond the border there is nothing to cut.
+    bool is_over_border(const Vec3& tip) const {
+        const Vec3 touch = with_.lift->contact(tip.x(), tip.y()).point;
+        const auto normal = with_.cover->contact_normal(touch - tip);
+        return normal && rolls_over_border(*with_.mesh, *with_.grid, *with_.side, touch, *normal);
+    }
 
     /// Passes over what was found, from where most is left.
     void join(const Progress& progress) {
@@ -197,14 +203,14 @@ private:
         }
         for (std::size_t b = 0; b < bands_.size(); ++b) {
             clear_passes(with_, more[b], progress.part(0, 0));
-            add_nearest_first(more[b], bands_[b].cut->passes);
+            std::move(more[b].begin(), more[b].end(), std::back_inserter(bands_[b].cut->passes));
         }
     }
 
     /// The cutter's places from one on to both sides along the ridge that it stands on.
     std::vector<Vec3> tips_from(std::size_t seed, const PointGrid& tips, const PointGrid& points) {
         const Vec3 start = left_[seed].sample.tip;
-        const Vec3 along = along_near(start);
+        const Vec3 along = along_near(left_[seed].sample.point);
         std::array<std::vector<Vec3>, 2> halves;
         cover(start, start, points);
         for (const std::size_t half : {0, 1}) {
@@ -242,13 +248,13 @@ private:
 
     /// The cutter moves from one tip to another: less is left then.
     void cover(const Vec3& from, const Vec3& to, const PointGrid& points) {
-        const std::size_t first = stand_.size();
-        stand_along(from, to);
-        for (std::size_t s = first; s < stand_.size(); ++s)
-            points.near(level(stand_[s].tip), 1.1 * radius_, [&](std::size_t i) {
-                left_[i].rest =
-                    std::min(left_[i].rest, with_.cover->distance(left_[i].sample.point - stand_[s].tip));
+        const auto parts = std::size_t((to - from).norm() / spacing_) + 1;
+        for (std::size_t k = 1; k <= parts; ++k) {
+            const Vec3 tip = from + double(k) / double(parts) * (to - from);
+            points.near(level(tip), 1.1 * radius_, [&](std::size_t i) {
+                left_[i].rest = std::min(left_[i].rest, with_.cover->distance(left_[i].sample.point - tip));
             });
+        }
     }
 
     double excess(std::size_t i) const { return left_[i].rest - at_best(left_[i]); }
@@ -275,17 +281,14 @@ private:
         return left_.size();
     }
 
-    /// Unit vector along the pass that comes nearest to a tip.
-    Vec3 along_near(const Vec3& tip) const {
+    /// Unit vector along the pass that comes nearest to a place.
+    Vec3 along_near(const Vec3& p) const {
         Vec3 along = Vec3::UnitX();
-        double least = infinity;
-        for (double reach = cell_share * radius_; least == infinity && reach < 4 * radius_; reach *= 2)
-            stands_.near(level(tip), reach, [&](std::size_t i) {
-                const double d = (stand_[i].tip - tip).squaredNorm();
-                if (!(d < least) || !(stand_[i].along.norm() > 0)) return;
-                least = d;
-                along = stand_[i].along.normalized();
-            });
+        tree_->nearer(p, infinity, [&](std::size_t m, double d) {
+            const Vec3 route = motions_[m][1] - motions_[m][0];
+            if (route.norm() > 0) along = route.normalized();
+            return d;
+        });
         return along;
     }
 
@@ -313,31 +316,16 @@ private:
         return pass;
     }
 
-    static void add_nearest_first(std::vector<Pass>& more, std::vector<Pass>& passes) {
-        while (!more.empty()) {
-            std::size_t nearest = 0;
-            if (!passes.empty()) {
-                const Vec3 at = passes.back().cl.back().tip;
-                for (std::size_t i = 1; i < more.size(); ++i)
-                    if ((more[i].cl.front().tip - at).norm() < (more[nearest].cl.front().tip - at).norm())
-                        nearest = i;
-            }
-            passes.push_back(std::move(more[nearest]));
-            more.erase(more.begin() + std::ptrdiff_t(nearest));
-        }
-    }
-
     const StripCutting& with_;
     std::span<const BandCut> bands_;
     TouchUpSampling sampling_;
     ValleyInput in_;
     double radius_, allowed_;
-    double enough_;    ///< where the cutter leaves no more, no better place is looked for
-    double ball_;      ///< radius of the cutter's corner
-    double spacing_;   ///< distance of places along passes
-    PointGrid stands_; ///< places of the cutter: tips seen from above
-    PointGrid tips_;   ///< the same tips as they are
-    std::vector<Stand> stand_;
+    double enough_;                        ///< where the cutter leaves no more, no better place is looked for
+    double ball_;                          ///< radius of the cutter's corner
+    double spacing_;                       ///< distance of places along passes
+    std::vector<CutTree::Motion> motions_; ///< of the passes
+    std::optional<CutTree> tree_;
     std::vector<Left> left_;
 };
 

@@ -14,12 +14,6 @@
 
 namespace facetmill {
 
-/// A band and what has been cut of it.
-struct BandCut {
-    const RestBand* band = nullptr;
-    StripCut* cut = nullptr; ///< passes are added behind those that it has
-};
-
 /// How closely bands are looked at.
 struct TouchUpSampling {
     /// Samples are this share of half the distance apart that two passes over a plane have: so several of
@@ -30,6 +24,7 @@ struct TouchUpSampling {
     double stand_share = 0.02;
 };
 
+/// Passes are added behind those that each band has.
 void touch_up(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress,
               const TouchUpSampling& sampling = {});
 

@@ -55,13 +55,16 @@ struct RestSample {
     double gap = 0; ///< distance from the point to that cutter: at least this is left
 };
 
+class Standing; // standing.h
+
 struct ValleyInput {
     const Mesh* mesh = nullptr;
     const FacetGrid* grid = nullptr;
     const UpSide* side = nullptr;
     const AxialLift* lift = nullptr; ///< lift of the cutter
     const CutterCover* cover = nullptr;
-    double tolerance = 0.05; ///< thickness of material that may be left
+    const Standing* standing = nullptr; ///< what stands before the cutter comes; null: everything
+    double tolerance = 0.05;            ///< thickness of material that may be left
     /// Samples are this share of sqrt(2 R tolerance) apart, the half width of what a ball of radius R touches
     /// within the tolerance: several lie across every valley that leaves more.
     double sample_share = 0.7;

@@ -151,7 +151,8 @@ private slots:
         tool.shank_length = 10;
         tool.holder = {{20, 20}};
         const Mesh part = height_field(post, Vec2(-40, -12), Vec2(40, 12), 160, 48);
-        const PlanContext context = context_of(part, tool);
+        PlanContext context = context_of(part, tool);
+        context.further_tools = {tool};
         const CleanupSettings settings;
         const CleanupJob job(settings, context, Progress());
         Pass pass;

@@ -2,11 +2,15 @@
 // what a cutter leaves in a crease.
 #include "core/strategy/cleanup/border_touch.h"
 #include "core/strategy/cleanup/cleanup.h"
+#include "core/strategy/cleanup/cut_tree.h"
 #include "core/strategy/cleanup/rest_band.h"
 #include "core/strategy/cleanup/ridge.h"
+#include "core/strategy/cleanup/standing.h"
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/cleanup/touch_up.h"
+#include "core/strategy/cleanup/working_passes.h"
 #include "core/strategy/surface/point_grid.h"
+#include "tests/support/error_code.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/strategy/cleanup/cutter_over.h"
@@ -80,6 +84,52 @@ private slots:
     }
 
     /// Against the lower of two outlines of points of the cutter, level and on a slope.
+    /// Against all motions, one after the other, in small steps.
+    void the_nearest_of_many_motions_is_found() {
+        Random rng(11);
+        for (const Tool& tool : {ball_tool(6), flat_tool(6)}) {
+            const CutterCover cover(CutterProfile(tool.cutter()), 0.001);
+            std::vector<CutTree::Motion> motions;
+            for (int i = 0; i < 200; ++i) {
+                const Vec3 a(uniform(rng, 0, 60), uniform(rng, 0, 60), uniform(rng, 0, 20));
+                const Vec3 d(uniform(rng, -6, 6), uniform(rng, -6, 6), uniform(rng, -6, 6));
+                motions.push_back({a, i % 4 == 0 ? a : Vec3(a + d)});
+            }
+            const double accuracy = 0.001;
+            const CutTree tree(cover, motions, accuracy, Progress());
+            int far = 0;
+            for (int i = 0; i < 200; ++i) {
+                const Vec3 p(uniform(rng, -5, 65), uniform(rng, -5, 65), uniform(rng, -10, 20));
+                double least = infinity;
+                std::size_t near = 0;
+                for (const auto& [a, b] : motions) {
+                    double by_this = infinity;
+                    for (int k = 0; k <= 200; ++k)
+                        by_this = std::min(by_this, cover.distance(p - a - k / 200.0 * (b - a)));
+                    least = std::min(least, by_this);
+                    near += by_this < 2.5;
+                }
+                // A place of the motion is within half a step of one that was asked.
+                QVERIFY(std::abs(tree.nearest(p, 0) - least) <= 0.03);
+                QVERIFY(tree.nearest(p, 1) <= std::max(1.0, least + accuracy));
+                far += least > 2.6;
+                if (least > 2.6) QCOMPARE(tree.nearest(p, 0, 2.5), infinity);
+                std::size_t used = 0;
+                bool own = true;
+                tree.nearer(p, 2.53, [&](std::size_t m, double d) {
+                    own = own && d == tree.distance(p, m);
+                    ++used;
+                    return 2.53;
+                });
+                QVERIFY(own && used >= near);
+            }
+            QVERIFY(far > 20);
+        }
+        QCOMPARE(CutTree(CutterCover(CutterProfile(ball_tool(6).cutter()), 0.001), {}, 0.001, Progress())
+                     .nearest(Vec3::Zero(), 0),
+                 infinity);
+    }
+
     void ridges_are_those_of_the_cutters_outline() {
         for (const ShapedTool& t : tools_of_every_shape()) {
             const CutterProfile profile(t.tool.cutter());
@@ -234,6 +284,122 @@ private slots:
                 for (const CutterLocation& c : pass.cl)
                     QVERIFY(c.tip.z() >= ball.lift.tip_z(c.tip.x(), c.tip.y()) - 1e-9);
         }
+    }
+
+    /// Passes beside the band, over what is finished, are left out, and of those along it what runs on over
+    /// the part beyond it.
+    void passes_that_take_nothing_away_are_left_out() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
+        const ValleyInput in = before.valleys(0.05);
+        const Valleys valleys = find_valleys(in, Progress());
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        QCOMPARE(bands[0].left.size(), bands[0].band.size());
+        StripCutting with = ball.cutting();
+        with.max_points = 100;
+        QCOMPARE(code_of([&] { cut_valley(with, valleys.curves[0], bands[0], Progress()); }),
+                 std::string("limit_exceeded"));
+        with = ball.cutting();
+        const StripCut cut = cut_valley(with, valleys.curves[0], bands[0], Progress());
+        StripCut more = cut;
+        for (Pass pass : cut.passes) {
+            for (CutterLocation& c : pass.cl)
+                c.tip += Vec3(0, 9, 9);
+            more.passes.push_back(pass);
+        }
+        const auto kept = [&](const RestBand& band) {
+            StripCut some = more;
+            const BandCut only{&band, &some};
+            keep_working(with, {&only, 1}, Progress());
+            return some.passes;
+        };
+        const auto whole = kept(bands[0]);
+        QVERIFY(!whole.empty() && whole.size() <= cut.passes.size());
+        for (const Pass& pass : whole) {
+            QVERIFY(pass.cl.size() > 1 && pass.cl.size() == pass.cc.size());
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY2(std::abs(c.tip.y()) < 5, qPrintable(QString::number(c.tip.y())));
+        }
+        // Of a band whose other half is finished, passes over that half are shorter.
+        RestBand half = bands[0];
+        half.band.clear();
+        half.left.clear();
+        half.beside.clear();
+        for (std::size_t i = 0; i < bands[0].band.size(); ++i)
+            if (bands[0].band[i][0].x() > 0) {
+                half.band.push_back(bands[0].band[i]);
+                half.left.push_back(bands[0].left[i]);
+            }
+        for (const Pass& pass : kept(half))
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY2(c.tip.x() > -3, qPrintable(QString::number(c.tip.x())));
+    }
+
+    /// What was cut once is not cut again, what was cut in part is cut to the end, and what lies outside the
+    /// raw material is not cut at all.
+    void what_operations_before_have_cut_is_left_out() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        PlanContext context = context_of(part, ball_tool(4));
+        context.further_tools = {ball_tool(10)};
+        context.stock_box.hi.z() += 1;
+        CleanupSettings settings;
+        settings.tool = 2;
+        const StrategyResult all = Cleanup(settings).plan(context, Progress());
+        const auto cuts = [&](double from) {
+            auto earlier = std::make_shared<EarlierCuts>();
+            earlier->cutter = context.tool.cutter();
+            for (const Pass& pass : all.passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                    if (pass.cl[i].tip.x() >= from)
+                        earlier->motions.push_back({pass.cl[i - 1].tip, pass.cl[i].tip});
+            return earlier;
+        };
+        context.earlier = {cuts(0)};
+        const StrategyResult rest = Cleanup(settings).plan(context, Progress());
+        double length = 0;
+        for (const Pass& pass : rest.passes)
+            for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+                length += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+                QVERIFY2(pass.cl[i].tip.x() < 4, qPrintable(QString::number(pass.cl[i].tip.x())));
+            }
+        QVERIFY2(length > 15, qPrintable(QString::number(length)));
+        PlanContext small = context;
+        small.earlier.clear();
+        small.stock_box.hi.x() = -10;
+        for (const Pass& pass : Cleanup(settings).plan(small, Progress()).passes)
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY2(c.tip.x() < -4, qPrintable(QString::number(c.tip.x())));
+        context.earlier = {cuts(-infinity)};
+        QCOMPARE(code_of([&] { Cleanup(settings).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
+    /// A ball of radius 2 that went along X at a height of 0.3; raw material up to 3, and to 10 to the sides.
+    void what_stands_is_what_was_not_come_near_to() {
+        PlanContext context;
+        context.stock.box.add(Vec3(-10, -10, -1));
+        context.stock.box.add(Vec3(10, 10, 3));
+        const auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = AptCutter::ball(4, 20);
+        earlier->motions.push_back({Vec3(-5, 0, 0.3), Vec3(5, 0, 0.3)});
+        const double enough = 0.05;
+        const Vec3 up = Vec3::UnitZ();
+        const AptCutter other = AptCutter::ball(6, 20);
+        const Standing all(context, other, enough, Progress());
+        QCOMPARE(all.raw_over(Vec3::Zero(), up), 3.0);
+        QVERIFY(std::abs(all.raw_over(Vec3(0, 9, 0), Vec3::UnitY()) - 1) < 1e-9);
+        QCOMPARE(all.raw_over(Vec3(0, 11, 0), up), 0.0);
+        QCOMPARE(all.uncut(Vec3::Zero(), 3), 3.0);
+        context.earlier = {earlier};
+        const Standing standing(context, other, enough, Progress());
+        QVERIFY(std::abs(standing.uncut(Vec3::Zero(), 3) - 0.3) < 0.02 * enough);
+        QVERIFY(std::abs(standing.uncut(Vec3(0, 2, 0), 3) - (std::hypot(2, 2.3) - 2)) < 0.02 * enough);
+        QVERIFY(standing.uncut(Vec3(0, 0, 1), 2) <= enough);
+        QCOMPARE(standing.uncut(Vec3(0, 8, 0), 3), 3.0);
+        // Of a cutter that is asked about itself nothing more is asked.
+        QCOMPARE(Standing(context, earlier->cutter, enough, Progress()).uncut(Vec3::Zero(), 3), 3.0);
     }
 
     /// As Lu has it: a fillet of radius 4 turns by 1/4 per mm. A previous ball of radius 3 fits into it.

@@ -1,0 +1,87 @@
+// Straight motions of one upright cutter in a tree, and how near the nearest of them comes to a place.
+// Millimetres, part coordinates.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/strategy/surface/cutter_cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+class CutTree {
+public:
+    using Motion = std::array<Vec3, 2>; ///< tip from, to; the same twice: a place
+
+    /// Distances from motions are known to `accuracy`, and are not too small. The motions must outlive the
+    /// tree.
+    CutTree(const CutterCover& cover, std::span<const Motion> motions, double accuracy,
+            const Progress& progress);
+
+    /// How far a place is from the cutter, taken endless upward, anywhere on a motion.
+    double distance(const Vec3& p, std::size_t motion) const;
+    /// use(motion, distance) for motions that come nearer to p than `bound`, the nearest about first; what it
+    /// returns is the bound from there on.
+    template <class Use>
+    void nearer(const Vec3& p, double bound, Use&& use) const {
+        if (!nodes_.empty() && least(p, nodes_.front()) < bound) visit(0, p, bound, use);
+    }
+    /// The distance of the nearest, or of any that is not above `enough`; infinite where none comes nearer
+    /// than `limit`.
+    double nearest(const Vec3& p, double enough, double limit = infinity) const {
+        double best = infinity;
+        nearer(p, limit, [&](std::size_t, double d) {
+            best = d;
+            return d <= enough ? -infinity : d;
+        });
+        return best;
+    }
+
+private:
+    struct Node {
+        Vec3 lo, hi;               ///< around the tips
+        std::uint32_t begin, end;  ///< of order_
+        std::uint32_t further = 0; ///< the second child, the first is the next node; 0: a leaf
+    };
+    std::uint32_t build(std::uint32_t begin, std::uint32_t end, const Progress& progress);
+    /// No motion whose tips are in the box comes nearer.
+    double least(const Vec3& p, const Vec3& lo, const Vec3& hi) const {
+        const double x = std::max({lo.x() - p.x(), p.x() - hi.x(), 0.0}),
+                     y = std::max({lo.y() - p.y(), p.y() - hi.y(), 0.0});
+        // The lowest tip covers what higher ones do.
+        return cover_.distance({x, y, p.z() - lo.z()});
+    }
+    double least(const Vec3& p, const Node& node) const { return least(p, node.lo, node.hi); }
+    template <class Use>
+    void visit(std::uint32_t at, const Vec3& p, double& bound, Use& use) const {
+        const Node& node = nodes_[at];
+        if (node.further == 0) {
+            for (std::uint32_t k = node.begin; k < node.end; ++k) {
+                const auto& [a, b] = motions_[order_[k]];
+                if (!(least(p, a.cwiseMin(b), a.cwiseMax(b)) < bound)) continue;
+                if (const double d = distance(p, order_[k]); d < bound) bound = use(order_[k], d);
+            }
+            return;
+        }
+        std::array<std::uint32_t, 2> child{at + 1, node.further};
+        std::array<double, 2> from{least(p, nodes_[child[0]]), least(p, nodes_[child[1]])};
+        if (from[1] < from[0]) {
+            std::swap(child[0], child[1]);
+            std::swap(from[0], from[1]);
+        }
+        for (const std::size_t k : {0, 1})
+            if (from[k] < bound) visit(child[k], p, bound, use);
+    }
+
+    CutterCover cover_;
+    std::span<const Motion> motions_;
+    double accuracy_;
+    std::vector<std::uint32_t> order_; ///< motions, leaf by leaf
+    std::vector<Node> nodes_;
+};
+
+} // namespace facetmill

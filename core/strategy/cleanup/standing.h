@@ -1,0 +1,38 @@
+// What stands over places of the part before a clean-up: the raw material, less what the operations before
+// came near to. Millimetres, part coordinates.
+#pragma once
+
+#include "core/strategy/cleanup/cut_tree.h"
+#include "core/strategy/plan/operation.h"
+
+#include <memory>
+#include <vector>
+
+namespace facetmill {
+
+class Standing {
+public:
+    /// Reads PlanContext::stock and `earlier`. What is not above `enough` is not measured further. Motions of
+    /// a cutter that is asked about itself, `asked`, are left out: how near it can come is known already.
+    Standing(const PlanContext& context, const AptCutter& asked, double enough, const Progress& progress);
+
+    /// How far the raw material, seen as its box, reaches over a place of the part along the unit normal n;
+    /// infinite where it has no end, 0 beside it.
+    double raw_over(const Vec3& p, const Vec3& n) const;
+    /// What of material so thick over a place was not cut: how far the place is from all motions, no more
+    /// than `thick`. Or any thickness that is not above `enough`.
+    double uncut(const Vec3& p, double thick) const;
+    /// What counts as nothing, mm.
+    double enough() const { return enough_; }
+
+private:
+    struct Cuts {
+        std::shared_ptr<const EarlierCuts> motions;
+        std::unique_ptr<const CutTree> tree;
+    };
+    Box3 raw_; ///< empty: without end
+    double enough_;
+    std::vector<Cuts> cuts_; ///< the last operation first: mostly it came nearest
+};
+
+} // namespace facetmill

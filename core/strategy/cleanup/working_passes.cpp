@@ -1,0 +1,169 @@
+#include "core/strategy/cleanup/working_passes.h"
+
+#include "core/base/parallel.h"
+#include "core/strategy/cleanup/cut_tree.h"
+#include "core/strategy/cleanup/pass_leads.h"
+#include "core/strategy/cleanup/standing.h"
+#include "core/strategy/surface/cell_set.h"
+#include "core/strategy/surface/contact_domain.h"
+
+#include <atomic>
+
+namespace facetmill {
+
+namespace {
+
+/// Places that stand for the bands are so far apart, in radii; those of triangles that are larger are closer.
+constexpr double place_share = 0.15;
+/// A motion that leaves no more than the least that any leaves, and this share of the cusp, is as good.
+constexpr double as_good_share = 0.25;
+/// Distances from motions are known to this share of the cusp.
+constexpr double working_accuracy = 0.02;
+/// What of a pass takes nothing away is gone over where it is shorter than so many radii: that takes less
+/// time than going out, over and in again.
+constexpr double bridged_radii = 4;
+constexpr std::size_t band_triangles_per_check = 4096;
+
+class Working {
+public:
+    Working(const StripCutting& with, std::span<const BandCut> bands) : with_(with) {
+        for (const BandCut& b : bands)
+            for (const Pass& pass : b.cut->passes)
+                for (std::size_t i = 0; i + 1 < pass.cl.size(); ++i)
+                    motions_.push_back({pass.cl[i].tip, pass.cl[i + 1].tip});
+        works_ = std::vector<std::atomic<char>>(motions_.size());
+    }
+
+    /// Says of every motion of all passes, one after the other, whether it takes something away.
+    const std::vector<std::atomic<char>>& run(std::span<const BandCut> bands, const Progress& progress) {
+        const std::vector<Place> places = places_of(bands, progress.part(0, 0.1));
+        const CutTree tree(*with_.cover, motions_, working_accuracy * with_.cusp, progress);
+        parallel_for(places.size(), 64, progress.part(0.1, 1), [&](std::size_t i) { mark(places[i], tree); });
+        return works_;
+    }
+
+private:
+    struct Place {
+        Vec3 point;
+        double left; ///< by the cutter before; infinite where it is not asked
+    };
+
+    std::vector<Place> places_of(std::span<const BandCut> bands, const Progress& progress) const {
+        std::vector<Place> places;
+        CellSet seen(place_share * with_.cover->radius());
+        const auto add = [&](const Vec3& at, const Vec3& n, double left) {
+            if (seen.add_first(at)) places.push_back({at + with_.allowance * n, left});
+        };
+        std::size_t count = 0;
+        const auto check = [&] {
+            if (count++ % band_triangles_per_check == 0) progress.check();
+        };
+        for (const BandCut& b : bands)
+            for (std::size_t t = 0; t < b.band->band.size(); ++t) {
+                check();
+                const auto& [p, q, r] = b.band->band[t];
+                const Vec3 n = with_.side->towards_tool((q - p).cross(r - p).normalized());
+                const auto& left = b.band->left[t];
+                add((p + q + r) / 3, n, (double(left[0]) + double(left[1]) + double(left[2])) / 3);
+                add(p, n, double(left[0]));
+                add(q, n, double(left[1]));
+                add(r, n, double(left[2]));
+            }
+        // What is left beside a band is not much, and not known well.
+        for (const BandCut& b : bands)
+            for (const auto& [p, n] : b.band->beside) {
+                check();
+                add(p, n, infinity);
+            }
+        return places;
+    }
+
+    void mark(const Place& place, const CutTree& tree) {
+        double best = infinity;
+        // Between the corners of a band's triangles no more is known than about how much is left.
+        double left = place.left;
+        if (with_.standing) left = with_.standing->uncut(place.point, left);
+        if (with_.standing && !(left > with_.standing->enough())) return;
+        const auto bound = [&] {
+            return std::min(std::max(with_.cusp, best + as_good_share * with_.cusp), left);
+        };
+        std::vector<std::pair<std::size_t, double>> found;
+        tree.nearer(place.point, bound(), [&](std::size_t m, double d) {
+            best = std::min(best, d);
+            found.emplace_back(m, d);
+            return bound();
+        });
+        // It comes within the cusp there, or much nearer than before.
+        const bool deeper = place.left < infinity && left - best > with_.cusp;
+        if (best > with_.cusp && !deeper) return;
+        for (const auto& [m, d] : found)
+            if (d <= bound()) works_[m].store(1, std::memory_order_relaxed);
+    }
+
+    const StripCutting& with_;
+    std::vector<CutTree::Motion> motions_;
+    std::vector<std::atomic<char>> works_;
+};
+
+/// The stretch of a pass from one length along it to another.
+Pass stretch_of(const Pass& pass, const std::vector<double>& arc, const Interval& range) {
+    Pass part = pass;
+    part.cl.clear();
+    part.cc.clear();
+    const auto add_end = [&](double at) {
+        const auto i = std::clamp<std::size_t>(
+            std::size_t(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin()), 1, arc.size() - 1);
+        const double t =
+            arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
+        part.cl.push_back({pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip), pass.cl[i].axis});
+        part.cc.push_back(pass.cc[t < 0.5 ? i - 1 : i]);
+    };
+    add_end(range.lo);
+    for (std::size_t i = 0; i < arc.size(); ++i)
+        if (arc[i] > range.lo && arc[i] < range.hi) {
+            part.cl.push_back(pass.cl[i]);
+            part.cc.push_back(pass.cc[i]);
+        }
+    add_end(range.hi);
+    return part;
+}
+
+/// What of a pass works, given what each of its motions does; the first is `motion`, then the next pass's.
+std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass,
+                                 const std::vector<std::atomic<char>>& works, std::size_t& motion) {
+    const std::size_t n = pass.cl.size();
+    std::vector<double> arc(n, 0);
+    std::vector<Interval> busy;
+    for (std::size_t i = 1; i < n; ++i) {
+        arc[i] = arc[i - 1] + (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+        if (works[motion++].load(std::memory_order_relaxed))
+            busy.push_back({arc[i - 1] - with.overlap, arc[i] + with.overlap});
+    }
+    std::vector<Pass> kept;
+    for (const Interval& range : joined(std::move(busy), bridged_radii * with.cover->radius())) {
+        const bool from_start = range.lo <= 0, to_end = range.hi >= arc.back();
+        if (from_start && to_end) return {std::move(pass)};
+        Pass part = stretch_of(pass, arc, {std::max(range.lo, 0.0), std::min(range.hi, arc.back())});
+        add_leads(with, part, Vec3::UnitZ(), Vec3::UnitZ(), !from_start, !to_end);
+        kept.push_back(std::move(part));
+    }
+    return kept;
+}
+
+} // namespace
+
+void keep_working(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress) {
+    Working working(with, bands);
+    const auto& works = working.run(bands, progress);
+    std::size_t motion = 0;
+    for (const BandCut& b : bands) {
+        progress.check();
+        std::vector<Pass> kept;
+        for (Pass& pass : b.cut->passes)
+            for (Pass& part : busy_stretches(with, std::move(pass), works, motion))
+                kept.push_back(std::move(part));
+        b.cut->passes = std::move(kept);
+    }
+}
+
+} // namespace facetmill
