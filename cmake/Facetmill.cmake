@@ -27,6 +27,13 @@ target_compile_options(facetmill_options INTERFACE
     # Tests call core, which is where the time goes: compiling them with less takes half as long.
     $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>,-O1,$<IF:$<BOOL:$<TARGET_PROPERTY:FACETMILL_TEST>>,-O2,-O3>>>)
 
+# Every test is linked with all of core, which gold, of the same package as the compiler's own linker, does in a quarter of the
+# time.
+find_program(FACETMILL_GOLD ld.gold)
+if(FACETMILL_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_link_options(facetmill_options INTERFACE -fuse-ld=gold)
+endif()
+
 # Null pointers and pointers beyond their object stop under the address sanitizer as well when they are used, and what is not
 # aligned does no harm here, but these checks, one for every use of a pointer, make compiling half as long again. What the tests
 # themselves do is checked for addresses alone.
