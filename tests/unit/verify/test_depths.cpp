@@ -139,7 +139,7 @@ private slots:
         const CutterProfile cutter(tool.cutter());
         const BodySupport body(cutter);
         std::array<int, 3> deepest{0, 0, 0};
-        for (int round = 0; round < trials(12); ++round) {
+        for (int round = 0; round < 12; ++round) {
             std::vector<Joints> joints;
             auto motions = std::make_shared<ToolMotions>();
             double turn = 0;
@@ -193,7 +193,7 @@ private slots:
             }
         }
         for (const int times : deepest)
-            QVERIFY(times >= trials(3));
+            QVERIFY(times >= 3);
     }
 };
 
