@@ -86,7 +86,7 @@ std::vector<std::uint32_t> planned_motions(const ToolMotions& posted, const Tool
 }
 
 PostedFile post_programs(const Project& project, const PlanResult& result, const Post& post, PostSetup setup,
-                         std::string name, std::vector<std::size_t> which, const Progress& progress) {
+                         const std::string& name, std::vector<std::size_t> which, const Progress& progress) {
     ClProgram program;
     program.part_name = fs::path(project.part.file).stem().string();
     program.unit = project.unit;

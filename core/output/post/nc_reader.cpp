@@ -245,7 +245,7 @@ void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapi
 void NcRun::come_down(const Joints& to) {
     const double high = top(std::max(to.linear.z(), left_ ? left_->linear.z() : to.linear.z()));
     by_joints_ = true;
-    const auto visit = [&](Joints place, bool rapid) {
+    const auto visit = [&](const Joints& place, bool rapid) {
         if (section_.motions.motions.empty()) {
             const ToolPose pose = kinematics_.forward(place);
             add({pose.tip, pose.axis}, true, 1);

@@ -386,14 +386,14 @@ void PostWriter::section(const ClSection& s, bool first, bool change, const Prog
 PostedProgram PostWriter::run(const Progress& progress) {
     check();
     const double n = double(program_.sections.size());
-    const ClSection* last = nullptr;
     for (std::size_t i = 0; i < program_.sections.size(); ++i) {
         const ClSection& s = *program_.sections[i];
-        section(s, !last, !last || !same_tool(*last, s), progress.part(double(i) / n, double(i + 1) / n));
-        last = &s;
+        const bool first = i == 0, change = first || !same_tool(*program_.sections[i - 1], s);
+        section(s, first, change, progress.part(double(i) / n, double(i + 1) / n));
     }
-    blocks_.lines(post_.retract, values(*last));
-    blocks_.lines(post_.end, values(*last));
+    const TemplateValues v = values(*program_.sections.back());
+    blocks_.lines(post_.retract, v);
+    blocks_.lines(post_.end, v);
     posted_.blocks = blocks_.blocks();
     posted_.text = std::move(blocks_.text());
     return std::move(posted_);
