@@ -65,6 +65,7 @@ std::vector<Joints> holding_joints(const Kinematics& kinematics, const CutterLoc
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Joints> all;
+    all.reserve(found.size());
     for (const auto& [turned, held] : found)
         all.push_back(held);
     return all;

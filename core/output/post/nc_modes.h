@@ -3,6 +3,7 @@
 // Internal to the room.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/output/post/nc_line.h"
 
 #include <map>
