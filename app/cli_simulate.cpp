@@ -4,13 +4,13 @@
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
+#include "core/base/parameter.h"
 #include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/job/work_estimate.h"
 #include "core/output/apt.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -59,11 +59,8 @@ void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
 std::vector<std::string> listed_files(const std::vector<std::string>& values) {
     std::vector<std::string> files;
     for (const std::string& value : values)
-        for (std::size_t at = 0; at <= value.size();) {
-            const std::size_t end = std::min(value.find(',', at), value.size());
-            if (end > at) files.push_back(value.substr(at, end - at));
-            at = end + 1;
-        }
+        for (std::string& name : listed_names(value))
+            files.push_back(std::move(name));
     return files;
 }
 
