@@ -273,7 +273,7 @@ std::string Document::posting_key(const Project& project) {
     if (programs.post.empty()) return {};
     std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
                       + programs.wcs + "|" + std::to_string(programs.number) + "|"
-                      + std::to_string(int(programs.files));
+                      + std::to_string(int(programs.files)) + (programs.arcs ? "|arcs" : "");
     if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
     if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
     return key;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Of an operation's chord tolerance, what the way between two blocks may use up, and what a control may
-/// round off.
-constexpr double post_chord_share = 0.25;
+/// round off; and how far an arc may be from the motions that it stands for.
+constexpr double post_chord_share = 0.25, arc_chord_share = 0.5;
 
 /// The line that the project's part turns about; none where nothing turns it.
 std::optional<TurningAxis> project_turning(const Project& project, const PreparedPart& part) {
@@ -64,23 +64,40 @@ void take_lines(const std::vector<VerifyProgram>& read, const LineRange& range, 
     into.motions = std::move(motions);
 }
 
-/// For each posted motion the planned one that it is a piece of: those that print nothing are passed over.
-std::vector<std::uint32_t> planned_motions(const ToolMotions& posted, const ToolMotions& planned) {
-    constexpr double near = 0.01; // mm; what digits and divisions may do
-    constexpr std::size_t looked_ahead = 16;
+double distance_to_motion(const Vec3& p, const ToolMotions& motions, std::size_t i) {
+    const Vec3 &to = motions.motions[i].to.tip, &from = i > 0 ? motions.motions[i - 1].to.tip : to;
+    const Vec3 step = to - from, off = p - from;
+    const double square = step.squaredNorm();
+    const double t = square > 0 ? std::clamp(off.dot(step) / square, 0.0, 1.0) : 0;
+    return (off - t * step).norm();
+}
+
+/// For each posted motion the planned one that it is a piece of: those that print nothing, or are told as an
+/// arc together, are passed over. Where the tool goes another way, the one before.
+std::vector<std::uint32_t> planned_motions(const ToolMotions& posted, const ToolMotions& planned,
+                                           double chord) {
+    const double near = 0.01 + arc_chord_share * chord; // mm; what digits, divisions and arcs may do
+    constexpr double digits = 0.002;
+    constexpr std::size_t looked_ahead = 64;
     std::vector<std::uint32_t> all;
+    all.reserve(posted.motions.size());
     std::size_t at = 0;
     for (const Motion& m : posted.motions) {
-        std::size_t reached = at;
-        bool ends = false;
-        for (std::size_t k = at; k < std::min(at + looked_ahead, planned.motions.size()); ++k)
-            if ((planned.motions[k].to.tip - m.to.tip).norm() < near) {
-                reached = k;
-                ends = true;
-                break;
-            }
-        all.push_back(std::uint32_t(reached));
-        at = ends && reached + 1 < planned.motions.size() ? reached + 1 : reached;
+        const std::size_t end = std::min(at + looked_ahead, planned.motions.size());
+        std::size_t first = at;
+        while (first < end && !(distance_to_motion(m.to.tip, planned, first) < near))
+            ++first;
+        double least = near;
+        for (std::size_t k = first; k < end; ++k) {
+            const double off = distance_to_motion(m.to.tip, planned, k);
+            if (!(off < near)) break;
+            least = std::min(least, off);
+        }
+        // A place between two motions ends the first of them.
+        while (first < end && distance_to_motion(m.to.tip, planned, first) > least + digits)
+            ++first;
+        if (first < end) at = first;
+        all.push_back(std::uint32_t(at));
     }
     return all;
 }
@@ -95,7 +112,10 @@ PostedFile post_programs(const Project& project, const PlanResult& result, const
         program.sections.emplace_back(result.operations[i], &result.operations[i]->program);
         if (const double c = result.operations[i]->path.chord_tolerance; c > 0) chord = std::min(chord, c);
     }
-    if (chord < infinity) setup.tip_tolerance = post_chord_share * chord;
+    if (chord < infinity) {
+        setup.tip_tolerance = post_chord_share * chord;
+        setup.arc_bulge = arc_chord_share * chord;
+    }
     try {
         return {name, std::move(which), post_program(program, post, setup, progress)};
     } catch (const Error& e) {
@@ -113,6 +133,7 @@ PostSetup post_setup(const Project& project, const PlanResult& result) {
     if (!result.stock.box.empty()) setup.keep_clear.add(result.stock.box);
     setup.wcs = project.programs.wcs;
     setup.program_number = project.programs.number;
+    setup.arcs = project.programs.arcs;
     return setup;
 }
 
@@ -224,7 +245,8 @@ PostedPrograms posted_programs(const Project& project, const std::shared_ptr<con
             const LineRange range{first[k], k + 1 < first.size() ? first[k + 1] : file_end};
             take_lines(read.programs, range, result.programs[i]);
             result.planned[i] =
-                planned_motions(*result.programs[i].motions, plan->operations[i]->program.motions);
+                planned_motions(*result.programs[i].motions, plan->operations[i]->program.motions,
+                                plan->operations[i]->path.chord_tolerance);
         }
     }
     result.remark = posted_remark(post, result.blocks, seconds);

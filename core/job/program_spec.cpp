@@ -36,6 +36,16 @@ const ParameterTable<ProgramSpec>& program_parameters() {
                       .help = "A program for each operation, or one for all with tool changes between.",
                       .words = {"each", "one"},
                       .stage = Stage::output});
+        t.add(&ProgramSpec::arcs,
+              {.key = "arcs",
+               .label = "Arcs",
+               .help =
+                   "Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands "
+                   "for "
+                   "three motions or more: every end of a motion within a quarter of the chord tolerance of "
+                   "the arc, and the arc within half of it of the motions. Never where the tool is inclined.",
+               .kind = K::boolean,
+               .stage = Stage::output});
         return t;
     }();
     return table;

@@ -14,6 +14,7 @@ struct ProgramSpec {
     std::string wcs;  ///< the work coordinate system of the part's origin; empty: the control's first
     long number = 1;  ///< of the first program
     Files files = Files::each;
+    bool arcs = true; ///< programs of three axes may have them
     bool operator==(const ProgramSpec&) const = default;
 };
 

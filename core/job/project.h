@@ -39,7 +39,7 @@ struct Project {
     StockSpec stock;
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
     VerifyLimits limits;                    ///< key "verification"
-    ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs"
+    ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs", "arcs"
     std::vector<Tool> tools;
     std::vector<std::unique_ptr<Operation>> operations;
 

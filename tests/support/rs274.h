@@ -23,8 +23,34 @@ using Place = std::array<double, 6>;
 struct Interpreted {
     int status = -1;
     QByteArray message;
-    std::vector<Place> places; ///< X, Y, Z and A, B, C of every straight motion
+    std::vector<Place> places; ///< X, Y, Z and A, B, C of every straight motion; points on arcs, too
+    std::size_t arcs = 0;
 };
+
+/// The interpreter's own words for an arc: ends and centre in the plane, turns (positive is anticlockwise),
+/// the end across it. Points of it, evenly.
+inline void add_arc(const QList<QByteArray>& numbers, int normal, Interpreted& into) {
+    constexpr int points = 64;
+    const auto number = [&](int k) { return numbers[k].trimmed().toDouble(); };
+    const std::size_t u = std::size_t(normal + 1) % 3, v = std::size_t(normal + 2) % 3,
+                      w = std::size_t(normal);
+    const Place from = into.places.back();
+    const double cu = number(2), cv = number(3), turns = number(4);
+    const double r0 = std::hypot(from[u] - cu, from[v] - cv), r1 = std::hypot(number(0) - cu, number(1) - cv);
+    const double start = std::atan2(from[v] - cv, from[u] - cu);
+    double by = std::remainder(std::atan2(number(1) - cv, number(0) - cu) - start, 2 * pi);
+    if (turns > 0 && by <= 0) by += 2 * pi;
+    if (turns < 0 && by >= 0) by -= 2 * pi;
+    for (int k = 1; k <= points; ++k) {
+        const double t = double(k) / points, r = (1 - t) * r0 + t * r1, a = start + t * by;
+        Place at = from;
+        at[u] = cu + r * std::cos(a);
+        at[v] = cv + r * std::sin(a);
+        at[w] = (1 - t) * from[w] + t * number(5);
+        into.places.push_back(at);
+    }
+    ++into.arcs;
+}
 
 inline QString rs274_program() {
     return QStandardPaths::findExecutable("rs274");
@@ -55,8 +81,11 @@ inline Interpreted interpret(const std::string& text, const ClProgram& program) 
     if (!process.waitForFinished(60000) || process.exitStatus() != QProcess::NormalExit) return result;
     result.status = process.exitCode();
     result.message = process.readAllStandardError();
+    int normal = 2;
     for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
         const auto open = line.indexOf('(');
+        if (line.contains("SELECT_PLANE(")) normal = line.contains("XY") ? 2 : line.contains("XZ") ? 1 : 0;
+        if (line.contains(" ARC_FEED(")) add_arc(line.mid(open + 1).chopped(1).split(','), normal, result);
         if (open < 0 || (!line.contains("STRAIGHT_TRAVERSE(") && !line.contains("STRAIGHT_FEED("))) continue;
         const QList<QByteArray> numbers = line.mid(open + 1).chopped(1).split(',');
         Place at{};

@@ -114,6 +114,11 @@ void NcLineReader::named(Cursor& c, std::size_t letters, NcLine& into) const {
         word(c, from, known->second, number(c), into);
         return;
     }
+    if (end < c.line.size() && (c.line[end] == '+' || c.line[end] == '-'))
+        if (const auto known = named_.find(name + c.line[end]); known != named_.end()) {
+            c.at = end + 1;
+            return code(c, from, known->second, into);
+        }
     // "TX+0.5", "CALL 3": letters with a number.
     if (const auto known = long_words_.find(name.substr(0, letters)); known != long_words_.end()) {
         c.at = from + letters;

@@ -14,6 +14,15 @@ NcModes::NcModes(const std::string& file, const Post& post, const std::string& w
     spindle_ = !post.has(NcCode::spindle_on);
     length_ = !post.has(NcCode::length_on) && post.word(NcWord::edge).empty();
     counts_length_ = length_;
+    // Without codes for planes there is one.
+    if (!post.has(NcCode::plane_xy)) arc_normal_ = 2;
+}
+
+int NcModes::arc_normal() const {
+    if (arc_normal_ < 0)
+        refuse("an arc is given, and nothing says in which plane",
+               "write " + post_.code(NcCode::plane_xy) + " at the start", ErrorCode::missing_key);
+    return arc_normal_;
 }
 
 void NcModes::refuse(const std::string& what, const std::string& remedy, ErrorCode code) const {
@@ -91,6 +100,23 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
                    ErrorCode::missing_key);
         change_tool();
         break;
+    case NcCode::plane_xy:
+        arc_normal_ = 2;
+        break;
+    case NcCode::plane_xz:
+        arc_normal_ = 1;
+        break;
+    case NcCode::plane_yz:
+        arc_normal_ = 0;
+        break;
+    case NcCode::arc_centre:
+        centre_now_ = true;
+        break;
+    case NcCode::turns_clockwise:
+    case NcCode::turns_anticlockwise:
+        if (turns_ != NcCode::none) refuse("an arc has two directions", "keep one");
+        turns_ = code;
+        break;
     case NcCode::home:
         home_now_ = true;
         break;
@@ -108,19 +134,46 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
     }
 }
 
+/// True for a code that says how the block moves.
+bool NcModes::motion_code(NcCode code) {
+    switch (code) {
+    case NcCode::straight:
+    case NcCode::straight_vectors:
+        motion_ = NcCode::feed;
+        vectors_now_ = code == NcCode::straight_vectors;
+        return true;
+    case NcCode::rapid:
+    case NcCode::feed:
+    case NcCode::arc_clockwise:
+    case NcCode::arc_anticlockwise:
+    case NcCode::arc:
+        motion_ = code;
+        return true;
+    default:
+        return false;
+    }
+}
+
 void NcModes::codes(const NcLine& line) {
     bool moves = false;
     if (post_.has(NcCode::straight)) motion_ = NcCode::none;
     for (const NcCode code : line.codes) {
-        const bool straight = code == NcCode::straight || code == NcCode::straight_vectors;
-        if (straight || code == NcCode::rapid || code == NcCode::feed) {
-            if (moves) refuse("two kinds of motion in one block", "keep one of them");
-            moves = true;
-            motion_ = straight ? NcCode::feed : code;
-            vectors_now_ = code == NcCode::straight_vectors;
-        } else {
+        if (!motion_code(code)) {
             one_code(code, line);
+            continue;
         }
+        if (moves) refuse("two kinds of motion in one block", "keep one of them");
+        moves = true;
+    }
+    if (motion_ == NcCode::arc) {
+        if (turns_ == NcCode::none)
+            refuse("an arc has no direction",
+                   "write " + post_.code(NcCode::turns_clockwise) + " or "
+                       + post_.code(NcCode::turns_anticlockwise),
+                   ErrorCode::missing_key);
+        motion_ = turns_ == NcCode::turns_clockwise ? NcCode::arc_clockwise : NcCode::arc_anticlockwise;
+    } else if (turns_ != NcCode::none) {
+        refuse("a direction is given without an arc", "leave it out");
     }
     if (vectors_now_ && tcp_ != Tcp::vectors)
         refuse("the tool axis is told as a vector, and nothing leads the tip", "switch that on before it",
@@ -128,6 +181,7 @@ void NcModes::codes(const NcLine& line) {
     if (rapid_now_ && motion_ == NcCode::none)
         refuse("a rapid without a motion", "write " + post_.code(NcCode::straight) + " before it",
                ErrorCode::missing_key);
+    if (rapid_now_ && motion_ != NcCode::feed) refuse("an arc is no rapid", "give it a feed");
     if (rapid_now_) motion_ = NcCode::rapid;
     if (line.wcs.empty()) return;
     if (line.wcs != wanted_wcs_)
@@ -194,7 +248,8 @@ double NcModes::feed_unit() const {
 
 void NcModes::block(const NcLine& line, long number) {
     line_ = number;
-    home_now_ = change_now_ = rapid_now_ = vectors_now_ = false;
+    home_now_ = change_now_ = rapid_now_ = vectors_now_ = centre_now_ = false;
+    turns_ = NcCode::none;
     // "T1 M6": the number belongs to the change in the same block.
     const bool values_first = line.has(NcWord::tool);
     if (values_first) values(line);

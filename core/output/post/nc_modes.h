@@ -30,8 +30,10 @@ public:
     long line_number() const { return line_; }
     /// A word that is a length, mm.
     double length(double word) const;
-    double feed_unit() const; ///< mm/min
-    NcCode motion() const { return motion_; }
+    double feed_unit() const;                 ///< mm/min
+    NcCode motion() const { return motion_; } ///< rapid, feed, arc_clockwise, arc_anticlockwise or none
+    int arc_normal() const; ///< the axis across the plane of arcs; refuses where no code said it
+    bool gives_centre() const { return centre_now_; } ///< in this block
     bool inverse_time() const { return inverse_; }
     double feed() const { return *feed_; } ///< as the program has it; of a checked motion
     Tcp tcp() const { return tcp_; }
@@ -44,6 +46,7 @@ public:
 
 private:
     void codes(const NcLine& line);
+    bool motion_code(NcCode code);
     void one_code(NcCode code, const NcLine& line);
     void call_length(NcCode code, const NcLine& line);
     void values(const NcLine& line);
@@ -56,9 +59,10 @@ private:
     double unit_ = 0; ///< mm; 0: not yet said
     bool absolute_ = false, incremental_ = false, inverse_ = false, inverse_known_ = false, wcs_ = false;
     bool spindle_ = false, length_ = false, counts_length_ = false, ended_ = false, home_now_ = false;
-    bool change_now_ = false, rapid_now_ = false, vectors_now_ = false;
+    bool change_now_ = false, rapid_now_ = false, vectors_now_ = false, centre_now_ = false;
+    int arc_normal_ = -1; ///< -1: not yet said
     std::optional<double> feed_;
-    NcCode motion_ = NcCode::none;
+    NcCode motion_ = NcCode::none, turns_ = NcCode::none;
     Tcp tcp_ = Tcp::off;
     std::optional<long> prepared_, tool_;
 };

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/tolerances.h"
+#include "core/output/post/arc.h"
 #include "core/output/post/joint_route.h"
 #include "core/output/post/nc_line.h"
 #include "core/output/post/nc_modes.h"
@@ -20,6 +21,43 @@ constexpr std::size_t lines_per_check = 4096;
 constexpr double free_lift = 100;
 /// What the last digit of a program may miss of a travel, mm and radians.
 constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
+/// What the radius of an arc may differ between its ends; mm. More is refused by controls, too.
+constexpr double radius_slack = 0.005;
+constexpr double max_arc_pieces = 1e5;
+
+using Pole = std::array<std::optional<double>, 3>;
+
+/// The arc of a block, in the joints of the machine.
+PlaneArc arc_of(const NcLine& line, const NcModes& modes, const Post& post, const Pole& pole,
+                const Vec3& from, const Vec3& to) {
+    const bool clockwise = modes.motion() == NcCode::arc_clockwise;
+    const int normal = modes.arc_normal();
+    const int axes[] = {(normal + 1) % 3, (normal + 2) % 3};
+    Vec3 centre = from;
+    bool by_centre = false;
+    for (const int k : axes) {
+        if (const NcWord word = post.centre_word(k); line.has(word)) {
+            centre[k] += modes.length(line[word]);
+            by_centre = true;
+        }
+        if (post.arcs == Post::Arcs::pole) {
+            if (!pole[std::size_t(k)])
+                modes.refuse("an arc has no centre", "give it in a block before", ErrorCode::missing_key);
+            centre[k] = *pole[std::size_t(k)];
+            by_centre = true;
+        }
+    }
+    if (line.has(post.centre_word(normal)))
+        modes.refuse("the centre of an arc has a part across its plane", "leave it out");
+    if (line.has(NcWord::radius) == by_centre)
+        modes.refuse(by_centre ? "an arc has a centre and a radius" : "an arc has neither centre nor radius",
+                     "give one of them");
+    if (by_centre) return arc_about(from, to, centre, normal, clockwise);
+    const auto arc =
+        arc_with_radius(from, to, modes.length(line[NcWord::radius]), normal, clockwise, radius_slack);
+    if (!arc) modes.refuse("no arc of this radius leads there", "check its end and its radius");
+    return *arc;
+}
 
 class NcRun {
 public:
@@ -49,6 +87,10 @@ private:
     void take_tool(long number);
     void go_home(const NcLine& line);
     void motion(const NcLine& line);
+    void check_words(const NcLine& line) const;
+    void arc(const NcLine& line, const Joints& to);
+    void run_arc(const PlaneArc& arc);
+    void take_centre(const NcLine& line);
     Joints joint_target(const NcLine& line) const;
     Joints tcp_target(const NcLine& line) const;
     void check_travel(const Joints& to) const;
@@ -75,6 +117,8 @@ private:
     bool up_ = false;               ///< Z is at the top of its travel
     std::vector<Joints> up_places_; ///< places up there since the last one below
     std::optional<Joints> left_;    ///< where the tool went up from
+    Pole pole_;                     ///< of arcs whose centre has a block of its own; joints
+    double arc_share_ = 1;          ///< of a block's time, that its piece of an arc takes
     bool by_joints_ = false;        ///< on the way up or down: whoever leads the tip elsewhere
 
     ClSection section_;
@@ -207,7 +251,7 @@ void NcRun::trace(const Joints& to, bool rapid) {
 double NcRun::seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const {
     const double joints = kinematics_.time(at_, to);
     if (rapid) return joints;
-    if (modes_.inverse_time()) return std::max(joints, 60 / modes_.feed());
+    if (modes_.inverse_time()) return std::max(joints, 60 * arc_share_ / modes_.feed());
     // Where no tip moves the feed is that of the axes, in degrees.
     double distance = tcp() == Tcp::off ? (to.linear - at_.linear).norm()
                                         : (end.tip - section_.motions.motions.back().to.tip).norm();
@@ -275,19 +319,75 @@ void NcRun::come_down(const Joints& to) {
     up_places_.clear();
 }
 
-void NcRun::motion(const NcLine& line) {
-    constexpr unsigned linear_bits = 7u, rotary_bits = 7u << 3, vector_bits = 7u << 6;
-    const unsigned given =
-        line.given & (linear_bits | rotary_bits | (tcp() == Tcp::vectors ? vector_bits : 0u));
-    if (tcp() != Tcp::vectors && (line.given & vector_bits))
-        refuse("a tool axis is given as a vector, and no code says so", "leave it out");
-    if (given == 0) return;
+/// Words that mean nothing here, and axes that the machine has not.
+void NcRun::check_words(const NcLine& line) const {
+    const bool arc = modes_.motion() == NcCode::arc_clockwise || modes_.motion() == NcCode::arc_anticlockwise;
     for (const NcWord w : {NcWord::a, NcWord::b, NcWord::c}) {
         bool there = !line.has(w);
         for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
             there = there || rotary(r) == w;
         if (!there) refuse("the machine has no axis " + post_.word(w), "choose the machine it runs on");
     }
+    for (std::size_t w = std::size_t(NcWord::i); w <= std::size_t(NcWord::radius); ++w) {
+        if (!line.has(NcWord(w)) || arc) continue;
+        if (w > std::size_t(NcWord::k))
+            refuse("the centre or radius of an arc is given without one", "leave it out");
+        if (tcp() != Tcp::vectors)
+            refuse("a tool axis is given as a vector, and no code says so", "leave it out");
+    }
+}
+
+/// A block that gives the centre of arcs, in the words of places.
+void NcRun::take_centre(const NcLine& line) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (line.has(NcWord(k))) pole_[k] = modes_.length(line.value[k]) + setup_.part_origin[int(k)];
+}
+
+/// The arc in straight pieces that are as near to it as places are told.
+void NcRun::run_arc(const PlaneArc& arc) {
+    const double radius = std::max(arc.radius(), arc.radius_at_end());
+    const double flat = std::min(1.0, setup_.tip_tolerance / radius);
+    const double pieces =
+        std::clamp(std::ceil(0.5 * std::abs(arc.angle) / std::acos(1 - flat)), 1.0, max_arc_pieces);
+    Joints place = at_;
+    for (double k = 1; k <= pieces; ++k) {
+        place.linear = arc.at(k / pieces);
+        check_travel(place);
+        arc_share_ = 1 / pieces;
+        trace(place, false);
+        at_ = place;
+    }
+    arc_share_ = 1;
+}
+
+void NcRun::arc(const NcLine& line, const Joints& to) {
+    for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
+        if (line.has(rotary(r))) refuse("an arc turns a rotary axis", "turn it in a block of its own");
+    if (tcp() != Tcp::off) refuse("the tip is led on an arc", "write straight motions");
+    if (up_ || !linear_known_[2]) refuse("the tool comes down on an arc", "come down straight");
+    const PlaneArc arc = arc_of(line, modes_, post_, pole_, at_.linear, to.linear);
+    const double radius = arc.radius();
+    if (!(radius > tolerance::smallest_chord)) refuse("an arc has no radius", "write a straight motion");
+    if (std::abs(radius - arc.radius_at_end()) > radius_slack)
+        refuse("an arc begins " + format_number(radius, 6) + " mm from its centre and ends "
+                   + format_number(arc.radius_at_end(), 6) + " mm from it",
+               "check its end and its centre");
+    run_arc(arc);
+}
+
+void NcRun::motion(const NcLine& line) {
+    constexpr unsigned linear_bits = 7u, rotary_bits = 7u << 3, vector_bits = 7u << 6;
+    const bool arcs =
+        modes_.motion() == NcCode::arc_clockwise || modes_.motion() == NcCode::arc_anticlockwise;
+    unsigned arc_bits = 0;
+    for (std::size_t w = std::size_t(NcWord::i); w <= std::size_t(NcWord::radius); ++w)
+        arc_bits |= 1u << w;
+    check_words(line);
+    const unsigned given =
+        line.given
+        & (linear_bits | rotary_bits | (tcp() == Tcp::vectors ? vector_bits : 0u) | (arcs ? arc_bits : 0u));
+    if (given == 0) return;
+    if (modes_.gives_centre()) return take_centre(line);
     ++program_.blocks;
     if (modes_.goes_home() || line.has_code(NcCode::machine)) return go_home(line);
     const bool level = (given & ~4u) != 0, all_before = linear_known_[0] && linear_known_[1]
@@ -299,6 +399,11 @@ void NcRun::motion(const NcLine& line) {
     const bool tip = tcp() != Tcp::off;
     const Joints to = tip ? tcp_target(line) : joint_target(line);
     const bool lowers = tip ? up_ : line.has(NcWord::z);
+    if (arcs) {
+        if (!all_before) refuse("an arc begins at a place that is not known", "go there straight first");
+        check_travel(to);
+        return arc(line, to);
+    }
     for (std::size_t k = 0; k < 3; ++k)
         linear_known_[k] = linear_known_[k] || line.has(NcWord(k)) || (tip && lowers);
     for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)

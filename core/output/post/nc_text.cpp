@@ -47,7 +47,9 @@ bool is_nc_code(std::string_view text) {
     if (text.empty() || !upper_letter(text[0])) return false;
     if (text.size() == 1) return true;
     const auto rest = text.substr(1);
-    if (std::all_of(rest.begin(), rest.end(), upper_letter)) return true;
+    // "DR-" is a code as well.
+    const auto letters = rest.substr(0, rest.size() - (rest.back() == '+' || rest.back() == '-' ? 1 : 0));
+    if (!letters.empty() && std::all_of(letters.begin(), letters.end(), upper_letter)) return true;
     if (!decimal_digit(rest.front()) || !decimal_digit(rest.back())) return false;
     return std::all_of(rest.begin(), rest.end(), [](char c) { return decimal_digit(c) || c == '.'; })
            && std::count(rest.begin(), rest.end(), '.') <= 1 && plain_nc_code(text) == text;

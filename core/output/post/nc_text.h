@@ -11,7 +11,7 @@ namespace facetmill {
 
 /// Letters: "X", "TX"; or letters and digits that end with '=': "A3=".
 bool is_nc_word(std::string_view text);
-/// "G43.4", "M6"; or letters alone: "TRAORI", "L".
+/// "G43.4", "M6"; or letters alone: "TRAORI", "L"; or with a sign: "DR-".
 bool is_nc_code(std::string_view text);
 /// A code's number without leading zeros: "G01" is "G1".
 std::string plain_nc_code(std::string_view text);

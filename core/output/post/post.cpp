@@ -24,6 +24,15 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
         {"none", NcCode::none},
         {"rapid", NcCode::rapid},
         {"feed", NcCode::feed},
+        {"arc_clockwise", NcCode::arc_clockwise},
+        {"arc_anticlockwise", NcCode::arc_anticlockwise},
+        {"arc", NcCode::arc},
+        {"turns_clockwise", NcCode::turns_clockwise},
+        {"turns_anticlockwise", NcCode::turns_anticlockwise},
+        {"arc_centre", NcCode::arc_centre},
+        {"plane_xy", NcCode::plane_xy},
+        {"plane_xz", NcCode::plane_xz},
+        {"plane_yz", NcCode::plane_yz},
         {"straight", NcCode::straight},
         {"straight_vectors", NcCode::straight_vectors},
         {"rapid_block", NcCode::rapid_block},
@@ -50,8 +59,9 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
 }
 
 const std::vector<std::string>& word_keys() {
-    static const std::vector<std::string> keys = {"x", "y", "z",    "a",     "b",    "c",      "i",
-                                                  "j", "k", "feed", "speed", "tool", "length", "edge"};
+    static const std::vector<std::string> keys = {
+        "x",        "y",        "z",        "a",      "b",    "c",     "i",    "j",      "k",
+        "centre_x", "centre_y", "centre_z", "radius", "feed", "speed", "tool", "length", "edge"};
     return keys;
 }
 
@@ -324,6 +334,61 @@ void read_multi_axis(PostReader& file, Post& post) {
         needs(NcCode::straight_vectors, "straight_vectors");
 }
 
+/// Codes and words that arcs told in this way need.
+void check_arcs(const PostReader& r, const Post& post) {
+    const auto needs = [&](NcCode code, const char* name) {
+        if (!post.has(code))
+            r.refuse("kind", std::string("no code means '") + name + "'", "add one to codes");
+    };
+    if (post.arcs == Post::Arcs::pole) {
+        needs(NcCode::arc, "arc");
+        needs(NcCode::arc_centre, "arc_centre");
+        needs(NcCode::turns_clockwise, "turns_clockwise");
+        needs(NcCode::turns_anticlockwise, "turns_anticlockwise");
+        if (post.helix || post.arc_planes != std::array<bool, 3>{false, false, true})
+            r.refuse("kind", "arcs about a centre of their own block are told in XY and do not climb",
+                     "write \"planes\": [\"xy\"] and \"helix\": false");
+        return;
+    }
+    needs(NcCode::arc_clockwise, "arc_clockwise");
+    needs(NcCode::arc_anticlockwise, "arc_anticlockwise");
+    const bool several = post.arc_planes[0] || post.arc_planes[1];
+    if (several || post.has(NcCode::plane_xy)) needs(NcCode::plane_xy, "plane_xy");
+    if (post.arc_planes[1]) needs(NcCode::plane_xz, "plane_xz");
+    if (post.arc_planes[0]) needs(NcCode::plane_yz, "plane_yz");
+    if (post.arcs == Post::Arcs::radius && post.word(NcWord::radius).empty())
+        r.refuse("kind", "the radius has no word", "add radius to words");
+    for (int axis = 0; axis < 3 && post.arcs == Post::Arcs::centre; ++axis)
+        if (post.word(post.centre_word(axis)).empty())
+            r.refuse("kind", "the centre has no words", "add i, j and k to words, or centre_x and so on");
+}
+
+void read_arcs(PostReader& file, Post& post) {
+    const Json* object = file.find("arcs");
+    if (!object) return;
+    PostReader r(*object, "arcs");
+    static const std::vector<std::string> kinds = {"none", "centre", "radius", "pole"};
+    std::string kind;
+    r.text("kind", kind);
+    const auto found = std::find(kinds.begin(), kinds.end(), kind);
+    if (found == kinds.end()) r.refuse("kind", "there is no such kind", "write one of: " + listed(kinds));
+    post.arcs = Post::Arcs(found - kinds.begin());
+    static const std::vector<std::string> planes = {"yz", "xz", "xy"};
+    const std::vector<std::string> wanted = r.list("planes");
+    if (!wanted.empty()) post.arc_planes = {};
+    for (const std::string& plane : wanted) {
+        const auto one = std::find(planes.begin(), planes.end(), plane);
+        if (one == planes.end())
+            r.refuse("planes", "there is no such plane", "write some of: " + listed(planes));
+        post.arc_planes[std::size_t(one - planes.begin())] = true;
+    }
+    r.boolean("helix", post.helix);
+    r.number("smallest_radius", 0.001, 1e5, post.smallest_radius);
+    r.number("largest_radius", 0.001, 1e5, post.largest_radius);
+    r.finish();
+    if (post.arcs != Post::Arcs::none) check_arcs(r, post);
+}
+
 Post read_post(const Json& json, std::string_view text) {
     PostReader file(json, "");
     const Json& version = file.need("facetmill_post", "write 1: the version of the file");
@@ -367,6 +432,7 @@ Post read_post(const Json& json, std::string_view text) {
     file.boolean("changes_tools", post.changes_tools);
     read_templates(file, post);
     read_multi_axis(file, post);
+    read_arcs(file, post);
     file.finish();
     return post;
 }
@@ -378,6 +444,11 @@ const std::string& Post::code(NcCode what) const {
     for (const auto& [text, meaning] : codes)
         if (meaning == what) return text;
     return nothing;
+}
+
+NcWord Post::centre_word(int axis) const {
+    const NcWord own = NcWord(std::size_t(NcWord::centre_x) + std::size_t(axis));
+    return word(own).empty() ? NcWord(std::size_t(NcWord::i) + std::size_t(axis)) : own;
 }
 
 bool Post::knows_wcs(std::string_view wanted) const {

@@ -20,6 +20,15 @@ enum class NcCode {
     none, ///< is read over: it moves nothing and changes no number
     rapid,
     feed,
+    arc_clockwise,
+    arc_anticlockwise,
+    arc,             ///< of controls that say its direction apart
+    turns_clockwise, ///< and the direction
+    turns_anticlockwise,
+    arc_centre, ///< this block gives the centre of the arcs that follow
+    plane_xy,   ///< of arcs
+    plane_xz,
+    plane_yz,
     straight,         ///< of controls that say in every block that it moves: this one does, at feed
     straight_vectors, ///< the same, with the tool axis as a vector
     rapid_block,      ///< and this one is a rapid
@@ -45,7 +54,27 @@ enum class NcCode {
 };
 
 /// What a word of a control says, a letter with a number.
-enum class NcWord { x, y, z, a, b, c, i, j, k, feed, speed, tool, length, edge, ignored };
+enum class NcWord {
+    x,
+    y,
+    z,
+    a,
+    b,
+    c,
+    i,
+    j,
+    k,
+    centre_x,
+    centre_y,
+    centre_z,
+    radius,
+    feed,
+    speed,
+    tool,
+    length,
+    edge,
+    ignored
+};
 inline constexpr std::size_t nc_words = std::size_t(NcWord::ignored);
 
 struct Post {
@@ -55,6 +84,13 @@ struct Post {
         joints,  ///< where the axes stand; straight between them
         tcp,     ///< the tip on the part and where the rotary axes stand; the control does the rest
         vectors, ///< the tip on the part and the tool axis
+    };
+    /// How arcs are told.
+    enum class Arcs {
+        none,
+        centre, ///< by the way from where they begin to their centre
+        radius,
+        pole, ///< by a block with their centre before them
     };
     std::string name; ///< "linuxcnc", or the file's
     std::string label, description;
@@ -75,6 +111,10 @@ struct Post {
     std::vector<std::string> wcs;       ///< what a project may ask for; the first unless it asks
     std::array<std::string, 4> coolant; ///< by Coolant
     MultiAxis multi_axis = MultiAxis::none;
+    Arcs arcs = Arcs::none;
+    std::array<bool, 3> arc_planes{false, false, true}; ///< by the axis across: YZ, XZ, XY
+    bool helix = true;                                  ///< an arc may climb
+    double smallest_radius = 0.1, largest_radius = 1000;
     bool straight_rapids = true; ///< axes of a rapid arrive together
     bool rapid_feed = false;     ///< a rapid needs a feed, too
     bool changes_tools = true;   ///< within a program
@@ -92,6 +132,8 @@ struct Post {
     const std::string& code(NcCode what) const;
     bool has(NcCode what) const { return !code(what).empty(); }
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
+    /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.
+    NcWord centre_word(int axis) const;
     bool knows_wcs(std::string_view name) const;
 };
 

@@ -83,6 +83,7 @@ void PostBlocks::lines(const std::vector<std::string>& templates, const Template
     feed_.reset();
     motion_ = NcCode::none;
     mode_known_ = false;
+    plane_ = -1;
 }
 
 void PostBlocks::before_next(const std::string& text, const TemplateValues& values) {
@@ -114,16 +115,13 @@ bool PostBlocks::moves() const {
     return false;
 }
 
-void PostBlocks::begin(NcCode code) {
-    block_.clear();
-    const auto add = [&](const std::string& text) {
-        if (!block_.empty()) block_ += post_.separator;
-        block_ += text;
-    };
-    if (!straight_.empty())
-        add(vector() ? straight_vectors_ : straight_);
-    else if (motion_ != code || !post_.modal)
-        add(code == NcCode::rapid ? rapid_code_ : feed_code_);
+void PostBlocks::add(const std::string& text) {
+    if (!block_.empty()) block_ += post_.separator;
+    block_ += text;
+}
+
+void PostBlocks::begin(NcCode code, const std::string& text) {
+    if (!straight_.empty() || motion_ != code || !post_.modal) add(text);
     motion_ = code;
     if (!before_.empty()) add(before_);
     before_.clear();
@@ -134,16 +132,15 @@ bool PostBlocks::vector() const {
     return given(NcWord::i) || given(NcWord::j) || given(NcWord::k);
 }
 
-void PostBlocks::words() {
+void PostBlocks::words(const std::array<bool, 3>& always) {
     // A part of a vector that is left out would count as 0.
     const bool vector = this->vector();
     for (std::size_t i = 0; i < nc_words; ++i) {
         Slot& s = slots_[i];
         if (!s.next) continue;
         const bool part = vector && NcWord(i) >= NcWord::i;
-        if (s.next != s.last || !post_.modal || part) {
-            if (!block_.empty()) block_ += post_.separator;
-            block_ += post_.words[i];
+        if (s.next != s.last || !post_.modal || part || (i < 3 && always[i])) {
+            add(post_.words[i]);
             if (post_.plus && *s.next >= 0) block_ += '+';
             append_number(block_, *s.next, s.decimals, post_);
         }
@@ -158,16 +155,76 @@ void PostBlocks::end_block() {
 }
 
 void PostBlocks::rapid() {
-    begin(NcCode::rapid);
+    block_.clear();
+    begin(NcCode::rapid, straight_.empty() ? rapid_code_ : vector() ? straight_vectors_ : straight_);
     words();
     if (post_.rapid_feed) feed_word(rapid_mm_per_min_);
     if (!rapid_block_.empty()) block_ += post_.separator + rapid_block_;
     end_block();
 }
 
-void PostBlocks::feed_per_minute(double mm_per_min) {
-    begin(NcCode::feed);
+void PostBlocks::straight_feed() {
+    block_.clear();
+    begin(NcCode::feed, straight_.empty() ? feed_code_ : vector() ? straight_vectors_ : straight_);
     words();
+}
+
+void PostBlocks::feed_per_minute(double mm_per_min) {
+    straight_feed();
+    feed_word(mm_per_min);
+    end_block();
+}
+
+const std::string& PostBlocks::plane_code(int normal) const {
+    return post_.code(normal == 2 ? NcCode::plane_xy : normal == 1 ? NcCode::plane_xz : NcCode::plane_yz);
+}
+
+void PostBlocks::usual_plane() {
+    if (plane_ >= 0 && plane_ != 2) line(plane_code(2));
+    plane_ = -1;
+}
+
+double PostBlocks::printed(NcWord word, double value) const {
+    const Slot& s = slots_[std::size_t(word)];
+    return nc_value(nc_digits(value * s.scale, s.decimals), s.decimals) / s.scale;
+}
+
+/// A length that is no place.
+void PostBlocks::arc_word(NcWord word, double mm) {
+    const Slot& s = slots_[std::size_t(NcWord::x)];
+    const std::int64_t digits = nc_digits(mm * s.scale, s.decimals);
+    add(post_.word(word));
+    if (post_.plus && digits >= 0) block_ += '+';
+    append_number(block_, digits, s.decimals, post_);
+}
+
+void PostBlocks::arc(const PlaneArc& arc, double mm_per_min) {
+    const bool clockwise = arc.angle < 0;
+    block_.clear();
+    std::array<bool, 3> in_plane{};
+    for (const int k : {arc.first(), arc.second()})
+        in_plane[std::size_t(k)] = true;
+    if (post_.arcs == Post::Arcs::pole) {
+        add(post_.code(NcCode::arc_centre));
+        for (const int k : {arc.first(), arc.second()})
+            arc_word(NcWord(k), arc.centre[k]);
+        line(block_);
+        block_.clear();
+        begin(NcCode::arc, post_.code(NcCode::arc));
+        words(in_plane);
+        add(post_.code(clockwise ? NcCode::turns_clockwise : NcCode::turns_anticlockwise));
+    } else {
+        if (plane_ != arc.normal && !plane_code(arc.normal).empty()) add(plane_code(arc.normal));
+        plane_ = arc.normal;
+        const NcCode code = clockwise ? NcCode::arc_clockwise : NcCode::arc_anticlockwise;
+        begin(code, post_.code(code));
+        words(in_plane);
+        if (post_.arcs == Post::Arcs::radius)
+            arc_word(NcWord::radius, std::abs(arc.angle) > pi ? -arc.radius() : arc.radius());
+        else
+            for (int k = 0; k < 3; ++k)
+                if (in_plane[std::size_t(k)]) arc_word(post_.centre_word(k), arc.centre[k] - arc.from[k]);
+    }
     feed_word(mm_per_min);
     end_block();
 }
@@ -186,8 +243,7 @@ void PostBlocks::feed_word(double mm_per_min) {
 }
 
 void PostBlocks::feed_for(double seconds) {
-    begin(NcCode::feed);
-    words();
+    straight_feed();
     block_ += post_.separator + post_.word(NcWord::feed);
     append_significant(block_, 60 / seconds, inverse_digits, post_);
     feed_.reset();

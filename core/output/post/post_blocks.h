@@ -2,6 +2,7 @@
 // than the control reads. Internal to the room.
 #pragma once
 
+#include "core/output/post/arc.h"
 #include "core/output/post/nc_text.h"
 
 #include <array>
@@ -35,6 +36,12 @@ public:
     void rapid();
     void feed_per_minute(double mm_per_min);
     void feed_for(double seconds);
+    /// An arc from where the words said last; those of its end are set.
+    void arc(const PlaneArc& arc, double mm_per_min);
+    /// Arcs lie in XY again, as templates take it.
+    void usual_plane();
+    /// A word's value as it would be printed, in the core's unit.
+    double printed(NcWord word, double value) const;
 
     std::string& text() { return text_; }
     std::size_t blocks() const { return blocks_; }
@@ -46,9 +53,13 @@ private:
         int decimals = 4;
         double scale = 1; ///< of the word to the core's unit
     };
-    void begin(NcCode code);
+    void begin(NcCode code, const std::string& text);
+    void straight_feed();
     bool vector() const; ///< the next block gives the tool axis
-    void words();
+    void words(const std::array<bool, 3>& always = {});
+    void add(const std::string& text);
+    void arc_word(NcWord word, double mm);
+    const std::string& plane_code(int normal) const;
     void end_block();
     void feed_word(double mm_per_min);
     void line(const std::string& body);
@@ -61,6 +72,7 @@ private:
         rapid_block_;
     double rapid_mm_per_min_;
     NcCode motion_ = NcCode::none;
+    int plane_ = -1; ///< axis across the plane of arcs; -1: nobody said
     std::optional<std::int64_t> feed_;
     bool inverse_ = false, mode_known_ = false;
     double feed_scale_ = 1;

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/output/motion_time.h"
+#include "core/output/post/arc.h"
 #include "core/output/post/joint_route.h"
 #include "core/output/post/post_blocks.h"
 
@@ -13,6 +14,9 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t motions_per_check = 2048;
+/// Motions that are looked through for arcs at a time: an arc stands for no more.
+constexpr std::size_t longest_run = 4096;
+constexpr double largest_angle_by_radius = 0.9 * pi;
 constexpr std::array<NcWord, 3> linear_words = {NcWord::x, NcWord::y, NcWord::z};
 constexpr std::array<NcWord, 3> vector_words = {NcWord::i, NcWord::j, NcWord::k};
 
@@ -23,6 +27,47 @@ NcWord rotary_word(const RotaryAxis& axis) {
 /// Any of X, Y, Z goes so fast.
 double rapid_mm_per_min(const Machine& machine) {
     return 60 * machine.rapid_mm_per_s.minCoeff();
+}
+
+/// Arcs for runs of motions of one feed, through places as they are printed: each at the first motion that it
+/// stands for. Empty where there are to be none at all.
+std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Post& post, const PostSetup& setup,
+                                              const PostBlocks& blocks) {
+    const auto& motions = s.motions.motions;
+    std::vector<std::optional<ArcRun>> arcs;
+    if (!setup.arcs || post.arcs == Post::Arcs::none) return arcs;
+    ArcLimits limits{.off = setup.tip_tolerance,
+                     .bulge = setup.arc_bulge,
+                     .smallest_radius = post.smallest_radius,
+                     .largest_radius = post.largest_radius,
+                     .normals = post.arc_planes,
+                     .helix = post.helix};
+    // Near half a turn a radius says little of where the centre is.
+    if (post.arcs == Post::Arcs::radius) limits.largest_angle = largest_angle_by_radius;
+    arcs.resize(motions.size());
+    std::vector<Vec3> points;
+    for (std::size_t i = 1; i < motions.size();) {
+        points.clear();
+        std::size_t end = i;
+        while (end < motions.size() && motions[end].kind != MotionKind::rapid && s.feed(end) == s.feed(i)
+               && end - i < longest_run)
+            ++end;
+        for (std::size_t k = i - 1; k < end; ++k) {
+            Vec3 p = motions[k].to.tip;
+            for (std::size_t w = 0; w < 3; ++w)
+                p[int(w)] = blocks.printed(linear_words[w], p[int(w)]);
+            points.push_back(p);
+        }
+        if (end == i) end = i + 1;
+        for (std::size_t k = i; k < end;) {
+            auto run = arc_run(std::span(points).subspan(std::min(k - i, points.size() - 1)), limits);
+            const std::size_t stands_for = run ? run->motions : 1;
+            arcs[k] = std::move(run);
+            k += stands_for;
+        }
+        i = end;
+    }
+    return arcs;
 }
 
 class PostWriter {
@@ -71,6 +116,8 @@ private:
     double pending_ = 0;                   ///< seconds of motions that print as none
     Joints now_;
     std::vector<RoutePlace> places_;
+    std::vector<std::optional<ArcRun>>
+        arcs_; ///< by the first motion that each stands for; empty: none at all
 };
 
 void PostWriter::check() const {
@@ -217,8 +264,19 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
     Joints at;
     at.linear = motions.front().to.tip + zero_;
     start(s, at, motions.front().to);
+    const auto arcs = found_arcs(s, post_, setup_, blocks_);
     for (std::size_t i = 1; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) progress.part(0.3, 1).set(double(i) / double(motions.size()));
+        if (i < arcs.size() && arcs[i]) {
+            const ArcRun& run = *arcs[i];
+            i += run.motions - 1;
+            at.linear = motions[i].to.tip + zero_;
+            place(s, at, motions[i].to);
+            blocks_.arc(run.arc, s.feed(i));
+            posted_.seconds += 60 * run.arc.length() / s.feed(i);
+            ++posted_.arcs;
+            continue;
+        }
         const Motion& m = motions[i];
         const Vec3 step = m.to.tip - motions[i - 1].to.tip;
         at.linear = m.to.tip + zero_;
@@ -226,6 +284,7 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
         go(m.kind == MotionKind::rapid, -step.z(), seconds[i], step.norm(), 0, s.feed(i));
         posted_.seconds += seconds[i];
     }
+    blocks_.usual_plane();
 }
 
 void PostWriter::check_findings(const ClSection& s, const MachineMotion& found) const {

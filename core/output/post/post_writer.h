@@ -32,6 +32,10 @@ struct PostSetup {
     /// How far the tip may stray from the verified route between two blocks, and how far a control may round
     /// its corners; mm.
     double tip_tolerance = 0.002;
+    /// Runs of motions of three axes are told as arcs where the control has them: the ends of the motions
+    /// within tip_tolerance of the arc, and it within `arc_bulge` of the motions; mm.
+    bool arcs = false;
+    double arc_bulge = 0.004;
     /// Part and stock, and how far away from them the tool may turn over; mm.
     Box3 keep_clear;
     double clearance = 5;
@@ -45,6 +49,7 @@ struct PostedProgram {
     std::vector<std::size_t> first_lines; ///< of each section, from 1
     std::vector<long> tools;              ///< in the order of their use
     bool tcp = false;                     ///< the control does the kinematics
+    std::size_t arcs = 0;                 ///< blocks that are arcs
     std::size_t rewinds = 0;              ///< how often the tool goes up so that rotary axes can turn
 };
 

@@ -43,6 +43,7 @@ public:
     const Project& project(const std::string& machine, const std::string& post, bool one) {
         project_.machine = machine;
         project_.programs.post = post;
+        project_.programs.arcs = false;
         project_.programs.files = one ? ProgramSpec::Files::one : ProgramSpec::Files::each;
         return project_;
     }

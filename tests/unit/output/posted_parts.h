@@ -67,6 +67,35 @@ inline ClSection leaning_section(const std::string& name, long tool, double lean
     return s;
 }
 
+/// Whole circles both ways round, a helix, arcs in all three planes, a wave and straight rows, in steps of a
+/// few degrees.
+inline ClSection round_section(const std::string& name, long tool) {
+    ClSection s = plain_section(name, tool, false);
+    s.motions.clearance_z = 12;
+    const auto run = [&](const auto& place, double angle, int steps) {
+        const Vec3 first = place(0.0);
+        add_motion(s, MotionKind::rapid, Vec3(first.x(), first.y(), 12));
+        add_motion(s, MotionKind::approach, first);
+        for (int i = 1; i <= steps; ++i)
+            add_motion(s, MotionKind::cut, place(angle * i / steps));
+        const Vec3 last = s.motions.motions.back().to.tip;
+        add_motion(s, MotionKind::retract, Vec3(last.x(), last.y(), 12));
+    };
+    const auto circle = [](double r, double a, double z) {
+        return Vec3(r * std::cos(a), r * std::sin(a), z);
+    };
+    run([&](double a) { return circle(12, a, -1); }, 2 * pi, 120);
+    run([&](double a) { return circle(9, a + 1, -1); }, -2 * pi, 100);
+    run([&](double a) { return circle(5, a, 0.3 * a); }, -4 * pi, 200);
+    run([&](double a) { return Vec3(15 * std::sin(a), 7.5, 3 - 15 * std::cos(a)); }, 0.8 * pi, 60);
+    run([&](double a) { return Vec3(15 * std::sin(a), 7.5, 15 * std::cos(a) - 18); }, -0.8 * pi, 60);
+    run([&](double a) { return Vec3(-7.5, 15 * std::sin(a), 3 - 15 * std::cos(a)); }, 0.8 * pi, 60);
+    run([&](double a) { return Vec3(-7.5, 15 * std::sin(a), 15 * std::cos(a) - 18); }, -0.8 * pi, 60);
+    run([](double a) { return Vec3(a - 20, 3, 2 * std::sin(0.3 * a)); }, 40, 160);
+    run([](double a) { return Vec3(a - 20, 0.5 * a, -2); }, 40, 10);
+    return s;
+}
+
 inline ClProgram joined_program(const std::vector<ClSection>& sections, LengthUnit unit = LengthUnit::mm) {
     ClProgram p;
     p.part_name = "part";
