@@ -253,7 +253,9 @@ void Sheet::posted_programs() {
                 return plan_.operations[i]->program.multi_axis;
             });
             const Box3& r = f.program.reach;
-            std::string told = f.program.tcp ? "tip (TCP)" : several ? "joints" : "three axes";
+            std::string told = f.program.tcp ? f.program.planes > 0 ? "tip (TCP, tilted planes)" : "tip (TCP)"
+                               : several     ? "joints"
+                                             : "three axes";
             if (f.program.arcs > 0) told += ", " + std::to_string(f.program.arcs) + " arcs";
             row({f.name, told, used, std::to_string(f.program.blocks),
                  number(r.lo.x()) + " \u2026 " + number(r.hi.x()) + ", " + number(r.lo.y()) + " \u2026 "

@@ -43,6 +43,17 @@ NcLineReader::NcLineReader(const Post& post)
     for (const std::string& w : post.ignored_words)
         add_word(w, NcWord::ignored);
     add_word(post.block_letter, NcWord::ignored);
+    block_letter_ = post.numbers_blocks ? post.block_letter : std::string();
+    for (const std::string& line : post.plane_on) {
+        constexpr std::size_t word = std::string_view("{plane_z}").size();
+        const std::size_t z = line.find("{plane_z}"), x = line.find("{plane_x}");
+        if (z == std::string::npos || x == std::string::npos) continue;
+        const std::size_t first = std::min(z, x), second = std::max(z, x);
+        z_first_ = z < x;
+        plane_on_ = {line.substr(0, first), line.substr(first + word, second - first - word),
+                     line.substr(second + word)};
+    }
+    plane_off_ = post.plane_off;
     for (const auto& [text, meaning] : post.codes) {
         if (text.size() == 1 || is_letter(text[1])) {
             named_[text] = {meaning, &text};
@@ -53,6 +64,40 @@ NcLineReader::NcLineReader(const Post& post)
         code_letter_[std::size_t(text[0] - 'A')] = true;
         numbered_[long(text[0]) * per_code_letter + std::lround(10 * value)] = {meaning, &text};
     }
+}
+
+std::string_view NcLineReader::behind_number(std::string_view line) const {
+    std::size_t at = 0;
+    if (!block_letter_.empty() && line.starts_with(block_letter_)) at = block_letter_.size();
+    if (at == 0 && !bare_numbers_) return line;
+    while (at < line.size() && (is_figure(line[at]) || line[at] == ' '))
+        ++at;
+    return line.substr(at);
+}
+
+/// Lines that are understood as a whole: what they hold is no letter with a number, as in CYCLE800(...).
+bool NcLineReader::whole_line(std::string_view text, NcLine& into) const {
+    if (plane_off_.empty()) return false;
+    while (!text.empty() && text.back() == ' ')
+        text.remove_suffix(1);
+    if (std::find(plane_off_.begin(), plane_off_.end(), text) != plane_off_.end()) {
+        into.plane_off = true;
+        return true;
+    }
+    std::array<double, 2> angles{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!text.starts_with(plane_on_[k])) return false;
+        text.remove_prefix(plane_on_[k].size());
+        if (k == 2) break;
+        if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+        const auto read = std::from_chars(text.data(), text.data() + text.size(),
+                                          angles[z_first_ ? k : 1 - k], std::chars_format::fixed);
+        if (read.ec != std::errc() || !std::isfinite(angles[z_first_ ? k : 1 - k])) return false;
+        text.remove_prefix(std::size_t(read.ptr - text.data()));
+    }
+    if (!text.empty()) return false;
+    into.plane = angles;
+    return true;
 }
 
 void NcLineReader::fail(const Cursor& c, const std::string& what, const std::string& remedy) {
@@ -174,8 +219,11 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
     into.wcs = {};
     into.given = 0;
     Cursor c{line, 0, file, number};
+    into.plane.reset();
+    into.plane_off = false;
     while (bare_numbers_ && c.at < line.size() && is_figure(line[c.at]))
         ++c.at;
+    if (!plane_off_.empty() && whole_line(behind_number(line), into)) return;
     while (c.at < line.size()) {
         const char ch = line[c.at];
         if (ch == ' ' || ch == '\t') {

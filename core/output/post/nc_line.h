@@ -4,6 +4,7 @@
 #include "core/output/post/post.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -16,6 +17,9 @@ struct NcLine {
     std::string_view wcs; ///< of a code that chooses one; the post's own text
     std::array<double, nc_words> value{};
     unsigned given = 0; ///< a bit for each word
+    /// A tilted plane begins: turned about Z, then about the new X; degrees.
+    std::optional<std::array<double, 2>> plane;
+    bool plane_off = false;
     bool has(NcWord w) const { return given >> unsigned(w) & 1u; }
     double operator[](NcWord w) const { return value[std::size_t(w)]; }
     bool has_code(NcCode c) const;
@@ -40,6 +44,8 @@ private:
         long number;
     };
     [[noreturn]] static void fail(const Cursor& c, const std::string& what, const std::string& remedy);
+    std::string_view behind_number(std::string_view line) const;
+    bool whole_line(std::string_view text, NcLine& into) const;
     void token(Cursor& c, NcLine& into) const;
     /// A comment that tells the tool, where the control has no word for it: "tool 3 ...".
     void comment(std::string_view text, NcLine& into) const;
@@ -54,6 +60,12 @@ private:
     std::unordered_map<long, Meaning> numbered_;     ///< letter * 1e6 + ten times the number
     std::unordered_map<std::string, Meaning> named_; ///< "TRAORI"
     std::unordered_map<std::string, NcWord> long_words_;
+    std::string block_letter_;
+    /// The line that begins a tilted plane: what stands before, between and behind its angles; and whether
+    /// the turn about Z comes first. Lines that end it.
+    std::array<std::string, 3> plane_on_;
+    bool z_first_ = true;
+    std::vector<std::string> plane_off_;
 };
 
 } // namespace facetmill

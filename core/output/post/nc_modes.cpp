@@ -52,6 +52,8 @@ void NcModes::call_length(NcCode code, const NcLine& line) {
     if (!length_)
         refuse("the tip is to be led and the tool's length is not called", "call its edge before it",
                ErrorCode::missing_key);
+    if (code != NcCode::length_on && plane_)
+        refuse("the tip is led in a tilted plane", "switch the plane off before it");
     if (code != NcCode::length_on) tcp_ = code == NcCode::tcp ? Tcp::axes : Tcp::vectors;
 }
 
@@ -87,6 +89,10 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
         break;
     case NcCode::tcp_off:
         tcp_ = Tcp::off;
+        break;
+    case NcCode::plane_axes:
+        if (!plane_) refuse("the axes turn to a tilted plane, and there is none", "define it before");
+        turn_now_ = true;
         break;
     case NcCode::spindle_on:
         spindle_ = true;
@@ -191,7 +197,23 @@ void NcModes::codes(const NcLine& line) {
     wcs_ = true;
 }
 
+/// A tilted plane that begins or ends.
+void NcModes::planes(const NcLine& line) {
+    if (line.plane_off) {
+        plane_.reset();
+        if (tcp_ == Tcp::plane) tcp_ = Tcp::off;
+    }
+    if (line.plane) {
+        if (tcp_ != Tcp::off)
+            refuse("a plane is tilted while the tip is led, or in another one", "switch that off");
+        plane_ = TiltedPlane{radians((*line.plane)[0]), radians((*line.plane)[1])};
+        turn_now_ = post_.plane_turns;
+        turned_ = false;
+    }
+}
+
 void NcModes::change_tool() {
+    if (plane_) refuse("the tool is changed in a tilted plane", "switch the plane off before it");
     tool_ = prepared_;
     change_now_ = true;
     length_ = counts_length_;
@@ -229,6 +251,12 @@ void NcModes::check_motion() const {
                "write " + post_.code(NcCode::absolute) + " at the start", ErrorCode::missing_key);
     if (!post_.wcs.empty() && !wcs_)
         refuse("no work coordinate system is chosen", "write " + wanted_wcs_, ErrorCode::missing_key);
+    if (plane_ && !turned_)
+        refuse("a plane is tilted, and the rotary axes have not turned to it",
+               "write " + post_.code(NcCode::plane_axes), ErrorCode::missing_key);
+    if (plane_ && !length_)
+        refuse("the tool moves in a tilted plane, and its length is not called", "call it",
+               ErrorCode::missing_key);
     if (!tool_) refuse("no tool is in the spindle", "name it first", ErrorCode::missing_key);
     if (motion_ == NcCode::rapid) return;
     if (!feed_)
@@ -250,11 +278,17 @@ void NcModes::block(const NcLine& line, long number) {
     line_ = number;
     home_now_ = change_now_ = rapid_now_ = vectors_now_ = centre_now_ = false;
     turns_ = NcCode::none;
+    turn_now_ = false;
+    planes(line);
     // "T1 M6": the number belongs to the change in the same block.
     const bool values_first = line.has(NcWord::tool);
     if (values_first) values(line);
     codes(line);
     if (!values_first) values(line);
+    if (turn_now_) {
+        turned_ = true;
+        tcp_ = Tcp::plane;
+    }
 }
 
 } // namespace facetmill

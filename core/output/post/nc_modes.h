@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/output/post/nc_line.h"
+#include "core/output/post/tilted_plane.h"
 
 #include <map>
 #include <optional>
@@ -14,7 +15,7 @@ namespace facetmill {
 
 class NcModes {
 public:
-    enum class Tcp { off, axes, vectors };
+    enum class Tcp { off, axes, vectors, plane };
 
     /// `wcs`: the only one that may be chosen; empty: the post's first.
     NcModes(const std::string& file, const Post& post, const std::string& wcs);
@@ -37,6 +38,8 @@ public:
     bool inverse_time() const { return inverse_; }
     double feed() const { return *feed_; } ///< as the program has it; of a checked motion
     Tcp tcp() const { return tcp_; }
+    const TiltedPlane& plane() const { return *plane_; } ///< of Tcp::plane
+    bool turns_to_plane() const { return turn_now_; }    ///< in this block
     bool length_counts() const { return length_; }
     bool incremental() const { return incremental_; }
     bool goes_home() const { return home_now_; } ///< in this block
@@ -49,6 +52,7 @@ private:
     bool motion_code(NcCode code);
     void one_code(NcCode code, const NcLine& line);
     void call_length(NcCode code, const NcLine& line);
+    void planes(const NcLine& line);
     void values(const NcLine& line);
     void change_tool();
 
@@ -64,6 +68,8 @@ private:
     std::optional<double> feed_;
     NcCode motion_ = NcCode::none, turns_ = NcCode::none;
     Tcp tcp_ = Tcp::off;
+    std::optional<TiltedPlane> plane_;
+    bool turn_now_ = false, turned_ = false; ///< the rotary axes, to the plane
     std::optional<long> prepared_, tool_;
 };
 

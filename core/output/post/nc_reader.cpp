@@ -6,6 +6,7 @@
 #include "core/output/post/joint_route.h"
 #include "core/output/post/nc_line.h"
 #include "core/output/post/nc_modes.h"
+#include "core/output/post/nc_text.h"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,27 @@ constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
 /// What the radius of an arc may differ between its ends; mm. More is refused by controls, too.
 constexpr double radius_slack = 0.005;
 constexpr double max_arc_pieces = 1e5;
+/// How far rotary axes may turn when they are sent to a tilted plane: which way to hold it the control
+/// chooses, so they must stand there already, but for their last digit.
+constexpr double plane_slack = 1e-4;
+
+/// Words that mean nothing here, and axes that the machine has not.
+void check_words(const NcLine& line, const NcModes& modes, const Post& post, const Machine& machine,
+                 bool vectors) {
+    const bool arc = modes.motion() == NcCode::arc_clockwise || modes.motion() == NcCode::arc_anticlockwise;
+    for (const NcWord w : {NcWord::a, NcWord::b, NcWord::c}) {
+        bool there = !line.has(w);
+        for (std::size_t r = 0; r < machine.rotary.size(); ++r)
+            there = there || rotary_word(machine.rotary[r]) == w;
+        if (!there) modes.refuse("the machine has no axis " + post.word(w), "choose the machine it runs on");
+    }
+    for (std::size_t w = std::size_t(NcWord::i); w <= std::size_t(NcWord::radius); ++w) {
+        if (!line.has(NcWord(w)) || arc) continue;
+        if (w > std::size_t(NcWord::k))
+            modes.refuse("the centre or radius of an arc is given without one", "leave it out");
+        if (!vectors) modes.refuse("a tool axis is given as a vector, and no code says so", "leave it out");
+    }
+}
 
 using Pole = std::array<std::optional<double>, 3>;
 
@@ -81,13 +103,11 @@ private:
         modes_.refuse(what, remedy, code);
     }
     Tcp tcp() const { return by_joints_ ? Tcp::off : modes_.tcp(); }
-    NcWord rotary(std::size_t r) const {
-        return NcWord(std::size_t(NcWord::a) + std::size_t(setup_.machine.rotary[r].name[0] - 'A'));
-    }
+    NcWord rotary(std::size_t r) const { return rotary_word(setup_.machine.rotary[r]); }
     void take_tool(long number);
     void go_home(const NcLine& line);
     void motion(const NcLine& line);
-    void check_words(const NcLine& line) const;
+    void turn_to_plane();
     void arc(const NcLine& line, const Joints& to);
     void run_arc(const PlaneArc& arc);
     void take_centre(const NcLine& line);
@@ -150,9 +170,35 @@ void NcRun::take_tool(long number) {
     up_places_.clear();
 }
 
+/// The rotary axes to where the tool stands on the tilted plane.
+void NcRun::turn_to_plane() {
+    if (!up_) refuse("rotary axes turn to a tilted plane while the tool is down", "retract before it");
+    if (!rotary_known_[0] || !rotary_known_[1])
+        refuse("the control chooses how to hold the tilted plane",
+               "bring the rotary axes to where it is held before it", ErrorCode::missing_key);
+    const Kinematics::Solutions solutions = kinematics_.inverse({Vec3::Zero(), modes_.plane().axis()}, at_);
+    for (int k = 0; k < solutions.count; ++k) {
+        Joints to = at_;
+        double farthest = 0;
+        for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r) {
+            const double by = std::remainder(solutions.at[std::size_t(k)].rotary[r] - at_.rotary[r], 2 * pi);
+            to.rotary[r] += by;
+            farthest = std::max(farthest, std::abs(by));
+        }
+        if (farthest > plane_slack) continue;
+        at_ = to;
+        up_places_.push_back(to);
+        return;
+    }
+    refuse("the rotary axes do not stand where the tilted plane is held",
+           "bring them there before it, so that the control has nothing to choose");
+}
+
 /// Axes to the end of their travel: Z up; X and Y are not known there.
 void NcRun::go_home(const NcLine& line) {
     const auto given = [&](std::size_t k) { return line.has(NcWord(k)); };
+    if (tcp() != Tcp::off)
+        refuse("an axis goes home while the tip is led or in a tilted plane", "switch that off before it");
     for (std::size_t k = 0; k < 6; ++k)
         if (given(k) && k >= 3) refuse("a rotary axis goes home", "leave it where it is");
     if (given(2)) {
@@ -192,9 +238,11 @@ Joints NcRun::tcp_target(const NcLine& line) const {
         refuse("the tool is led by its tip from a place that is not known",
                "bring rotary axes, X and Y to the start first, and give X, Y and Z", ErrorCode::missing_key);
     const ToolPose now = kinematics_.forward(at_);
-    Vec3 tip = now.tip;
+    const Mat3 frame = tcp() == Tcp::plane ? modes_.plane().frame() : Mat3(Mat3::Identity());
+    Vec3 words = frame.transpose() * now.tip;
     for (std::size_t k = 0; k < 3; ++k)
-        if (line.has(NcWord(k))) tip[int(k)] = modes_.length(line.value[k]);
+        if (line.has(NcWord(k))) words[int(k)] = modes_.length(line.value[k]);
+    const Vec3 tip = frame * words;
     Joints to = at_;
     if (tcp() == Tcp::vectors) {
         Vec3 axis(0, 0, 0);
@@ -212,7 +260,11 @@ Joints NcRun::tcp_target(const NcLine& line) const {
         return *held;
     }
     for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
-        if (line.has(rotary(r))) to.rotary[r] = radians(line[rotary(r)]);
+        if (line.has(rotary(r))) {
+            if (tcp() == Tcp::plane)
+                refuse("a rotary axis turns in a tilted plane", "switch the plane off first");
+            to.rotary[r] = radians(line[rotary(r)]);
+        }
     to.linear = kinematics_.linear(tip, to);
     return to;
 }
@@ -319,24 +371,6 @@ void NcRun::come_down(const Joints& to) {
     up_places_.clear();
 }
 
-/// Words that mean nothing here, and axes that the machine has not.
-void NcRun::check_words(const NcLine& line) const {
-    const bool arc = modes_.motion() == NcCode::arc_clockwise || modes_.motion() == NcCode::arc_anticlockwise;
-    for (const NcWord w : {NcWord::a, NcWord::b, NcWord::c}) {
-        bool there = !line.has(w);
-        for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
-            there = there || rotary(r) == w;
-        if (!there) refuse("the machine has no axis " + post_.word(w), "choose the machine it runs on");
-    }
-    for (std::size_t w = std::size_t(NcWord::i); w <= std::size_t(NcWord::radius); ++w) {
-        if (!line.has(NcWord(w)) || arc) continue;
-        if (w > std::size_t(NcWord::k))
-            refuse("the centre or radius of an arc is given without one", "leave it out");
-        if (tcp() != Tcp::vectors)
-            refuse("a tool axis is given as a vector, and no code says so", "leave it out");
-    }
-}
-
 /// A block that gives the centre of arcs, in the words of places.
 void NcRun::take_centre(const NcLine& line) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -382,7 +416,7 @@ void NcRun::motion(const NcLine& line) {
     unsigned arc_bits = 0;
     for (std::size_t w = std::size_t(NcWord::i); w <= std::size_t(NcWord::radius); ++w)
         arc_bits |= 1u << w;
-    check_words(line);
+    check_words(line, modes_, post_, setup_.machine, tcp() == Tcp::vectors);
     const unsigned given =
         line.given
         & (linear_bits | rotary_bits | (tcp() == Tcp::vectors ? vector_bits : 0u) | (arcs ? arc_bits : 0u));
@@ -435,6 +469,7 @@ void NcRun::motion(const NcLine& line) {
 void NcRun::block(const NcLine& line, long number) {
     modes_.block(line, number);
     if (modes_.changes_tool()) take_tool(*modes_.tool());
+    if (modes_.turns_to_plane()) turn_to_plane();
     motion(line);
 }
 

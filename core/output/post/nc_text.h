@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/output/post/post.h"
+#include "core/setup/machine.h"
 
 #include <cstdint>
 #include <string>
@@ -15,6 +16,11 @@ bool is_nc_word(std::string_view text);
 bool is_nc_code(std::string_view text);
 /// A code's number without leading zeros: "G01" is "G1".
 std::string plain_nc_code(std::string_view text);
+
+/// The word of an axis of a machine.
+inline NcWord rotary_word(const RotaryAxis& axis) {
+    return NcWord(std::size_t(NcWord::a) + std::size_t(axis.name[0] - 'A'));
+}
 
 /// A value in units of the last decimal: numbers are compared as they are printed.
 std::int64_t nc_digits(double value, int decimals);

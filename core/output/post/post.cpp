@@ -53,6 +53,7 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
         {"tcp", NcCode::tcp},
         {"tcp_vectors", NcCode::tcp_vectors},
         {"tcp_off", NcCode::tcp_off},
+        {"plane_axes", NcCode::plane_axes},
         {"end", NcCode::end},
     };
     return all;
@@ -275,13 +276,39 @@ void read_codes(PostReader& file, Post& post) {
     }
 }
 
-void read_templates(PostReader& file, Post& post) {
-    const auto lines = [&](const char* key, std::vector<std::string>& to) {
-        to = file.list(key);
-        if (to.size() > max_lines) file.refuse(key, "there are too many lines", "leave some out");
-        for (std::size_t i = 0; i < to.size(); ++i)
-            check_template(to[i], element(key, i));
+void read_lines(PostReader& object, const char* key, const std::string& place, std::vector<std::string>& to) {
+    to = object.list(key);
+    if (to.size() > max_lines) object.refuse(key, "there are too many lines", "leave some out");
+    for (std::size_t i = 0; i < to.size(); ++i)
+        check_template(to[i], element(place, i));
+}
+
+void read_planes(PostReader& file, Post& post) {
+    const Json* object = file.find("plane");
+    if (!object) return;
+    PostReader r(*object, "plane");
+    read_lines(r, "on", "plane.on", post.plane_on);
+    read_lines(r, "off", "plane.off", post.plane_off);
+    r.text("approach", post.plane_approach);
+    check_template(post.plane_approach, "plane.approach");
+    r.boolean("turns", post.plane_turns);
+    r.finish();
+    const auto tells = [](const std::string& line) {
+        return line.find("{plane_z}") != std::string::npos && line.find("{plane_x}") != std::string::npos;
     };
+    if (std::count_if(post.plane_on.begin(), post.plane_on.end(), tells) != 1)
+        r.refuse("on", "not one line has the words {plane_z} and {plane_x}", "write both in one line");
+    if (post.plane_off.empty()) r.refuse("off", "nothing ends the tilted plane", "write the lines");
+    if (post.multi_axis == Post::MultiAxis::none || post.multi_axis == Post::MultiAxis::joints)
+        r.refuse("on", "tilted planes are for controls that know the kinematics",
+                 "set multi_axis to tcp or vectors");
+    if (!post.plane_turns && !post.has(NcCode::plane_axes))
+        r.refuse("turns", "nothing turns the rotary axes: no code means 'plane_axes'",
+                 "add one, or write true");
+}
+
+void read_templates(PostReader& file, Post& post) {
+    const auto lines = [&](const char* key, std::vector<std::string>& to) { read_lines(file, key, key, to); };
     lines("start", post.start);
     lines("tool_change", post.tool_change);
     lines("operation", post.operation);
@@ -432,6 +459,7 @@ Post read_post(const Json& json, std::string_view text) {
     file.boolean("changes_tools", post.changes_tools);
     read_templates(file, post);
     read_multi_axis(file, post);
+    read_planes(file, post);
     read_arcs(file, post);
     file.finish();
     return post;
@@ -456,9 +484,9 @@ bool Post::knows_wcs(std::string_view wanted) const {
 }
 
 const std::vector<std::string>& post_template_words() {
-    static const std::vector<std::string> words = {"part",      "program", "operation", "tool",
-                                                   "tool_name", "speed",   "wcs",       "coolant",
-                                                   "units",     "blend",   "safe",      "rapid"};
+    static const std::vector<std::string> words = {"part",  "program", "operation", "tool",   "tool_name",
+                                                   "speed", "wcs",     "coolant",   "units",  "blend",
+                                                   "safe",  "rapid",   "plane_z",   "plane_x"};
     return words;
 }
 

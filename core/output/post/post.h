@@ -49,6 +49,7 @@ enum class NcCode {
     tcp,         ///< X, Y, Z are the tip on the part, rotary words the axes
     tcp_vectors, ///< the same, with the tool axis as a vector
     tcp_off,
+    plane_axes, ///< the rotary axes turn until the tool stands on the tilted plane
     end,
     wcs, ///< a work coordinate system; those of the post's list
 };
@@ -124,12 +125,19 @@ struct Post {
     long max_tool = 99, max_program = 9999;
     /// Lines with words in braces, see post_template_words.
     std::vector<std::string> start, tool_change, operation, retract, tcp_on, tcp_off, end;
-    /// Stand in the block that takes the tool down to a section's start; the second where it leads to TCP.
-    std::string approach, tcp_approach;
+    /// Switch a tilted plane on and off, in which X, Y, Z are told: the frame of the part, turned about its Z
+    /// by {plane_z}, then about its new X by {plane_x}; one line of the first has both words. Empty: there
+    /// are none.
+    std::vector<std::string> plane_on, plane_off;
+    bool plane_turns = false; ///< the rotary axes turn at once, not by a code of their own
+    /// Stand in the block that takes the tool down to a section's start; the second where it leads to TCP,
+    /// the third in a tilted plane.
+    std::string approach, tcp_approach, plane_approach;
     std::string source; ///< text of the file
 
     /// The first code that does this; empty where the control has none.
     const std::string& code(NcCode what) const;
+    bool has_planes() const { return !plane_on.empty(); }
     bool has(NcCode what) const { return !code(what).empty(); }
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
     /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.

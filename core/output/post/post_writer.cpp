@@ -5,6 +5,7 @@
 #include "core/output/post/arc.h"
 #include "core/output/post/joint_route.h"
 #include "core/output/post/post_blocks.h"
+#include "core/output/post/tilted_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,10 @@ constexpr std::size_t motions_per_check = 2048;
 /// Motions that are looked through for arcs at a time: an arc stands for no more.
 constexpr std::size_t longest_run = 4096;
 constexpr double largest_angle_by_radius = 0.9 * pi;
+/// Less inclined, the digits of a plane's angles say little of where it leans; radians.
+constexpr double min_tilt = 0.02;
 constexpr std::array<NcWord, 3> linear_words = {NcWord::x, NcWord::y, NcWord::z};
 constexpr std::array<NcWord, 3> vector_words = {NcWord::i, NcWord::j, NcWord::k};
-
-NcWord rotary_word(const RotaryAxis& axis) {
-    return NcWord(std::size_t(NcWord::a) + std::size_t(axis.name[0] - 'A'));
-}
 
 /// Any of X, Y, Z goes so fast.
 double rapid_mm_per_min(const Machine& machine) {
@@ -70,6 +69,22 @@ std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Post& po
     return arcs;
 }
 
+/// The tilted plane of a section whose tool leans one way all along, held by the rotary axes where they are:
+/// as its angles are printed. None where the control has no such planes.
+std::optional<TiltedPlane> plane_of(const ClSection& s, const MachineMotion& found, const Post& post) {
+    if (!post.has_planes()) return std::nullopt;
+    const Vec3& axis = s.motions.motions.front().to.axis;
+    if (plane_across(axis).about_x < min_tilt) return std::nullopt;
+    for (std::size_t i = 0; i < found.motions.size(); ++i)
+        if ((s.motions.motions[i].to.axis - axis).norm() > tolerance::level_angle
+            || found.motions[i].at.rotary != found.motions.front().at.rotary)
+            return std::nullopt;
+    TiltedPlane plane = plane_across(axis);
+    for (double* angle : {&plane.about_z, &plane.about_x})
+        *angle = radians(nc_value(nc_digits(degrees(*angle), post.angle_decimals), post.angle_decimals));
+    return plane;
+}
+
 class PostWriter {
 public:
     PostWriter(const ClProgram& program, const Post& post, const PostSetup& setup)
@@ -97,6 +112,7 @@ private:
     void check_findings(const ClSection& s, const MachineMotion& found) const;
     void pieces(const ClSection& s, const Kinematics& kinematics, const MachineMotion& found, std::size_t i);
     void rewind(const ClSection& s, const Kinematics& kinematics, const JointMotion& motion, std::size_t i);
+    void stop_leading(const ClSection& s);
     void come_again(const ClSection& s, const Joints& at, const CutterLocation& location);
     double length_out(const CutterLocation& from) const;
     void place(const ClSection& s, const Joints& at, const CutterLocation& location);
@@ -112,6 +128,7 @@ private:
     PostedProgram posted_;
     Vec3 zero_ = Vec3::Zero();             ///< of X, Y, Z with the tool of the section
     std::vector<NcWord> rotary_;           ///< of the machine's axes
+    std::optional<TiltedPlane> plane_;     ///< that the section is told in, as it is printed
     bool joints_ = true, inverse_ = false; ///< how the section is told
     double pending_ = 0;                   ///< seconds of motions that print as none
     Joints now_;
@@ -160,6 +177,17 @@ void PostWriter::check_section(const ClSection& s) const {
 
 TemplateValues PostWriter::values(const ClSection& s) const {
     TemplateValues v;
+    if (plane_) {
+        const auto angle = [&](double radians) {
+            std::string text;
+            const std::int64_t digits = nc_digits(degrees(radians), post_.angle_decimals);
+            if (post_.plus && digits >= 0) text += '+';
+            append_number(text, digits, post_.angle_decimals, post_);
+            return text;
+        };
+        v["plane_z"] = angle(plane_->about_z);
+        v["plane_x"] = angle(plane_->about_x);
+    }
     v["part"] = nc_text(program_.part_name, post_.max_comment);
     v["operation"] = nc_text(s.operation_name, post_.max_comment);
     v["tool_name"] = nc_text(s.tool_name, post_.max_comment);
@@ -212,13 +240,17 @@ void PostWriter::go(bool rapid, double descent, double seconds, double length, d
 }
 
 void PostWriter::place(const ClSection& s, const Joints& at, const CutterLocation& location) {
-    const bool vectors = s.multi_axis && post_.multi_axis == Post::MultiAxis::vectors && !joints_;
-    const Vec3 words = joints_ ? Vec3(at.linear - zero_) : location.tip;
+    const bool in_plane = plane_ && !joints_;
+    const bool vectors =
+        s.multi_axis && post_.multi_axis == Post::MultiAxis::vectors && !joints_ && !in_plane;
+    const Vec3 words = joints_    ? Vec3(at.linear - zero_)
+                       : in_plane ? Vec3(plane_->frame().transpose() * location.tip)
+                                  : location.tip;
     for (std::size_t k = 0; k < 3; ++k)
         blocks_.set(linear_words[k], words[int(k)]);
     for (std::size_t k = 0; k < 3 && vectors; ++k)
         blocks_.set(vector_words[k], location.axis[int(k)]);
-    for (std::size_t r = 0; r < rotary_.size() && !vectors; ++r)
+    for (std::size_t r = 0; r < rotary_.size() && !vectors && !in_plane; ++r)
         blocks_.set(rotary_[r], at.rotary[r]);
     posted_.reach.add(at.linear);
 }
@@ -233,9 +265,12 @@ void PostWriter::start(const ClSection& s, const Joints& at, const CutterLocatio
     blocks_.set(NcWord::y, words.y());
     blocks_.rapid();
     const bool tcp = !told_as_joints(s);
-    if (tcp) blocks_.lines(post_.tcp_on, values(s));
+    if (tcp) blocks_.lines(plane_ ? post_.plane_on : post_.tcp_on, values(s));
     joints_ = !tcp;
-    blocks_.before_next(tcp ? post_.tcp_approach : post_.approach, values(s));
+    blocks_.before_next(!tcp     ? post_.approach
+                        : plane_ ? post_.plane_approach
+                                 : post_.tcp_approach,
+                        values(s));
     place(s, at, location);
     if (blocks_.moves()) blocks_.rapid();
     // Without a Z to go down by there is no block to take the approach.
@@ -341,11 +376,16 @@ double PostWriter::length_out(const CutterLocation& from) const {
     return std::max(nearest, 0.0);
 }
 
+/// The program tells joints again.
+void PostWriter::stop_leading(const ClSection& s) {
+    blocks_.lines(plane_ ? post_.plane_off : post_.tcp_off, values(s));
+    joints_ = true;
+}
+
 /// Up, and down again to a place that is held otherwise.
 void PostWriter::come_again(const ClSection& s, const Joints& at, const CutterLocation& location) {
     const bool tcp = !told_as_joints(s);
-    if (tcp) blocks_.lines(post_.tcp_off, values(s));
-    joints_ = true;
+    if (tcp) stop_leading(s);
     blocks_.lines(post_.retract, values(s));
     blocks_.feed_mode(inverse_);
     start(s, at, location);
@@ -404,6 +444,8 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
     check_findings(s, found);
     const Kinematics kinematics(setup_.machine, s.gauge_length, setup_.part_origin);
     inverse_ = told_as_joints(s);
+    plane_ = told_as_joints(s) ? std::nullopt : plane_of(s, found, post_);
+    posted_.planes += plane_.has_value();
     blocks_.feed_mode(inverse_);
     now_ = found.motions.front().at;
     start(s, now_, motions.front().to);
@@ -413,10 +455,11 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
         if (i % motions_per_check == 0) rest.set(double(i) / double(motions.size()));
         pieces(s, kinematics, found, i);
     }
-    if (!told_as_joints(s)) blocks_.lines(post_.tcp_off, values(s));
+    if (!told_as_joints(s)) stop_leading(s);
     joints_ = true;
     blocks_.feed_mode(false);
     inverse_ = false;
+    plane_.reset();
 }
 
 void PostWriter::section(const ClSection& s, bool first, bool change, const Progress& progress) {

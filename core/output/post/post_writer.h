@@ -49,6 +49,7 @@ struct PostedProgram {
     std::vector<std::size_t> first_lines; ///< of each section, from 1
     std::vector<long> tools;              ///< in the order of their use
     bool tcp = false;                     ///< the control does the kinematics
+    std::size_t planes = 0;               ///< sections told in a tilted plane
     std::size_t arcs = 0;                 ///< blocks that are arcs
     std::size_t rewinds = 0;              ///< how often the tool goes up so that rotary axes can turn
 };

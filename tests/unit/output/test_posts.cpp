@@ -1,6 +1,8 @@
 // Posts: the data files, what is written for a control, and that it reads back as what was planned.
 #include "core/base/plane_geometry.h"
 #include "core/output/post/nc_text.h"
+#include "core/output/post/tilted_plane.h"
+#include "core/setup/kinematics.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/output/posted_parts.h"
@@ -186,6 +188,112 @@ private slots:
         const double share = control.multi_axis == Post::MultiAxis::vectors ? 0.05 : 1e-3;
         QVERIFY2(posted.rewinds > 0 || std::abs(read.seconds - model) < share * model,
                  qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(model)));
+    }
+
+    /// Two angles hold any axis, and a machine that is asked to hold the plane stands as it does for the
+    /// axis; where a table's C and A do it, they are the angles themselves.
+    void planes_are_what_the_machine_holds() {
+        std::mt19937_64 rng(8);
+        std::normal_distribution<double> any;
+        for (const char* name : {"trunnion-ac", "trunnion-bc", "head-b-table-c", "tarus-tpi-2000"}) {
+            const Kinematics kinematics(find_machine(name), 100, Vec3(3, 4, 5));
+            for (int n = 0; n < 2000; ++n) {
+                const Vec3 axis = Vec3(any(rng), any(rng), 0.5 + std::abs(any(rng))).normalized();
+                const TiltedPlane plane = plane_across(axis);
+                QVERIFY((plane.axis() - axis).norm() < 1e-12);
+                QVERIFY((plane.frame() * plane.frame().transpose() - Mat3::Identity()).norm() < 1e-12);
+                QVERIFY(std::abs(plane.frame().col(0).z()) == 0 && plane.frame().determinant() > 0);
+                const auto asked = kinematics.inverse({Vec3::Zero(), axis}, {}),
+                           held = kinematics.inverse({Vec3::Zero(), plane.axis()}, {});
+                QCOMPARE(held.count, asked.count);
+                for (int k = 0; k < held.count; ++k)
+                    for (std::size_t r = 0; r < 2; ++r) {
+                        const double a = held.at[std::size_t(k)].rotary[r];
+                        QVERIFY(std::abs(std::remainder(a - asked.at[std::size_t(k)].rotary[r], 2 * pi))
+                                < 1e-9);
+                        if (std::string_view(name) != "trunnion-ac") continue;
+                        const double angle = r == 0 ? plane.about_x : plane.about_z;
+                        const double off = std::min(std::abs(std::remainder(a - angle, pi)),
+                                                    std::abs(std::remainder(a + angle, pi)));
+                        QVERIFY(off < 1e-9);
+                    }
+            }
+        }
+    }
+
+    void inclined_planes_are_tilted_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<QString>("machine");
+        for (const Post& p : posts())
+            for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-b-table-c", "tarus-tpi-2000"})
+                if (p.has_planes())
+                    QTest::addRow("%s %s", p.name.c_str(), machine)
+                        << QString::fromStdString(p.name) << QString(machine);
+    }
+    /// Two operations that lean one way each, and one that does not: every place where it was, to the last
+    /// digit, with its axis; a vector or an angle nowhere but on the way there.
+    void inclined_planes_are_tilted() {
+        QFETCH(QString, post);
+        QFETCH(QString, machine);
+        const Post& control = find_post(post.toStdString());
+        const ClProgram program =
+            joined_program({indexed_section("Left", 1, Vec3(-0.4, 0.3, 1)),
+                            indexed_section("Right", 2, Vec3(0.2, 0.6, 1)), leaning_section("Lean", 3)});
+        const PostSetup setup = setup_for(program, machine.toStdString());
+        const PostedProgram posted = post_program(program, control, setup, {});
+        QCOMPARE(posted.planes, std::size_t(2));
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QCOMPARE(read.sections.size(), std::size_t(3));
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto& motions = read.sections[i]->motions.motions;
+            std::size_t at = 0;
+            for (const Motion& m : program.sections[i]->motions.motions) {
+                while (at < motions.size()
+                       && !((motions[at].to.tip - m.to.tip).cwiseAbs().maxCoeff() < 0.0001
+                            && (motions[at].to.axis - m.to.axis).norm() < 3e-6))
+                    ++at;
+                QVERIFY2(at < motions.size(), "a place is missing");
+            }
+        }
+    }
+
+    void tilted_planes_that_are_refused_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<std::string>("from");
+        QTest::addColumn<std::string>("to");
+        QTest::addColumn<std::string>("says");
+        const auto row = [](const char* post, const char* from, const char* to, const char* says) {
+            QTest::addRow("%s: %s", post, from)
+                << post << std::string(from) << std::string(to) << std::string(says);
+        };
+        row("fanuc", "G53.1", "G17", "have not turned to it");
+        row("fanuc", "G69", "G17", "in a tilted plane");
+        row("fanuc", "J21.8", "J-21.8", "do not stand where");
+        row("fanuc", "J21.8", "J20.8", "do not stand where");
+        row("fanuc", "K0.", "K1.", "G68.2");
+        row("fanuc", "G68.2", "G17 (", "there is none");
+        row("fanuc", "G43 H1 ", "", "length is not called");
+        row("fanuc", "G43 H1 ", "G43.4 H1 ", "led in a tilted plane");
+        row("heidenhain", "PLANE SPATIAL", "PLANE EULER", "PLANE");
+        row("heidenhain", "PLANE RESET STAY", "M9", "in a tilted plane");
+        row("heidenhain", "SPA+", "SPA-", "do not stand where");
+        row("siemens", "CYCLE800()", "M9", "in a tilted plane");
+        row("siemens", "100000,27", "100000,57", "CYCLE");
+    }
+    void tilted_planes_that_are_refused() {
+        QFETCH(QString, post);
+        QFETCH(std::string, from);
+        QFETCH(std::string, to);
+        QFETCH(std::string, says);
+        const Post& control = find_post(post.toStdString());
+        const ClProgram program = joined_program({indexed_section("One", 1, Vec3(0, -0.4, 1))});
+        const PostSetup setup = setup_for(program, "trunnion-ac");
+        std::string text = changed_text(post_program(program, control, setup, {}).text, from, to);
+        if (to.back() == '(') text.insert(text.find(control.line_end, text.find(to)), ")");
+        std::string message;
+        QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
+                != "none");
+        QVERIFY2(message.find("p:") == 0 && message.find(says) != std::string::npos, message.c_str());
     }
 
     /// The axis passes the pole of the machine at 0.5 degrees, in one motion: C turns by half a turn
