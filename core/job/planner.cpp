@@ -235,7 +235,13 @@ void finish_program(OperationResult& result, const Project& project, const Opera
     MachineMotion followed;
     result.totals = motion_totals(program, context.machine, {.accelerations = operation.accelerations()},
                                   progress, &followed);
-    if (program.multi_axis) result.machine_run = machine_run(followed, context.machine, project.unit);
+    if (program.multi_axis) {
+        result.machine_run = machine_run(followed, context.machine, project.unit);
+        auto joints = std::make_shared<std::vector<Joints>>();
+        for (const MotionJoints& m : followed.motions)
+            joints->push_back(m.at);
+        result.joints = std::move(joints);
+    }
     if (followed.motions.empty() && has_limits(context.machine))
         followed = machine_motion(program, context.machine, {}, progress);
     result.out_of_reach = out_of_reach(followed, program, context.machine, project.unit);

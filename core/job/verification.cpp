@@ -186,8 +186,13 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == o->program.tool_number; });
         VerifyTool used = tool != project.tools.end() ? VerifyTool(*tool) : VerifyTool(o->program.cutter);
-        programs.push_back(
-            {o->name, std::move(used), {o, &o->program.motions}, o->program.motions.turning, {}, machine});
+        programs.push_back({o->name,
+                            std::move(used),
+                            {o, &o->program.motions},
+                            o->program.motions.turning,
+                            {},
+                            machine,
+                            o->joints});
     }
     return programs;
 }

@@ -1,6 +1,7 @@
 #include "core/base/tolerances.h"
 #include "core/link/entry_places.h"
 #include "core/link/envelope.h"
+#include "core/link/joint_run.h"
 #include "core/link/link.h"
 #include "core/link/tilted_stock.h"
 #include "core/setup/kinematics.h"
@@ -9,6 +10,7 @@
 #include "core/strategy/surface/stock_before.h"
 
 #include <cmath>
+#include <span>
 
 namespace facetmill {
 
@@ -120,10 +122,8 @@ public:
             if (pass.cl.empty()) continue;
             go_to(pass, Index(i), before);
             places_.add(pass.cl.front());
-            for (std::size_t k = 1; k < pass.cl.size(); ++k) {
-                result_.motions.push_back({MotionKind::cut, pass.cl[k], Index(i), Index(k)});
-                places_.add(pass.cl[k]);
-            }
+            for (std::size_t k = 1; k < pass.cl.size(); ++k)
+                cut(pass, Index(i), k);
             before = &pass;
         }
         if (before) {
@@ -165,7 +165,7 @@ private:
     /// Along the location's own axis, of which `slow` is at feed, or from a place near it that has been cut,
     /// where that is shorter.
     Reach reach(const CutterLocation& at, double slow) {
-        Reach best{{at.tip + slow * at.axis, at.axis}, {}, slow};
+        Reach best = along_axis(at, slow);
         if (slow <= short_entry * clearance_) return best;
         const bool reached = reaches(at);
         const auto serves = [&](const CutterLocation& place) {
@@ -190,14 +190,32 @@ private:
         route.clear();
         return on_surface_.between(from, to, limits, route);
     }
-    /// In to a location, through the stock where some stands on the axis.
-    Reach in_to(const CutterLocation& at) {
-        return reach(at, std::max(clearance_, stock_.lift(at, clearance_)));
+    /// In to a location, through the stock where some stands on the axis, and on from there over `ahead`.
+    Reach in_to(const CutterLocation& at, std::span<const CutterLocation> ahead = {}) {
+        const double slow = std::max(clearance_, stock_.lift(at, clearance_));
+        Reach in = reach(at, slow);
+        if (in.between.empty()) return in;
+        JointRun run(kinematics_, motion_), own = run;
+        run.begin(in.fast);
+        own.begin(at);
+        in.between.push_back(at);
+        const bool serves = run.follows(in.between);
+        for (std::size_t k = 0; serves && k < in.between.size(); ++k)
+            run.go(in.between[k]);
+        in.between.pop_back();
+        return serves && run.reach(ahead) == own.reach(ahead) ? in : along_axis(at, slow);
     }
-    /// Out from where it has cut.
+    /// Out from where it has cut, and where the run of motions has come to.
     Reach out_of(const CutterLocation& at) {
-        return reach(at,
-                     stock_.free_behind(at) ? clearance_ : std::max(clearance_, stock_.lift(at, clearance_)));
+        const double slow =
+            stock_.free_behind(at) ? clearance_ : std::max(clearance_, stock_.lift(at, clearance_));
+        Reach out = reach(at, slow);
+        Route route(out.between.rbegin(), out.between.rend());
+        route.push_back(out.fast);
+        return run_.follows(route) ? out : along_axis(at, slow);
+    }
+    static Reach along_axis(const CutterLocation& at, double slow) {
+        return {{at.tip + slow * at.axis, at.axis}, {}, slow};
     }
 
     static double length_of(const CutterLocation& from, const Route& route, const CutterLocation& to) {
@@ -224,7 +242,52 @@ private:
         if ((reach.fast.tip - out.tip).dot(out.axis) < 0) between_passes(MotionKind::rapid, reach.fast);
         for (const CutterLocation& c : reach.between)
             between_passes(MotionKind::approach, c);
-        result_.motions.push_back({MotionKind::approach, start, pass_index, 0});
+        add({MotionKind::approach, start, pass_index, 0});
+    }
+
+    /// To place k of a pass from the one before it. Where a joint comes to its end on the way the tool goes
+    /// out there, and comes back to the same place with the joint wound back.
+    void cut(const Pass& pass, Index pass_index, std::size_t k) {
+        const CutterLocation &from = pass.cl[k - 1], &to = pass.cl[k];
+        const std::span<const CutterLocation> ahead(pass.cl.begin() + std::ptrdiff_t(k), pass.cl.end());
+        if (JointRun(run_).go(to)) {
+            add({MotionKind::cut, to, pass_index, Index(k)});
+        } else if (JointRun other = run_; (other.begin(from), other.go(to))) {
+            come_back(from, from, ahead);
+            add({MotionKind::cut, to, pass_index, Index(k)});
+        } else {
+            // As far as it goes, and on from the next number.
+            const double share = run_.share_to(to);
+            const CutterLocation last = location_on_route(from, to, share),
+                                 next = location_on_route(from, to, share + tolerance::figure_rounding);
+            if (share > 0) between_passes(MotionKind::cut, last);
+            other = run_;
+            if (!other.go(to)) {
+                other.begin(next);
+                if (other.go(to)) come_back(last, next, ahead);
+            }
+            add({MotionKind::cut, to, pass_index, Index(k)});
+        }
+        places_.add(to);
+    }
+    void come_back(const CutterLocation& last, const CutterLocation& next,
+                   std::span<const CutterLocation> ahead) {
+        const Reach out = out_of(last), in = in_to(next, ahead);
+        go_in(in, go_round(out, in), next, no_index);
+    }
+    /// In rapids from where the tool comes out to where it goes in; never in none, so that joints that have
+    /// come to their end are wound back out there.
+    CutterLocation go_round(const Reach& out, const Reach& in) {
+        Route round = envelope_.route(out.fast, in.fast);
+        if (round.size() == 1) {
+            const CutterLocation farther{round[0].tip + clearance_ * round[0].axis, round[0].axis};
+            round.push_back(farther);
+            round.push_back(round[0]);
+        }
+        come_out(out, round.front());
+        for (std::size_t k = 1; k < round.size(); ++k)
+            between_passes(MotionKind::rapid, round[k]);
+        return round.back();
     }
 
     /// The place beside a pass's end where the tool may turn over.
@@ -232,15 +295,19 @@ private:
         return {c.tip + off_share * apart_ * c.axis, c.axis};
     }
 
-    void between_passes(MotionKind kind, const CutterLocation& to) {
-        result_.motions.push_back({kind, to, no_index, no_index});
+    void between_passes(MotionKind kind, const CutterLocation& to) { add({kind, to, no_index, no_index}); }
+    void add(const Motion& motion) {
+        // Where no motion of a run can help it, another begins.
+        if (motion.kind == MotionKind::rapid || !run_.go(motion.to)) run_.begin(motion.to);
+        result_.motions.push_back(motion);
     }
 
     /// To the start of a pass, from the end of the pass before, if there is one.
     void go_to(const Pass& pass, Index pass_index, const Pass* before) {
         const CutterLocation& start = pass.cl.front();
+        const std::span<const CutterLocation> ahead(pass.cl.begin() + 1, pass.cl.end());
         if (!before) {
-            const Reach in = in_to(start);
+            const Reach in = in_to(start, ahead);
             const CutterLocation out = envelope_.out(in.fast);
             between_passes(MotionKind::rapid, out);
             go_in(in, out, start, pass_index);
@@ -248,22 +315,30 @@ private:
         }
         const CutterLocation& last = before->cl.back();
         Route route;
-        bool linked = link_near(*before, pass, route);
+        bool linked = link_near(*before, pass, route) && joints_follow(route, pass);
         if (!linked) {
-            const Reach out = out_of(last), in = in_to(start);
-            linked = go_over(last, start, out.length + in.length, route);
+            const Reach out = out_of(last), in = in_to(start, ahead);
+            linked = go_over(last, start, out.length + in.length, route) && joints_follow(route, pass);
             if (!linked) {
-                const Route round = envelope_.route(out.fast, in.fast);
-                come_out(out, round.front());
-                for (std::size_t k = 1; k < round.size(); ++k)
-                    between_passes(MotionKind::rapid, round[k]);
-                go_in(in, round.back(), start, pass_index);
+                go_in(in, go_round(out, in), start, pass_index);
                 return;
             }
         }
         for (const CutterLocation& c : route)
             between_passes(MotionKind::link, c);
-        result_.motions.push_back({MotionKind::link, start, pass_index, 0});
+        add({MotionKind::link, start, pass_index, 0});
+    }
+
+    /// Whether joints that go on over a link come as far in the pass as if they began there.
+    bool joints_follow(const Route& route, const Pass& pass) const {
+        Route whole = route;
+        whole.insert(whole.end(), pass.cl.begin(), pass.cl.end());
+        const std::size_t reached = run_.reach(whole);
+        if (reached == whole.size()) return true;
+        JointRun own(kinematics_, motion_);
+        own.begin(pass.cl.front());
+        return reached > route.size()
+               && reached - route.size() >= 1 + own.reach(std::span(pass.cl).subspan(1));
     }
 
     /// The places between two passes that are neighbours; false where there is no such route.
@@ -317,6 +392,7 @@ private:
     Envelope envelope_;
     TiltedStock stock_;
     EntryPlaces places_;
+    JointRun run_{kinematics_, motion_};
     ToolMotions result_;
 };
 

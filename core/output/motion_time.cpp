@@ -1,7 +1,7 @@
 #include "core/output/motion_time.h"
 
 #include "core/base/tolerances.h"
-#include "core/output/joint_course.h"
+#include "core/setup/joint_course.h"
 
 #include <cmath>
 
@@ -27,12 +27,20 @@ int turns_max(const Kinematics& kinematics, const Joints& from, const Joints& to
     return second ? 4 : 3;
 }
 
+double feed_time(const ClSection& program, std::size_t motion, const Vec3& step) {
+    return step.norm() / program.feed(motion) * 60.0;
+}
+
 /// The joints of all motions, findings about what cannot be held, and no times yet.
 MachineMotion follow(const ClSection& program, const Kinematics& kinematics, const MotionTimeOptions& options,
                      const Progress& progress) {
     using Limit = Kinematics::Reach::Limit;
-    const JointCourse course = find_joint_course(program, kinematics, options.largest_swing, progress);
     const auto& motions = program.motions.motions;
+    std::vector<double> feed_seconds(motions.size(), 0);
+    for (std::size_t i = 1; i < motions.size(); ++i)
+        feed_seconds[i] = feed_time(program, i, motions[i].to.tip - motions[i - 1].to.tip);
+    const JointCourse course =
+        find_joint_course(motions, feed_seconds, kinematics, options.largest_swing, progress);
     MachineMotion result;
     result.motions.resize(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "core/verify/axis_courses.h"
 
 #include "core/base/tolerances.h"
+#include "core/setup/joint_course.h"
 #include "core/verify/sweep.h"
 
 #include <cmath>
@@ -12,6 +13,10 @@ namespace {
 constexpr std::size_t motions_per_check = 1024;
 /// Courses that keep all of a tool within this (mm) are one.
 constexpr double same_course = 5e-5;
+/// Axes that are held to within this are those of the program.
+constexpr double same_axis = 4e-6;
+/// How far a tool may swing off its path before that counts more than time.
+const double largest_swing = radians(1);
 /// Places of a motion at which courses are held against each other: near where they are farthest apart, a
 /// quarter and half of the way.
 constexpr std::array<double, 4> compared{0.2, 0.5, 0.75, 0.9};
@@ -65,46 +70,26 @@ CutterLocation AxisCourses::at(Index motion, AxisCourse course, double s) const 
 }
 
 void AxisCourses::follow_joints(const Progress& progress) {
-    // Where part and spindle nose are makes no difference to the rotary axes.
-    kinematics_.emplace(*program_->machine, 0, Vec3::Zero());
+    // Where part and spindle nose are makes no difference to the rotary axes, but where linear axes end.
+    Machine machine = *program_->machine;
+    machine.travel = {};
+    kinematics_.emplace(machine, 0, Vec3::Zero());
     const auto& motions = program_->motions->motions;
+    std::vector<Joints> at;
+    std::vector<bool> held(motions.size(), true);
+    if (program_->joints && program_->joints->size() == motions.size()) {
+        at = *program_->joints;
+    } else {
+        JointCourse course = find_joint_course(motions, {}, *kinematics_, largest_swing, progress);
+        at = std::move(course.at);
+        held = std::move(course.held);
+    }
     angles_.resize(motions.size());
-    Angles before;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) progress.check();
-        angles_[i] = next(motions[i].to.axis, before);
-        if (angles_[i]) before = angles_[i];
+        if (held[i] && (kinematics_->forward(at[i]).axis - motions[i].to.axis).norm() <= same_axis)
+            angles_[i] = at[i].rotary;
     }
-}
-
-AxisCourses::Angles AxisCourses::next(const Vec3& axis, const Angles& from) const {
-    Joints near;
-    if (from) near.rotary = *from;
-    const Kinematics::Solutions solutions = kinematics_->inverse({Vec3::Zero(), axis.normalized()}, near);
-    Angles best;
-    double least = infinity;
-    for (int i = 0; i < solutions.count; ++i) {
-        std::array<double, 2> angles{0, 0};
-        double longest = 0;
-        for (std::size_t k = 0; k < program_->machine->rotary.size(); ++k) {
-            const Travel& travel = program_->machine->rotary[k].travel;
-            const double angle = solutions.at[std::size_t(i)].rotary[k], start = near.rotary[k];
-            const double nearest = start + std::remainder(angle - start, 2 * pi);
-            double shortest = infinity;
-            for (const double turns : {0.0, -1.0, 1.0}) {
-                const double to = nearest + 2 * pi * turns;
-                if (!travel.contains(to, tolerance::level_angle) || std::abs(to - start) >= shortest)
-                    continue;
-                shortest = std::abs(to - start);
-                angles[k] = to;
-            }
-            longest = std::max(longest, shortest);
-        }
-        if (!(longest < least)) continue;
-        least = longest;
-        best = angles;
-    }
-    return best;
 }
 
 } // namespace facetmill

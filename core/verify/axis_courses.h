@@ -16,8 +16,7 @@ namespace facetmill {
 
 class AxisCourses {
 public:
-    /// `program` must outlive this. Joints are followed motion by motion, each to the nearer solution within
-    /// the rotary axes' travel.
+    /// `program` must outlive this. Joints that do not hold the tool axes of the program are not believed.
     AxisCourses(const VerifyProgram& program, const Progress& progress);
 
     /// False where no point of the tool is anywhere farther than 5e-5 mm from where the great circle has it,
@@ -37,7 +36,6 @@ private:
         return program_->motions->motions[motion > 0 ? motion - 1 : 0].to;
     }
     void follow_joints(const Progress& progress);
-    Angles next(const Vec3& axis, const Angles& from) const;
 
     const VerifyProgram* program_;
     std::optional<Kinematics> kinematics_;

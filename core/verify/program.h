@@ -5,6 +5,7 @@
 
 #include "core/cutter/cutter.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/kinematics.h"
 #include "core/setup/machine.h"
 #include "core/setup/motion.h"
 #include "core/setup/stock_solid.h"
@@ -50,6 +51,9 @@ struct VerifyProgram {
     std::vector<std::uint32_t> lines;
     /// The machine that runs it; null: not known, and what its joints do between locations is not asked.
     std::shared_ptr<const Machine> machine = nullptr;
+    /// How its joints stand at the end of each motion, as posts write them (joint_course.h); null: as they
+    /// stand best, wherever the part is on the machine.
+    std::shared_ptr<const std::vector<Joints>> joints = nullptr;
 };
 
 /// How the tool axis may go from one location to the next; the tip moves straight.

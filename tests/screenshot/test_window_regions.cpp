@@ -453,8 +453,6 @@ private slots:
 
     void both_programs_are_verified_played_and_written() {
         QVERIFY(open_dents());
-        // Its table turns without end; a fork that comes to its end within a pass has to turn over there.
-        w().document().change(QStringLiteral("Machine"), [](Project& p) { p.machine = "trunnion-ac"; });
         w().verify(); // plans first
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));

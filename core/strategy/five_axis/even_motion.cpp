@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace facetmill {
 
@@ -16,6 +17,7 @@ constexpr int max_cuts = 12;
 constexpr double end_reach = 2;
 /// Shank and holder are far from the tip: their axes differ by no more than this, whatever the cutter allows.
 const double max_axis_apart = radians(0.5);
+constexpr std::array<double, 3> looked_at{0.25, 0.5, 0.75}; ///< shares of a motion
 
 } // namespace
 
@@ -24,26 +26,42 @@ EvenMotion::EvenMotion(const Kinematics& kinematics, double radius, double limit
 
 bool EvenMotion::even(const CutterLocation& a, const CutterLocation& b) const {
     if (a.axis == b.axis) return true;
-    const std::array<double, 3> shares{0.25, 0.5, 0.75};
-    std::array<Vec3, 3> circle;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-        circle[k] = location_on_route(a, b, shares[k]).axis;
-        const Vec3 straight = (a.axis + shares[k] * (b.axis - a.axis)).normalized();
-        if ((straight - circle[k]).norm() > max_apart_) return false;
+    for (const double share : looked_at) {
+        const Vec3 straight = (a.axis + share * (b.axis - a.axis)).normalized();
+        if ((straight - location_on_route(a, b, share).axis).norm() > max_apart_) return false;
     }
     const Kinematics::Solutions held = kinematics_.within_travel({a.tip, a.axis}, Joints{});
     // At the pole one joint may stand anywhere, and turns to where it is needed while the axis comes off.
     if (held.count > 0 && held.singular) return (b.axis - a.axis).norm() <= max_apart_;
     for (int i = 0; i < held.count; ++i) {
-        const Joints from = held.at[std::size_t(i)];
-        const auto to = kinematics_.nearest({b.tip, b.axis}, from);
-        if (!to) continue;
-        for (std::size_t k = 0; k < shares.size(); ++k) {
-            Joints on = from;
-            for (std::size_t r = 0; r < on.rotary.size(); ++r)
-                on.rotary[r] += shares[k] * (to->rotary[r] - from.rotary[r]);
-            if ((kinematics_.forward(on).axis - circle[k]).norm() > max_apart_) return false;
+        const Joints& from = held.at[std::size_t(i)];
+        const Kinematics::Solutions ends = kinematics_.within_travel({b.tip, b.axis}, from);
+        std::optional<Joints> nearest;
+        double least = infinity;
+        for (int k = 0; k < ends.count; ++k) {
+            Joints to = ends.at[std::size_t(k)];
+            for (std::size_t r = 0; r < to.rotary.size(); ++r)
+                to.rotary[r] = from.rotary[r] + std::remainder(to.rotary[r] - from.rotary[r], 2 * pi);
+            if (const double time = kinematics_.time(from, to); time < least) {
+                least = time;
+                nearest = to;
+            }
         }
+        if (nearest && !even(a, b, from, *nearest)) return false;
+    }
+    return true;
+}
+
+bool EvenMotion::even(const CutterLocation& a, const CutterLocation& b, const Joints& from,
+                      const Joints& to) const {
+    if ((b.axis - a.axis).norm() <= max_apart_ && kinematics_.inverse({a.tip, a.axis}, from).singular)
+        return true;
+    for (const double share : looked_at) {
+        Joints on = from;
+        for (std::size_t r = 0; r < on.rotary.size(); ++r)
+            on.rotary[r] += share * (to.rotary[r] - from.rotary[r]);
+        if ((kinematics_.forward(on).axis - location_on_route(a, b, share).axis).norm() > max_apart_)
+            return false;
     }
     return true;
 }

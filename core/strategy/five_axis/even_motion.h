@@ -17,9 +17,12 @@ public:
     EvenMotion(const Kinematics& kinematics, double radius, double limit);
 
     /// Whether the axis turns nearly alike from a to b on a great circle, by its coordinates and by the
-    /// machine's joints, in whichever of its two manners the machine holds a. Of poses that it cannot hold
-    /// the first two are asked alone.
+    /// machine's joints, in whichever of its two manners the machine holds a; whether a joint comes to its
+    /// end there is not asked. Of poses that it cannot hold the first two are asked alone.
     bool even(const CutterLocation& a, const CutterLocation& b) const;
+    /// The same of joints that move evenly; where the machine stands at its pole, and one of them may stand
+    /// anywhere, a turn that is small enough will do.
+    bool even(const CutterLocation& a, const CutterLocation& b, const Joints& from, const Joints& to) const;
     /// Shares of the route from a to b at which locations have to be put, ascending; none where it is even.
     std::vector<double> cuts(const CutterLocation& a, const CutterLocation& b) const;
 

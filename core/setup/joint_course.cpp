@@ -1,4 +1,4 @@
-#include "core/output/joint_course.h"
+#include "core/setup/joint_course.h"
 
 #include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
@@ -15,13 +15,23 @@ namespace {
 constexpr std::size_t check_every = 512;
 /// Motions that are decided together.
 constexpr std::size_t block_size = 16384;
+/// Beyond it a rapid is waited for, this many blocks at most: within a run joints may need all of its length.
+constexpr std::size_t blocks_to_rapid = 8;
 /// Stops of one motion: both solutions, a few turns apart.
-constexpr std::size_t max_stops = 12;
+constexpr std::size_t max_stops = 24;
 /// Share of the joint time that counts: a little, so that of courses that take as long the calmer one is
 /// found.
 constexpr double calm_share = 1e-3;
-/// What a swing costs, s: more than any program takes without.
-constexpr double swing_seconds = 1e9;
+/// What a swing costs, s: more than any program takes without; and what smaller ones cost by their size, s
+/// per radian. Motions that go on as they should stray alike whichever way the machine stands.
+constexpr double swing_seconds = 1e9, stray_seconds = 5e6;
+/// What it costs to turn over at feed where the tool hardly strays, and in a rapid beside the part, s: less
+/// than to stray, more than to do it between two rapids.
+constexpr double turned_over_seconds = 1000, beside_part_seconds = 100;
+/// Joints that turn by less together do not stray by anything that counts.
+constexpr double no_turn = 2e-5; // radians
+/// A tool that strays by less than this of what is a swing does not swing between the places looked at.
+constexpr double look_for_swing = 0.5;
 
 /// Rotary axes are looked at every so far; and no more than this, whatever the machine turns.
 constexpr double look_every = pi / 8, max_turned = 100 * pi;
@@ -40,10 +50,34 @@ bool same_rotary(const Joints& a, const Joints& b) {
            && std::abs(a.rotary[1] - b.rotary[1]) < same_angle;
 }
 
+/// How far, at most of three places, the tool axis is from the great circle between its ends while the joints
+/// move evenly; a distance of unit vectors.
+double strays_by(const Kinematics& kinematics, const Joints& from, const Joints& to, const Vec3& a,
+                 const Vec3& b) {
+    const double angle = angle_between(a, b), sine = std::sin(angle);
+    double off = 0;
+    for (const double t : {0.25, 0.5, 0.75}) {
+        Joints at;
+        for (std::size_t r = 0; r < 2; ++r)
+            at.rotary[r] = from.rotary[r] + t * (to.rotary[r] - from.rotary[r]);
+        const Vec3 on = sine > tolerance::level_angle
+                            ? Vec3((std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / sine)
+                            : Vec3(a + t * (b - a));
+        off = std::max(off, (kinematics.forward(at).axis - on).norm());
+    }
+    return off;
+}
+
+void add_stance(const Joints& stance, std::vector<Joints>& found) {
+    if (std::none_of(found.begin(), found.end(), [&](const Joints& w) { return same_rotary(w, stance); }))
+        found.push_back(stance);
+}
+
 class Course {
 public:
-    Course(const ClSection& program, const Kinematics& kinematics, double largest_swing)
-        : program_(program), motions_(program.motions.motions), kinematics_(kinematics),
+    Course(std::span<const Motion> motions, std::span<const double> feed_seconds,
+           const Kinematics& kinematics, double largest_swing)
+        : motions_(motions), feed_seconds_(feed_seconds), kinematics_(kinematics),
           largest_swing_(largest_swing) {
         found_.at.resize(motions_.size());
         found_.held.resize(motions_.size());
@@ -53,42 +87,37 @@ public:
         for (std::size_t i = 0; i < motions_.size(); ++i) {
             if (i % check_every == 0) progress.set(double(i) / double(motions_.size()));
             add(i);
-            if (layers_.size() == block_size || i + 1 == motions_.size()) decide(i);
+            const bool whole = layers_.size() >= block_size && (rapid(i) || layers_.size() >= max_block);
+            if (whole || i + 1 == motions_.size()) decide(i);
         }
         return std::move(found_);
     }
 
 private:
-    /// Poses from which solutions are wound where nothing was held before: a turn to either side of an axis
-    /// that ends somewhere.
-    std::vector<Stop> seeds() const {
-        const auto turns = [&](std::size_t axis) {
-            const auto& rotary = kinematics_.machine().rotary;
-            const bool ends = axis < rotary.size() && rotary[axis].travel.limited();
-            return ends ? std::vector<double>{0, 2 * pi, -2 * pi} : std::vector<double>{0};
-        };
+    static constexpr std::size_t max_block = blocks_to_rapid * block_size;
+
+    bool rapid(std::size_t i) const { return motions_[i].kind == MotionKind::rapid; }
+
+    std::vector<Stop> stops(std::size_t i) const {
+        const ToolPose pose{motions_[i].to.tip, motions_[i].to.axis};
+        std::vector<Joints> found;
+        for (const Stop& b : last_) {
+            const Kinematics::Solutions held = kinematics_.within_travel(pose, b.at);
+            for (std::size_t k = 0; k < std::size_t(held.count); ++k)
+                add_stance(held.at[k], found);
+        }
+        if (last_.empty() || rapid(i))
+            for (const Joints& stance : stances(kinematics_, pose))
+                add_stance(stance, found);
         std::vector<Stop> all;
-        for (const double first : turns(0))
-            for (const double second : turns(1)) {
-                Stop s;
-                s.at.rotary = {first, second};
-                all.push_back(s);
-            }
+        for (const Joints& stance : found)
+            all.push_back({stance, infinity, 0});
         return all;
     }
 
     void add(std::size_t i) {
         const bool first = last_.empty();
-        const std::vector<Stop> before = first ? seeds() : last_;
-        const ToolPose pose{motions_[i].to.tip, motions_[i].to.axis};
-        std::vector<Stop> here;
-        for (const Stop& b : before) {
-            const Kinematics::Solutions held = kinematics_.within_travel(pose, b.at);
-            for (std::size_t k = 0; k < std::size_t(held.count); ++k) {
-                const auto known = [&](const Stop& s) { return same_rotary(s.at, held.at[k]); };
-                if (std::none_of(here.begin(), here.end(), known)) here.push_back({held.at[k], infinity, 0});
-            }
-        }
+        std::vector<Stop> here = stops(i);
         found_.held[i] = !here.empty();
         if (here.empty()) {
             // Nothing moves until a pose can be held again.
@@ -136,11 +165,9 @@ private:
         stops = std::move(kept);
     }
 
-    /// The cheapest way to a stop. Ways without a swing are cheaper than all others, so of the ways in the
-    /// order of their time the first without one is it.
+    /// The cheapest way to a stop: asked in the order of their time, until time alone is more than the best.
     void relax(std::size_t i, Stop& to) const {
-        const bool rapid = motions_[i].kind == MotionKind::rapid;
-        const double feed = rapid ? 0.0 : feed_time(program_, i, motions_[i].to.tip - motions_[i - 1].to.tip);
+        const double feed = rapid(i) || feed_seconds_.empty() ? 0.0 : feed_seconds_[i];
         std::array<std::pair<double, std::uint32_t>, max_stops> routes;
         for (std::size_t k = 0; k < last_.size(); ++k) {
             const double joints = kinematics_.time(last_[k].at, to.at);
@@ -149,25 +176,31 @@ private:
         std::sort(routes.begin(), routes.begin() + long(last_.size()));
         for (std::size_t k = 0; k < last_.size(); ++k) {
             const auto& [seconds, from] = routes[k];
-            const double cost = seconds + (rapid || !swings(i, last_[from].at, to.at) ? 0.0 : swing_seconds);
+            if (seconds >= to.cost) return;
+            const double cost = seconds + strayed(i, last_[from].at, to.at);
             if (cost < to.cost) {
                 to.cost = cost;
                 to.from = from;
             }
-            if (cost == seconds) return;
         }
     }
 
-    bool swings(std::size_t i, const Joints& from, const Joints& to) const {
-        if (!found_.held[i - 1]) return false;
-        // Half the joints' way is the most that the tool can be off.
-        double turned = 0;
-        for (std::size_t r = 0; r < 2; ++r)
-            turned += std::abs(to.rotary[r] - from.rotary[r]);
-        return turned > largest_swing_
-               && swing_between(kinematics_, from, to, motions_[i - 1].to.axis, motions_[i].to.axis,
-                                largest_swing_)
-                      > largest_swing_;
+    /// What it costs that the tool is not on its path during a motion.
+    double strayed(std::size_t i, const Joints& from, const Joints& to) const {
+        if (!found_.held[i - 1]) return 0;
+        // All of the joints' way is the most that the tool can be off.
+        const double turned =
+            std::abs(to.rotary[0] - from.rotary[0]) + std::abs(to.rotary[1] - from.rotary[1]);
+        if (turned < no_turn) return 0;
+        const bool beside_part = !rapid(i - 1) || (i + 1 < motions_.size() && !rapid(i + 1));
+        if (rapid(i) && (!beside_part || turned <= largest_swing_)) return 0;
+        const Vec3 &a = motions_[i - 1].to.axis, &b = motions_[i].to.axis;
+        const double off = strays_by(kinematics_, from, to, a, b);
+        if (rapid(i)) return off > largest_swing_ || turns_over(from, to) ? beside_part_seconds : 0;
+        const bool swings = off > look_for_swing * largest_swing_
+                            && swing_between(kinematics_, from, to, a, b, largest_swing_) > largest_swing_;
+        return (swings ? swing_seconds : 0) + stray_seconds * off
+               + (turns_over(from, to) ? turned_over_seconds : 0);
     }
 
     /// Fixes the motions of the block that ends with motion `end`; the next one starts from there.
@@ -185,8 +218,8 @@ private:
         last_.front().cost = 0;
     }
 
-    const ClSection& program_;
-    const std::vector<Motion>& motions_;
+    std::span<const Motion> motions_;
+    std::span<const double> feed_seconds_;
     const Kinematics& kinematics_;
     double largest_swing_;
     JointCourse found_;
@@ -196,9 +229,31 @@ private:
 
 } // namespace
 
-JointCourse find_joint_course(const ClSection& program, const Kinematics& kinematics, double largest_swing,
-                              const Progress& progress) {
-    return Course(program, kinematics, largest_swing).run(progress);
+JointCourse find_joint_course(std::span<const Motion> motions, std::span<const double> feed_seconds,
+                              const Kinematics& kinematics, double largest_swing, const Progress& progress) {
+    return Course(motions, feed_seconds, kinematics, largest_swing).run(progress);
+}
+
+std::vector<Joints> stances(const Kinematics& kinematics, const ToolPose& pose) {
+    const auto turns = [&](std::size_t axis) {
+        const auto& rotary = kinematics.machine().rotary;
+        const bool ends = axis < rotary.size() && rotary[axis].travel.limited();
+        return ends ? std::vector<double>{0, 2 * pi, -2 * pi} : std::vector<double>{0};
+    };
+    std::vector<Joints> found;
+    for (const double first : turns(0))
+        for (const double second : turns(1)) {
+            const auto held = kinematics.within_travel(pose, Joints{Vec3::Zero(), {first, second}});
+            for (std::size_t k = 0; k < std::size_t(held.count); ++k)
+                add_stance(held.at[k], found);
+        }
+    return found;
+}
+
+bool turns_over(const Joints& from, const Joints& to) {
+    constexpr double half_turn = pi * (1 + tolerance::figure_rounding);
+    return std::abs(to.rotary[0] - from.rotary[0]) > half_turn
+           || std::abs(to.rotary[1] - from.rotary[1]) > half_turn;
 }
 
 double swing_between(const Kinematics& kinematics, const Joints& from, const Joints& to,
@@ -221,10 +276,6 @@ double swing_between(const Kinematics& kinematics, const Joints& from, const Joi
         most = std::max(most, angle_between(kinematics.forward(at).axis, sum));
     }
     return most - middle;
-}
-
-double feed_time(const ClSection& program, std::size_t motion, const Vec3& step) {
-    return step.norm() / program.feed(motion) * 60.0;
 }
 
 } // namespace facetmill
