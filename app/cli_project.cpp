@@ -39,7 +39,11 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
         const auto part = planner.prepare(project, progress.part(0, 0.05));
         for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
             tell_size(estimate, arguments, session);
-        return planner.plan(project, only_operation, progress.part(0.05, 1));
+        auto plan = planner.plan(project, only_operation, progress.part(0.05, 1));
+        plan->check_programs();
+        for (const auto& o : plan->idle)
+            session.say("operation '" + printable(o->name) + "' has nothing to do: " + o->nothing_to_do);
+        return plan;
     } catch (const Error& e) {
         // The messages of part and stock name their files.
         const auto names = [&](const std::filesystem::path& mesh) {

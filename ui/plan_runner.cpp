@@ -115,7 +115,7 @@ void PlanRunner::run(Work& work, Planner& planner, const Progress& progress) {
             const auto result =
                 planner.plan(work.project, name,
                              progress.part(from + share * double(k), from + share * double(k + 1), name));
-            outcome.result = result->operations.at(0);
+            outcome.result = result->operations.empty() ? result->idle.at(0) : result->operations.front();
         } catch (const Error& e) {
             // The other operations may still be planned. Names and places stay as they are.
             const LengthUnit unit = work.project.unit;
@@ -149,6 +149,11 @@ void PlanRunner::finish(Work& work, const JobEnd& end) {
             failures << (o.failure.contains(name) ? o.failure : name + QStringLiteral(": ") + o.failure);
             continue;
         }
+        if (!o.result->nothing_to_do.empty())
+            messages_.information(tr("“%1” has nothing to do: %2.")
+                                      .arg(text(o.result->name),
+                                           with_lengths_in(text(o.result->nothing_to_do), document_.unit())),
+                                  false);
         for (const auto& program : programs_of(o.result))
             tell_result(*program);
     }

@@ -202,6 +202,11 @@ QString ReportView::operation_html(std::size_t i) const {
                    ? html
                    : html + note(tr("Press Plan (F5) to plan it."), signal.quiet);
 
+    if (!result->nothing_to_do.empty())
+        return html
+               + note(tr("Nothing to do: %1. No program is written for it.")
+                          .arg(with_lengths_in(text(result->nothing_to_do), unit)),
+                      signal.quiet);
     const StrategyResult& path = result->path;
     const auto* turned = path.as<TurnedPath>();
     Facts facts(palette());

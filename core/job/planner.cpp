@@ -284,6 +284,7 @@ std::vector<std::string> OperationResult::warnings() const {
 
 std::vector<std::shared_ptr<const OperationResult>>
 programs_of(const std::shared_ptr<const OperationResult>& operation) {
+    if (!operation->nothing_to_do.empty()) return {};
     std::vector<std::shared_ptr<const OperationResult>> programs{operation};
     programs.insert(programs.end(), operation->further.begin(), operation->further.end());
     return programs;
@@ -302,6 +303,14 @@ void PlanResult::check_reach() const {
             throw Error(
                 ErrorCode::limit_exceeded, "operation '" + printable(o->name) + "'", o->out_of_reach,
                 "choose another machine or tool, turn the part, or place it elsewhere on the machine");
+}
+
+void PlanResult::check_programs() const {
+    if (!operations.empty()) return;
+    if (idle.empty())
+        throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
+    throw Error(ErrorCode::empty_result, "operation '" + printable(idle.front()->name) + "'",
+                idle.front()->nothing_to_do, "leave the operation out");
 }
 
 struct Planner::Cache {
@@ -456,12 +465,23 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     auto start = std::chrono::steady_clock::now();
     if (const Planned* same = find(&Planned::path_key, path_key)) {
         result->path = same->result->path;
+        result->nothing_to_do = same->result->nothing_to_do;
         result->seconds_strategy = same->result->seconds_strategy;
     } else {
-        result->path = operation.plan(context, progress.part(0.0, 0.85, common.name));
-        if (!operation.turning()) keep_above_bottom(result->path, context, common);
+        try {
+            result->path = operation.plan(context, progress.part(0.0, 0.85, common.name));
+            if (!operation.turning()) keep_above_bottom(result->path, context, common);
+        } catch (const NothingToDo& nothing) {
+            result->nothing_to_do = nothing.message();
+        }
         result->seconds_strategy = seconds_since(start);
         ++work.strategies;
+    }
+    if (!result->nothing_to_do.empty()) {
+        result->seconds_planning = result->seconds_strategy;
+        progress.set(1.0);
+        planned.push_back({path_key, motion_key, program_key, result, true, ++last_motions});
+        return planned.back();
     }
     for (const Pass& pass : result->path.passes) {
         result->cc_points += pass.cc.size();
@@ -603,6 +623,8 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
             }
             const Cache::Planned& planned =
                 c.operation(project, operation, context, {asked_before.text(), asked_by_links.text()}, part);
+            if (asked[i].result && !planned.result->nothing_to_do.empty())
+                result->idle.push_back(planned.result);
             if (asked[i].result)
                 for (const auto& program : programs_of(planned.result))
                     result->operations.push_back(program);
@@ -613,7 +635,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
             }
             if (asked[i].leaves) {
                 earlier.add(std::to_string(planned.motions));
-                cuts.push_back(cuts_of(planned.result->program));
+                if (planned.result->nothing_to_do.empty()) cuts.push_back(cuts_of(planned.result->program));
             }
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
@@ -642,7 +664,8 @@ PlanContext preview_context(const Project& project, std::size_t i, const Prepare
     context.tool = project.tool_of(*project.operations.at(i));
     if (project.operations[i]->reads_stock())
         for (const auto& result : before)
-            if (!result->program.multi_axis) context.earlier.push_back(cuts_of(result->program));
+            if (!result->program.multi_axis && result->nothing_to_do.empty())
+                context.earlier.push_back(cuts_of(result->program));
     return context;
 }
 

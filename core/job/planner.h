@@ -48,6 +48,8 @@ struct OperationResult {
     /// Where the machine's axes do not go: the farthest place, the axis and by how much, in the project's
     /// unit; empty where they reach everything.
     std::string out_of_reach;
+    /// Why it has no motions: what it is for has been done before it (NothingToDo). Empty for all others.
+    std::string nothing_to_do;
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;
@@ -59,7 +61,7 @@ struct OperationResult {
     std::vector<std::string> warnings() const;
 };
 
-/// An operation's own program and its further ones, in machining order.
+/// An operation's own program and its further ones, in machining order; none where it has nothing to do.
 std::vector<std::shared_ptr<const OperationResult>>
 programs_of(const std::shared_ptr<const OperationResult>& operation);
 
@@ -76,11 +78,15 @@ struct PlanResult {
     /// One per program, in the project's order; those asked for. What an operation has `further` stands after
     /// it, too.
     std::vector<std::shared_ptr<const OperationResult>> operations;
+    /// Operations of those asked for that have nothing to do, in the project's order: they have no program.
+    std::vector<std::shared_ptr<const OperationResult>> idle;
     /// The place in `operations` of the program whose operation a program belongs to.
     std::size_t owner(std::size_t program) const;
     /// Throws Error(limit_exceeded) that names the first operation that the machine cannot make, and where:
     /// its path can be looked at, and is no program.
     void check_reach() const;
+    /// Throws Error(empty_result) where no operation has a program: why the first has nothing to do.
+    void check_programs() const;
 };
 
 /// One job at a time: not to be called from two threads at once. Every stage is keyed by the values up to it

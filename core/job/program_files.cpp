@@ -95,8 +95,7 @@ std::vector<std::string> program_file_names(const Project& project) {
 std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
                                  const Progress& progress, const std::vector<double>& air,
                                  const std::function<void()>& before) {
-    if (result.operations.empty())
-        throw Error(ErrorCode::empty_result, "plan", "no operation was planned", "plan at least one");
+    result.check_programs();
     result.check_reach();
     const std::vector<PostedFile> posted_files = post_plan(project, result, progress.part(0, 0.5));
     const NewFolder made(folder);

@@ -166,6 +166,9 @@ std::string report_json(const Project& project, const PlanResult& result, const 
         if (global_local) add_rework(entry, *o, per);
         operations.push_back(std::move(entry));
     }
+    Json idle = Json::array();
+    for (const auto& o : result.idle)
+        idle.push_back(Json{{"name", o->name}, {"kind", o->kind}, {"nothing_to_do", o->nothing_to_do}});
     const MeshReport& mesh = result.part->report;
     Json report;
     report["units"] = std::string(unit_name(project.unit));
@@ -179,6 +182,7 @@ std::string report_json(const Project& project, const PlanResult& result, const 
                            {"warnings", result.stock_warnings}};
     report["machine"] = project.machine;
     report["operations"] = std::move(operations);
+    if (!result.idle.empty()) report["idle_operations"] = std::move(idle);
     return pretty_json(report);
 }
 

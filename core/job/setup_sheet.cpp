@@ -168,6 +168,8 @@ void Sheet::part_and_stock() {
         warning(w);
     for (const std::string& w : plan_.part->report.warnings)
         warning(explain_warning(w));
+    for (const auto& o : plan_.idle)
+        warning("There is no program for '" + o->name + "', which has nothing to do: " + o->nothing_to_do);
 }
 
 void Sheet::tools() {

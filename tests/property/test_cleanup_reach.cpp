@@ -2,6 +2,8 @@
 // points that an operation of five axes left, and around material that the verification finds.
 #include "core/base/turn.h"
 #include "core/job/planner.h"
+#include "core/job/program_files.h"
+#include "core/job/report.h"
 #include "core/job/verification.h"
 #include "core/link/link.h"
 #include "core/mesh/mesh_io.h"
@@ -274,7 +276,20 @@ private slots:
         Operation& op = w.add("cleanup", "Clean-up", 2);
         op.set("previous_tool", ParameterValue(3l));
         Planner planner;
-        QCOMPARE(code_of([&] { planner.plan(w.project, "", Progress()); }), std::string("empty_result"));
+        // Nothing to do for it is no fault of the job: finishing has its program, and the report says why.
+        const auto idle = planner.plan(w.project, "", Progress());
+        QCOMPARE(idle->operations.size(), std::size_t(1));
+        QCOMPARE(idle->idle.size(), std::size_t(1));
+        QVERIFY(idle->idle[0]->nothing_to_do.find("leaves nowhere more than") != std::string::npos);
+        QVERIFY(programs_of(idle->idle[0]).empty());
+        QVERIFY(report_json(w.project, *idle).find("\"nothing_to_do\": \"tool 3") != std::string::npos);
+        QTemporaryDir folder;
+        QCOMPARE(write_plan(w.project, *idle, folder.path().toStdString(), Progress()).size(),
+                 std::size_t(2));
+        const auto only = planner.plan(w.project, "Clean-up", Progress());
+        QCOMPARE(only->idle, idle->idle); // planned once
+        QCOMPARE(code_of([&] { write_plan(w.project, *only, folder.path().toStdString(), Progress()); }),
+                 std::string("empty_result"));
         op.set("rest_material", ParameterValue(true));
         const auto plan = planner.plan(w.project, "", Progress());
         QCOMPARE(plan->operations.size(), std::size_t(2));

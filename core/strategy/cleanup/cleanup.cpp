@@ -30,18 +30,18 @@ public:
     StrategyResult run(const Progress& progress) {
         found_ = find_strips(job_, progress.part(0.02, 0.5));
         if (found_.empty())
-            throw Error(ErrorCode::empty_result, settings_.name,
-                        "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than "
-                            + job_.text(job_.cusp)
-                            + (context_.earlier.empty() ? "" : " that the operations before have not cut")
-                            + (settings_.left_points || settings_.rest_material
-                                   ? ", nor do the operations before"
-                                   : ""),
-                        "leave the operation out, or allow a smaller tolerance");
+            throw NothingToDo(
+                settings_.name,
+                "tool " + std::to_string(settings_.previous_tool) + " leaves nowhere more than "
+                    + job_.text(job_.cusp)
+                    + (context_.earlier.empty() ? "" : " that the operations before have not cut")
+                    + (settings_.left_points || settings_.rest_material ? ", nor do the operations before"
+                                                                        : ""),
+                "leave the operation out, or allow a smaller tolerance");
         result_.strips = described(job_, found_);
         cut(progress.part(0.5, 0.9, "Planning passes"));
         clear_body(progress.part(0.9, 0.93));
-        if (result_.passes.empty()) throw nothing_to_cut();
+        if (result_.passes.empty()) nothing_to_cut();
         measure(progress.part(0.93, 1, "Measuring what stays"));
         own_.record = record();
         result_.detail = std::move(own_);
@@ -122,26 +122,27 @@ private:
     }
 
     /// Why there is no pass at all.
-    Error nothing_to_cut() const {
+    [[noreturn]] void nothing_to_cut() const {
+        const auto refuse = [&](const std::string& what, const std::string& remedy) {
+            throw Error(ErrorCode::empty_result, settings_.name, what, remedy);
+        };
         if (std::none_of(result_.strips.begin(), result_.strips.end(),
                          [](const Strip& s) { return s.enabled; }))
-            return {ErrorCode::empty_result, settings_.name, "all strips are switched off",
-                    "switch one on, or leave the operation out"};
+            refuse("all strips are switched off", "switch one on, or leave the operation out");
         if (held_ > 0)
-            return {ErrorCode::empty_result, settings_.name,
-                    "the tool's " + std::string(tool_body_name(held_by_))
-                        + " would touch the part wherever there is something to cut",
-                    settings_.tilt_limit > 0 ? "use a longer tool, or allow a larger tilt_limit"
-                                             : "use a longer tool, or allow it to be inclined (tilt_limit)"};
+            refuse("the tool's " + std::string(tool_body_name(held_by_))
+                       + " would touch the part wherever there is something to cut",
+                   settings_.tilt_limit > 0 ? "use a longer tool, or allow a larger tilt_limit"
+                                            : "use a longer tool, or allow it to be inclined (tilt_limit)");
         if (planned_ > 0)
-            return {ErrorCode::empty_result, settings_.name,
-                    "the tool takes away nowhere more than " + job_.text(job_.cusp)
-                        + " of what stands on the " + std::to_string(found_.size()) + " strips",
-                    "use a smaller tool, or leave the operation out"};
-        return {ErrorCode::empty_result, settings_.name,
-                "the tool can stand nowhere along the " + std::to_string(found_.size()) + " strips that tool "
-                    + std::to_string(settings_.previous_tool) + " left",
-                "use a smaller or longer tool"};
+            throw NothingToDo(settings_.name,
+                              "the tool takes away nowhere more than " + job_.text(job_.cusp)
+                                  + " of what stands on the " + std::to_string(found_.size()) + " strips",
+                              "use a smaller tool, or leave the operation out");
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "the tool can stand nowhere along the " + std::to_string(found_.size())
+                        + " strips that tool " + std::to_string(settings_.previous_tool) + " left",
+                    "use a smaller or longer tool");
     }
 
     /// What stays of the strips.

@@ -109,11 +109,19 @@ enum class Linking {
     about_axis, ///< around a part that turns; such an operation has `turning()`
 };
 
+/// What an operation is for has been done before it: no fault of the job, which goes on without it.
+class NothingToDo : public Error {
+public:
+    NothingToDo(std::string where, std::string message, std::string remedy)
+        : Error(ErrorCode::empty_result, std::move(where), std::move(message), std::move(remedy)) {}
+};
+
 class Operation : public Parameterized {
 public:
     virtual std::string_view kind() const = 0;
     virtual std::unique_ptr<Operation> clone() const = 0;
-    /// Throws Error(empty_result) with the reason when nothing can be cut.
+    /// Throws Error(empty_result) with the reason when nothing can be cut, as NothingToDo where that is as it
+    /// should be.
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;
