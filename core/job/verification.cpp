@@ -39,6 +39,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "not_cut";
     case UncutReason::Why::no_tool:
         return "no_tool_reaches";
+    case UncutReason::Why::held:
+        return "holder_touches";
     case UncutReason::Why::outside_stock:
         return "outside_stock";
     case UncutReason::Why::not_seen:
@@ -170,6 +172,8 @@ std::string uncut_reason_text(UncutReason::Why why) {
         return "a tool fits but does not go there";
     case UncutReason::Why::no_tool:
         return "no tool fits";
+    case UncutReason::Why::held:
+        return "the cutter fits, but its shank or holder would touch the part";
     case UncutReason::Why::outside_stock:
         return "the stock does not reach there";
     case UncutReason::Why::not_seen:

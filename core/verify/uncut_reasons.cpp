@@ -64,7 +64,7 @@ struct FitTool {
 };
 
 /// Whether a tool of the programs could bring what stands on a place down to less than what counts as uncut,
-/// without a gouge.
+/// without a gouge; and if not, whether its cutter could.
 class Fit {
 public:
     Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
@@ -79,7 +79,8 @@ public:
             tools_.push_back(std::move(tool));
         }
     }
-    bool fits(const Vec3& point, const Vec3& normal) const {
+    /// not_cut where a tool fits, held, or no_tool.
+    UncutReason::Why reason(const Vec3& point, const Vec3& normal) const {
         std::vector<std::pair<double, const Vec3*>> near;
         for (const Vec3& a : axes_)
             if (const double along = a.dot(normal); along > tolerance::vertical_normal_z)
@@ -87,11 +88,18 @@ public:
         std::sort(near.begin(), near.end());
         if (near.size() > max_axes_tried) near.resize(max_axes_tried);
         const Vec3 start = point + allowance_ * normal;
-        for (const auto& [along, axis] : near)
-            for (const FitTool& tool : tools_)
-                for (const Vec3& touch : places_at(tool.cutter, normal, *axis))
-                    if (stands({start - touch, *axis}, tool)) return true;
-        return false;
+        for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+            bool held = false;
+            for (const auto& [along, axis] : near)
+                for (const Vec3& touch : places_at(tool->cutter, normal, *axis)) {
+                    const CutterLocation at{start - touch, *axis};
+                    if (!room_.has(tool->cutter, at, gouge_limit_ - allowance_)) continue;
+                    if (body_stands(at, *tool)) return UncutReason::Why::not_cut;
+                    held = true;
+                }
+            if (held) return UncutReason::Why::held;
+        }
+        return UncutReason::Why::no_tool;
     }
 
 private:
@@ -127,10 +135,9 @@ private:
         }
         return places;
     }
-    bool stands(const CutterLocation& at, const FitTool& tool) const {
-        return room_.has(tool.cutter, at, gouge_limit_ - allowance_)
-               && std::all_of(tool.sections.begin(), tool.sections.end(),
-                              [&](const BodySupport& s) { return room_.has(s, at, gouge_limit_); });
+    bool body_stands(const CutterLocation& at, const FitTool& tool) const {
+        return std::all_of(tool.sections.begin(), tool.sections.end(),
+                           [&](const BodySupport& s) { return room_.has(s, at, gouge_limit_); });
     }
     Room room_;
     const std::vector<Vec3>& axes_;
@@ -179,18 +186,18 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     }
     const std::size_t groups = std::min(standing.size(), max_asked);
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
-    std::vector<char> fits(groups, 0);
+    std::vector<Why> found(groups, Why::no_tool);
     if (groups > 0) {
         const Fit fit(samples, order, programs, axes, v.used, progress);
         parallel_for(groups, 4, progress, [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
-            fits[g] = fit.fits(samples.points[i], samples.normals[i]);
+            found[g] = fit.reason(samples.points[i], samples.normals[i]);
         });
     }
     for (std::size_t g = 0; g < groups; ++g)
         for (std::size_t k = first_of(g); k < first_of(g + 1); ++k) {
             const std::size_t i = standing[k];
-            add(fits[g] ? Why::not_cut : Why::no_tool, i, samples.weights[i], probed.deviation[i]);
+            add(found[g], i, samples.weights[i], probed.deviation[i]);
         }
     double area = 0;
     for (const auto& [why, reason] : reasons) {

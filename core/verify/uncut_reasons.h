@@ -11,10 +11,11 @@ namespace facetmill {
 /// Fills in `uncut` and `uncut_share`: of the samples that have no flag but `bare` or `hidden`, those that
 /// are bare, or on which more than twice the tolerance stands. Without a tolerance none are.
 ///
-/// A tool fits where its cutter, along one of the axes nearest to the normal, can stand so that less than
+/// The last tool whose cutter fits is asked for shank and holder: those of roughing are no help to finishing.
+/// A cutter fits where it, along one of the axes nearest to the normal, can stand so that less than
 /// twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample lies
-/// deeper in cutter, shank or holder than the gouge limit. Some thousand samples are asked; each stands for
-/// those about it.
+/// deeper in it than the gouge limit; shank and holder likewise. Some thousand samples are asked; each stands
+/// for those about it.
 void find_uncut_reasons(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
                         std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
                         const Progress& progress);

@@ -90,7 +90,8 @@ struct DeviationExtreme {
 struct UncutReason {
     enum class Why : std::uint8_t {
         not_cut,       ///< a tool fits in there, and no motion goes
-        no_tool,       ///< no tool of the programs fits in there
+        held,          ///< the cutter fits in there, shank or holder do not
+        no_tool,       ///< no cutter of the programs fits in there
         outside_stock, ///< the stock does not reach it
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict
     };

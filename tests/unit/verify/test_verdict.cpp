@@ -55,11 +55,8 @@ const UncutReason* reason(const Verification& v, UncutReason::Why why) {
     return nullptr;
 }
 
-/// A block with a groove along X of width `wide` and depth `deep` in its top, closed.
-Mesh grooved(double wide, double deep) {
-    const double w = 0.5 * wide;
-    const std::vector<Vec2> outline{{-20, -10}, {20, -10},   {20, 0}, {w, 0},
-                                    {w, -deep}, {-w, -deep}, {-w, 0}, {-20, 0}};
+/// What has this outline (y, z) over 60 mm along X, closed; its ends as these quads.
+Mesh prism(const std::vector<Vec2>& outline, const std::vector<std::array<Index, 4>>& ends) {
     Mesh mesh;
     const auto n = Index(outline.size());
     for (double x : {-30.0, 30.0})
@@ -70,14 +67,20 @@ Mesh grooved(double wide, double deep) {
         mesh.facets.push_back({i, i + n, j});
         mesh.facets.push_back({j, i + n, j + n});
     }
-    // Ends as fans of their three boxes.
-    for (const auto& quad : {std::array<Index, 4>{0, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 3, 4}}) {
+    for (const auto& quad : ends) {
         mesh.facets.push_back({quad[0], quad[1], quad[2]});
         mesh.facets.push_back({quad[0], quad[2], quad[3]});
         mesh.facets.push_back({quad[0] + n, quad[2] + n, quad[1] + n});
         mesh.facets.push_back({quad[0] + n, quad[3] + n, quad[2] + n});
     }
     return mesh;
+}
+
+/// A block with a groove along X of width `wide` and depth `deep` in its top.
+Mesh grooved(double wide, double deep) {
+    const double w = 0.5 * wide;
+    return prism({{-20, -10}, {20, -10}, {20, 0}, {w, 0}, {w, -deep}, {-w, -deep}, {-w, 0}, {-20, 0}},
+                 {{0, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 3, 4}});
 }
 
 } // namespace
@@ -248,6 +251,35 @@ private slots:
         const UncutReason* hidden = reason(v, UncutReason::Why::not_seen);
         QVERIFY(hidden && std::abs(hidden->area - 100) < 25);
         QVERIFY(!hidden->counts());
+    }
+
+    /// What is left because the holder would touch a wall has its own reason, whatever a tool for roughing
+    /// could do there.
+    void what_the_holder_keeps_off() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 30}, {-20, 30}},
+                                {{0, 1, 2, 3}, {0, 3, 4, 5}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 31;
+        Tool tool = flat_tool(4);
+        tool.flute_length = 10;
+        tool.shank_diameter = 4;
+        tool.shank_length = 5;
+        tool.holder = {{20, 20}};
+        const Vec2 lo(-30, 1), hi(30, 20);
+        const VerifyProgram finish = lines(tool, lo, hi, 0, 2);
+        const Verification v = judged(part, stock, finish);
+        const UncutReason* held = reason(v, UncutReason::Why::held);
+        QVERIFY(held && held->counts());
+        // With the holder at the wall the cutter comes within 8 mm of it.
+        QVERIFY2(std::abs(held->area - 8 * 60) < 60, qPrintable(QString::number(held->area)));
+        const VerifyProgram rough = lines(flat_tool(6), lo, hi, 0.5, 2);
+        const std::array<VerifyProgram, 2> both{rough, finish};
+        const Verification w = verify(part, stock, both, asked(), Progress());
+        QVERIFY(reason(w, UncutReason::Why::held) && reason(w, UncutReason::Why::held)->area == held->area);
+        Tool longer = tool;
+        longer.shank_length = 40;
+        const Verification x = judged(part, stock, lines(longer, lo, hi, 0, 2));
+        QVERIFY(reason(x, UncutReason::Why::not_cut) && !reason(x, UncutReason::Why::held));
     }
 
     /// Looked at too coarsely, nothing is verified; what is found all the same stands.
