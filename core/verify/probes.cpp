@@ -120,6 +120,10 @@ MotionTree::MotionTree(const VerifyProgram& program, const std::function<bool(Mo
     }
     if (leaves.empty()) return;
     nodes_.reserve(2 * leaves.size() - 1);
+    lever_ = program.tool.cutter.height();
+    for (const ToolSection& section : program.tool.sections)
+        lever_ = std::max(lever_, section.to);
+    lever_ *= 0.5;
     build(0, leaves.size(), leaves, progress);
 }
 
@@ -172,6 +176,31 @@ MotionTree::Node MotionTree::leaf(Index motion) const {
     return node;
 }
 
+/// Box of the tips, and a cone with all axes. From the leaves themselves: cones of cones would grow with
+/// every level.
+void MotionTree::bound(Node& node, const std::vector<Node>& leaves, std::size_t begin, std::size_t end) {
+    const Node& first = leaves[begin];
+    node.lo = first.lo;
+    node.hi = first.hi;
+    node.axis = first.axis;
+    node.cone = first.cone;
+    Vec3 sum = Vec3::Zero();
+    bool same = true;
+    for (std::size_t i = begin; i < end; ++i) {
+        node.lo = node.lo.cwiseMin(leaves[i].lo);
+        node.hi = node.hi.cwiseMax(leaves[i].hi);
+        node.cone = std::max(node.cone, leaves[i].cone);
+        same = same && leaves[i].axis == first.axis;
+        sum += leaves[i].axis;
+    }
+    if (same) return;
+    if (sum.norm() > tolerance::level_angle) node.axis = sum.normalized();
+    node.cone = 0;
+    for (std::size_t i = begin; i < end; ++i)
+        node.cone = std::max(node.cone, unit_angle(leaves[i].axis, node.axis) + leaves[i].cone);
+}
+
+/// Halves by where the motions are farthest apart: their tips, or what their axes make of it.
 Index MotionTree::build(std::size_t begin, std::size_t end, std::vector<Node>& leaves,
                         const Progress& progress) {
     const auto place = Index(nodes_.size());
@@ -180,34 +209,34 @@ Index MotionTree::build(std::size_t begin, std::size_t end, std::vector<Node>& l
         return place;
     }
     if (end - begin > 4096) progress.check();
-    Box3 middles;
-    for (std::size_t i = begin; i < end; ++i)
-        middles.add(Vec3(0.5 * (leaves[i].lo + leaves[i].hi)));
-    int k = 0;
-    middles.size().maxCoeff(&k);
+    const auto key = [this](const Node& n, int k) {
+        return k < 3 ? 0.5 * (n.lo[k] + n.hi[k]) : lever_ * n.axis[k - 3];
+    };
+    int widest = 0;
+    double most = -1;
+    for (int k = 0; k < (turns_ ? 6 : 3); ++k) {
+        double lo = infinity, hi = -infinity;
+        for (std::size_t i = begin; i < end; ++i) {
+            const double x = key(leaves[i], k);
+            lo = std::min(lo, x);
+            hi = std::max(hi, x);
+        }
+        if (!(hi - lo > most)) continue;
+        most = hi - lo;
+        widest = k;
+    }
     const std::size_t half = begin + (end - begin) / 2;
     const auto first = leaves.begin();
     std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
-                     [k](const Node& a, const Node& b) {
-                         const double x = a.lo[k] + a.hi[k], y = b.lo[k] + b.hi[k];
+                     [&](const Node& a, const Node& b) {
+                         const double x = key(a, widest), y = key(b, widest);
                          return x < y || (x == y && a.motion < b.motion);
                      });
     nodes_.emplace_back();
+    bound(nodes_[place], leaves, begin, end);
     build(begin, half, leaves, progress);
     const Index right = build(half, end, leaves, progress);
-    Node& node = nodes_[place];
-    const Node &a = nodes_[place + 1], &b = nodes_[right];
-    node.right = right;
-    node.lo = a.lo.cwiseMin(b.lo);
-    node.hi = a.hi.cwiseMax(b.hi);
-    node.axis = a.axis;
-    if (a.axis == b.axis) {
-        node.cone = std::max(a.cone, b.cone);
-    } else {
-        const Vec3 sum = a.axis + b.axis;
-        if (sum.norm() > tolerance::level_angle) node.axis = sum.normalized();
-        node.cone = std::max(unit_angle(a.axis, node.axis) + a.cone, unit_angle(b.axis, node.axis) + b.cone);
-    }
+    nodes_[place].right = right;
     return place;
 }
 

@@ -84,10 +84,13 @@ private:
     const CutterLocation& to(Index motion) const { return program_->motions->motions[motion].to; }
     Node leaf(Index motion) const;
     Index build(std::size_t begin, std::size_t end, std::vector<Node>& leaves, const Progress& progress);
+    static void bound(Node& node, const std::vector<Node>& leaves, std::size_t begin, std::size_t end);
 
     const VerifyProgram* program_;
     AxisCourses courses_;
     bool turns_ = false;
+    double lever_ =
+        0; ///< what a turn of the axis moves of the tool counts as much as the tip, from here on up
     std::vector<Node> nodes_;
 };
 
