@@ -44,23 +44,28 @@ struct LineRange {
 void take_lines(const std::vector<VerifyProgram>& read, const LineRange& range, VerifyProgram& into) {
     auto motions = std::make_shared<ToolMotions>();
     into.lines.clear();
+    auto joints = std::make_shared<std::vector<Joints>>();
+    bool told = true; // how the joints stand
     for (const VerifyProgram& p : read) {
         const auto& all = p.motions->motions;
+        const auto take = [&](std::size_t m, MotionKind kind, std::uint32_t line) {
+            motions->motions.push_back({kind, all[m].to});
+            into.lines.push_back(line);
+            if (told) joints->push_back((*p.joints)[m]);
+        };
         for (std::size_t m = 0; m < all.size(); ++m) {
             if (p.lines[m] < range.first || p.lines[m] >= range.end) continue;
+            told = told && p.joints;
             if (motions->motions.empty()) {
                 *motions = *p.motions;
                 motions->motions.clear();
                 // From where the operation before ended with the same tool.
-                if (m > 0) {
-                    motions->motions.push_back({MotionKind::rapid, all[m - 1].to});
-                    into.lines.push_back(p.lines[m]);
-                }
+                if (m > 0) take(m - 1, MotionKind::rapid, p.lines[m]);
             }
-            motions->motions.push_back(all[m]);
-            into.lines.push_back(p.lines[m]);
+            take(m, all[m].kind, p.lines[m]);
         }
     }
+    into.joints = told ? std::move(joints) : nullptr;
     into.motions = std::move(motions);
 }
 
@@ -213,7 +218,10 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
                               machine};
         if (read.sections.size() > 1) program.name += ", tool " + std::to_string(section->tool_number);
         program.lines = std::move(read.lines[i]);
+        if (!read.joints[i].empty())
+            program.joints = std::make_shared<const std::vector<Joints>>(std::move(read.joints[i]));
         result.programs.push_back(std::move(program));
+        result.sections.push_back(section);
     }
     return result;
 }
@@ -271,6 +279,21 @@ NcFilePrograms read_posted(const Project& project, const PreparedPart& part, con
                            const fs::path& path, const Progress& progress) {
     const InputFile file(path);
     return parse_posted(project, part, post, file.bytes(), printable(path.string(), 400), progress);
+}
+
+NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,
+                           const std::vector<fs::path>& paths, const Progress& progress) {
+    NcFilePrograms all;
+    const double n = double(paths.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        NcFilePrograms one = read_posted(project, part, post, paths[i],
+                                         progress.part(double(i) / n, double(i + 1) / n, "Reading"));
+        std::move(one.programs.begin(), one.programs.end(), std::back_inserter(all.programs));
+        std::move(one.sections.begin(), one.sections.end(), std::back_inserter(all.sections));
+        all.blocks += one.blocks;
+        all.seconds += one.seconds;
+    }
+    return all;
 }
 
 } // namespace facetmill

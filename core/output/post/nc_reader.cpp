@@ -47,6 +47,20 @@ void check_words(const NcLine& line, const NcModes& modes, const Post& post, con
     }
 }
 
+/// The axes that are known to stand somewhere stand within their travel.
+void check_axes(const Joints& to, const std::array<bool, 5>& known, const Machine& m, const NcModes& modes) {
+    for (int k = 0; k < m.joints(); ++k) {
+        const double slack = k < 3 ? travel_slack : rotary_slack;
+        if (!known[std::size_t(k)] || m.joint_travel(k).contains(to[k], slack)) continue;
+        const double unit = k < 3 ? 1 : radians(1);
+        const Travel& t = m.joint_travel(k);
+        modes.refuse(m.axis_name(k) + " would stand at " + format_number(to[k] / unit)
+                         + ", and its travel is " + format_number(t.lo / unit) + " to "
+                         + format_number(t.hi / unit),
+                     "check the part's place and the program");
+    }
+}
+
 using Pole = std::array<std::optional<double>, 3>;
 
 /// The arc of a block, in the joints of the machine.
@@ -113,13 +127,17 @@ private:
     void take_centre(const NcLine& line);
     Joints joint_target(const NcLine& line) const;
     Joints tcp_target(const NcLine& line) const;
-    void check_travel(const Joints& to) const;
+    void check_travel(const Joints& to) const {
+        check_axes(to,
+                   {linear_known_[0], linear_known_[1], linear_known_[2], rotary_known_[0], rotary_known_[1]},
+                   setup_.machine, modes_);
+    }
     void come_down(const Joints& to);
     double top(double z) const;
     void trace(const Joints& to, bool rapid);
     void straight(const Joints& to, const CutterLocation& location, bool rapid);
     double seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const;
-    void add(const CutterLocation& to, bool rapid, double feed);
+    void add(const CutterLocation& to, const Joints& at, bool rapid, double feed);
     void close_section();
 
     const Post& post_;
@@ -143,6 +161,8 @@ private:
 
     ClSection section_;
     std::vector<std::uint32_t> section_lines_;
+    std::vector<Joints> section_joints_;
+    bool chooses_ = false; ///< the control, how to hold the axes of the section
     std::vector<RoutePlace> places_;
 };
 
@@ -269,29 +289,17 @@ Joints NcRun::tcp_target(const NcLine& line) const {
     return to;
 }
 
-void NcRun::check_travel(const Joints& to) const {
-    const Machine& m = setup_.machine;
-    for (int k = 0; k < m.joints(); ++k) {
-        const bool known = k < 3 ? linear_known_[std::size_t(k)] : rotary_known_[std::size_t(k - 3)];
-        const double slack = k < 3 ? travel_slack : rotary_slack;
-        if (!known || m.joint_travel(k).contains(to[k], slack)) continue;
-        const double unit = k < 3 ? 1 : radians(1);
-        const Travel& t = m.joint_travel(k);
-        refuse(m.axis_name(k) + " would stand at " + format_number(to[k] / unit) + ", and its travel is "
-                   + format_number(t.lo / unit) + " to " + format_number(t.hi / unit),
-               "check the part's place and the program");
-    }
-}
-
 double NcRun::top(double z) const {
     const Travel& t = setup_.machine.travel[2];
     return t.hi < infinity ? std::max(t.hi, z) : z + free_lift;
 }
 
-void NcRun::add(const CutterLocation& to, bool rapid, double feed) {
+void NcRun::add(const CutterLocation& to, const Joints& at, bool rapid, double feed) {
     section_.motions.motions.push_back({rapid ? MotionKind::rapid : MotionKind::cut, to});
     section_.motion_feeds.push_back(feed);
     section_lines_.push_back(std::uint32_t(modes_.line_number()));
+    section_joints_.push_back(at);
+    chooses_ = chooses_ || tcp() == Tcp::vectors;
 }
 
 /// The tool from where it stands to `to` while the joints move evenly.
@@ -331,7 +339,7 @@ void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapi
         CutterLocation at = p.location;
         // The control keeps the tip on its line.
         if (tcp() != Tcp::off) at.tip = from.tip + p.t * (location.tip - from.tip);
-        add(at, rapid, feed);
+        add(at, p.at, rapid, feed);
     }
     if (!up_) program_.seconds += seconds;
     program_.reach.add(to.linear);
@@ -344,7 +352,7 @@ void NcRun::come_down(const Joints& to) {
     const auto visit = [&](const Joints& place, bool rapid) {
         if (section_.motions.motions.empty()) {
             const ToolPose pose = kinematics_.forward(place);
-            add({pose.tip, pose.axis}, true, 1);
+            add({pose.tip, pose.axis}, place, true, 1);
         } else {
             trace(place, rapid);
         }
@@ -458,7 +466,7 @@ void NcRun::motion(const NcLine& line) {
         // The first height, or the first place at a known height.
         if (placed && linear_known_[2]) {
             const ToolPose pose = kinematics_.forward(to);
-            add({pose.tip, pose.axis}, true, 1);
+            add({pose.tip, pose.axis}, to, true, 1);
         }
     } else {
         trace(to, modes_.motion() == NcCode::rapid);
@@ -488,8 +496,12 @@ void NcRun::close_section() {
             section_.feed_mm_per_min = std::max(section_.motion_feeds[i], 1e-3);
     program_.sections.push_back(std::make_shared<const ClSection>(std::move(section_)));
     program_.lines.push_back(std::move(section_lines_));
+    if (chooses_) section_joints_.clear();
+    program_.joints.push_back(std::move(section_joints_));
     section_ = {};
     section_lines_.clear();
+    section_joints_.clear();
+    chooses_ = false;
 }
 
 NcProgram NcRun::finish() {

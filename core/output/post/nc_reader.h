@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/output/cl_program.h"
 #include "core/output/post/post.h"
+#include "core/setup/kinematics.h"
 #include "core/setup/machine.h"
 
 #include <map>
@@ -40,9 +41,12 @@ struct NcSetup {
 struct NcProgram {
     std::vector<std::shared_ptr<const ClSection>> sections; ///< one for each tool in its turn
     std::vector<std::vector<std::uint32_t>> lines;          ///< of each section's motions
-    std::size_t blocks = 0;                                 ///< that move something
-    double seconds = 0; ///< of all motion between the first place that is come down to and the retract
-    Box3 reach;         ///< of X, Y, Z in the machine's frame
+    /// Where the rotary axes stand after each motion of each section, radians; empty for one in which the
+    /// control chooses how to hold an axis that is told as a vector.
+    std::vector<std::vector<Joints>> joints;
+    std::size_t blocks = 0; ///< that move something
+    double seconds = 0;     ///< of all motion between the first place that is come down to and the retract
+    Box3 reach;             ///< of X, Y, Z in the machine's frame
 };
 
 /// Throws Error(syntax, truncated, out_of_range, missing_key, missing_reference, empty_result, encoding)

@@ -1,5 +1,6 @@
 // What the judge says of the whole: verified, failed or not to be judged, on jobs whose answer is known, also
 // where the mesh is dirty.
+#include "core/setup/kinematics.h"
 #include "core/setup/machine.h"
 #include "core/verify/verify.h"
 #include "tests/support/part_meshes.h"
@@ -387,6 +388,32 @@ private slots:
         const Verification v = judged(part, stock, program);
         QCOMPARE(int(v.verdict()), int(Verdict::failed));
         QVERIFY(v.gouged() && v.gouges.front().by.course == AxisCourse::joint_linear);
+    }
+
+    /// A degree over the end of the table's travel: whoever follows the joints from place to place has to
+    /// turn over, through a post; a program that says how it held the tool all along does not.
+    void joints_that_a_program_tells() {
+        const auto machine = std::make_shared<const Machine>(find_machine("trunnion-ac"));
+        const Vec3 top(0, 0, 20);
+        const Mesh part = box(top - Vec3(0.5, 0.5, 5), top + Vec3(0.5, 0.5, 0));
+        auto motions = std::make_shared<ToolMotions>();
+        VerifyProgram program{"Lean", VerifyTool(AptCutter::flat(4, 40)), motions, std::nullopt};
+        program.machine = machine;
+        const Kinematics kinematics(*machine, 0, Vec3::Zero());
+        auto told = std::make_shared<std::vector<Joints>>();
+        for (const double lean : {0.5, 0.52, 0.55}) {
+            const Vec3 axis(0, -std::sin(lean), std::cos(lean));
+            motions->motions.push_back({MotionKind::cut, {Vec3::Zero(), axis}, no_index, no_index});
+            const auto held = kinematics.inverse({Vec3::Zero(), axis}, {});
+            for (int k = 0; k < held.count; ++k)
+                if (held.at[std::size_t(k)].rotary[0] < 0) told->push_back(held.at[std::size_t(k)]);
+        }
+        QCOMPARE(told->size(), std::size_t(3));
+        StockSolid stock = stock_of(part.box());
+        stock.box.lo.array() -= 3;
+        QVERIFY(judged(part, stock, program).gouged());
+        program.joints = told;
+        QVERIFY(!judged(part, stock, program).gouged());
     }
 
     /// A program that begins on the surface does not begin inside.
