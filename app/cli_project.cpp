@@ -1,6 +1,8 @@
 #include "app/cli_project.h"
 
 #include "core/base/error.h"
+#include "core/base/parameter.h"
+#include "core/job/posting.h"
 #include "core/job/work_estimate.h"
 
 #include <charconv>
@@ -52,6 +54,40 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
         const bool named = names(project.part_path()) || names(project.stock_path());
         throw named ? e : e.within(printable(arguments.operand(0), 400));
     }
+}
+
+OptionInfo nc_option() {
+    return {.name = "--nc",
+            .value = "FILE[,FILE]",
+            .help = "reads these programs of a control back, in order, instead of a plan",
+            .repeated = true};
+}
+
+OptionInfo post_option() {
+    return {.name = "--post",
+            .value = "NAME",
+            .help = "the control they are for, by name or file (default: the project's)"};
+}
+
+std::vector<std::filesystem::path> posted_files(const Arguments& arguments) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& value : arguments.values("--nc"))
+        for (const std::string& name : listed_names(value))
+            files.emplace_back(name);
+    if (!files.empty() && (arguments.has("--op") || arguments.has("--cl")))
+        throw Error(ErrorCode::usage, "--nc", "posted programs are taken instead of a plan or CL files",
+                    "give --nc alone");
+    if (files.empty() && arguments.has("--post"))
+        throw Error(ErrorCode::usage, "--post", "there is no program for it to read", "give --nc FILE");
+    return files;
+}
+
+Post asked_post(const Arguments& arguments, const Project& project) {
+    const std::string name = arguments.has("--post") ? arguments.value("--post") : project.programs.post;
+    if (name.empty())
+        throw Error(ErrorCode::usage, "--nc", "neither the project nor the command names a post",
+                    "give --post NAME, or `post` in the project");
+    return project_post(project, name);
 }
 
 std::size_t point_number(const std::string& text) {

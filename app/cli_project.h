@@ -4,10 +4,12 @@
 #include "app/cli_arguments.h"
 #include "app/cli_session.h"
 #include "core/job/planner.h"
+#include "core/output/post/post.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace facetmill::cli {
 
@@ -24,6 +26,15 @@ OptionInfo large_option();
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
                                                const std::string& only_operation, const Arguments& arguments,
                                                Session& session, const Progress& progress);
+
+/// The options for programs of a control, which are read back.
+OptionInfo nc_option();
+OptionInfo post_option();
+/// The files of --nc, also several in one value with commas between. Throws Error(usage) where --op or --cl
+/// stand beside it, and for --post without it.
+std::vector<std::filesystem::path> posted_files(const Arguments& arguments);
+/// The control they are for: --post, or the project's. Throws Error(usage) without one.
+Post asked_post(const Arguments& arguments, const Project& project);
 
 /// Number of a contact point, as --point has it. Throws Error(usage).
 std::size_t point_number(const std::string& text);

@@ -122,7 +122,8 @@ void run_cspace(const Arguments& arguments, Session& session) {
     print_picture(render_cspace(request), arguments, session);
 }
 
-/// What a picture of a project shows: planned, or of CL files, and verified where its layers ask for that.
+/// What a picture of a project shows: planned, or of CL files or posted programs, and verified where its
+/// layers ask for that.
 PlanResult shown_project(const Arguments& arguments, const Project& project, RenderRequest& request,
                          Session& session, const Progress& progress) {
     Planner planner;
@@ -133,7 +134,9 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     };
     const bool verifies = wants({Layer::deviation, Layer::findings});
     const std::vector<std::string> cl_files = arguments.values("--cl");
-    if (cl_files.empty() && !verifies && !wants({Layer::cc, Layer::cl, Layer::strips, Layer::tool})) {
+    const std::vector<std::filesystem::path> nc_files = posted_files(arguments);
+    const bool planned = cl_files.empty() && nc_files.empty();
+    if (planned && !verifies && !wants({Layer::cc, Layer::cl, Layer::strips, Layer::tool})) {
         result.part = planner.prepare(project, progress);
         result.stock = stock_solid(project.stock, *result.part);
         return result;
@@ -141,7 +144,7 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     const Progress planning = progress.part(0.0, verifies ? 0.5 : 1.0);
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
-    if (cl_files.empty()) {
+    if (planned) {
         const auto plan =
             plan_project(planner, project, arguments.value("--op"), arguments, session, planning);
         result = *plan;
@@ -150,8 +153,11 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     } else {
         result.part = planner.prepare(project, planning.part(0.0, 0.5));
         result.stock = stock_solid(project.stock, *result.part);
+        const Progress opening = planning.part(0.5, 1.0);
         OpenedProgram opened =
-            open_program(project, {cl_files.begin(), cl_files.end()}, planning.part(0.5, 1.0));
+            nc_files.empty()
+                ? open_program(project, {cl_files.begin(), cl_files.end()}, opening)
+                : open_posted(project, *result.part, asked_post(arguments, project), nc_files, opening);
         result.operations = std::move(opened.operations);
         programs = std::move(opened.programs);
         settings = verify_settings(project, nullptr);
@@ -197,11 +203,13 @@ void run_render(const Arguments& arguments, Session& session) {
         keep_inputs(project, arguments.value("-o"));
         for (const std::string& file : arguments.values("--cl"))
             refuse_to_overwrite(file, arguments.value("-o"));
+        for (const std::filesystem::path& file : posted_files(arguments))
+            refuse_to_overwrite(file, arguments.value("-o"));
         const PlanResult result =
             shown_project(arguments, project, request, session, progress.part(0.0, 0.6));
         take_plan(request, project, result);
     } else {
-        for (const char* option : {"--op", "--cl"})
+        for (const char* option : {"--op", "--cl", "--nc"})
             if (arguments.has(option))
                 throw Error(ErrorCode::usage, option, "a mesh has no operations", "give a project");
         request.part = load_mesh(input, unit, progress.part(0.0, 0.5, "Reading the part")).mesh;
@@ -249,6 +257,8 @@ Command render_command() {
                      .value = "FILE" + apt_writer().extension,
                      .help = "shows this file instead of a plan, without planning; more than one in order",
                      .repeated = true},
+                    nc_option(),
+                    post_option(),
                     {.name = "--point",
                      .value = "I",
                      .help = "with --show cspace: number of the contact point, from 0"},

@@ -55,23 +55,6 @@ void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
                 "use at least " + length_text(1.05 * spacing * std::sqrt(places / most), unit, 3));
 }
 
-/// Files, also several in one value with commas between.
-std::vector<std::string> listed_files(const std::vector<std::string>& values) {
-    std::vector<std::string> files;
-    for (const std::string& value : values)
-        for (std::string& name : listed_names(value))
-            files.push_back(std::move(name));
-    return files;
-}
-
-std::string post_name(const Arguments& arguments, const Project& project) {
-    const std::string name = arguments.has("--post") ? arguments.value("--post") : project.programs.post;
-    if (name.empty())
-        throw Error(ErrorCode::usage, "--nc", "neither the project nor the command names a post",
-                    "give --post NAME, or `post` in the project");
-    return name;
-}
-
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
@@ -84,19 +67,15 @@ void run_simulate(const Arguments& arguments, Session& session) {
     if (!cl_files.empty() && arguments.has("--op"))
         throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
                     "give --cl or --op");
-    const std::vector<std::string> nc_files = listed_files(arguments.values("--nc"));
-    if (!nc_files.empty() && (arguments.has("--op") || !cl_files.empty()))
-        throw Error(ErrorCode::usage, "--nc", "posted programs are simulated instead of a plan or CL files",
-                    "give --nc alone");
-    if (nc_files.empty() && arguments.has("--post"))
-        throw Error(ErrorCode::usage, "--post", "there is no program for it to read", "give --nc FILE");
+    const std::vector<fs::path> nc_files = posted_files(arguments);
     const fs::path folder = arguments.value("-o");
     check_folder(folder);
     for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
         keep_inputs(project, folder / name);
-        for (const auto* list : {&cl_files, &nc_files})
-            for (const std::string& one : *list)
-                refuse_to_overwrite(one, folder / name);
+        for (const std::string& one : cl_files)
+            refuse_to_overwrite(one, folder / name);
+        for (const fs::path& one : nc_files)
+            refuse_to_overwrite(one, folder / name);
     }
 
     const Progress progress = session.progress();
@@ -108,19 +87,11 @@ void run_simulate(const Arguments& arguments, Session& session) {
     std::string out_of_reach;
     if (!nc_files.empty()) {
         check_project(project);
-        const Post post = project_post(project, post_name(arguments, project));
+        const Post post = asked_post(arguments, project);
         part = planner.prepare(project, progress.part(0.0, 0.1));
-        const double n = double(nc_files.size());
-        NcFilePrograms sum;
-        for (std::size_t i = 0; i < nc_files.size(); ++i) {
-            NcFilePrograms nc = read_posted(
-                project, *part, post, nc_files[i],
-                progress.part(0.1 + 0.2 * double(i) / n, 0.1 + 0.2 * double(i + 1) / n, "Reading"));
-            std::move(nc.programs.begin(), nc.programs.end(), std::back_inserter(programs));
-            sum.blocks += nc.blocks;
-            sum.seconds += nc.seconds;
-        }
-        remarks.push_back(posted_remark(post, sum.blocks, sum.seconds));
+        NcFilePrograms read = read_posted(project, *part, post, nc_files, progress.part(0.1, 0.3));
+        programs = std::move(read.programs);
+        remarks.push_back(posted_remark(post, read.blocks, read.seconds));
         settings = verify_settings(project, nullptr);
     } else if (cl_files.empty()) {
         const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
@@ -193,13 +164,8 @@ Command simulate_command() {
                      .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",
                      .repeated = true},
-                    {.name = "--nc",
-                     .value = "FILE[,FILE]",
-                     .help = "reads these programs of a control back and simulates them in order",
-                     .repeated = true},
-                    {.name = "--post",
-                     .value = "NAME",
-                     .help = "the control they are for, by name or file (default: the project's)"},
+                    nc_option(),
+                    post_option(),
                     {.name = "--op", .value = "NAME", .help = "plans and simulates only this operation"},
                     {.name = "--resolution",
                      .value = "R",

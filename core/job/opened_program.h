@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/job/planner.h"
+#include "core/output/post/post.h"
 
 #include <filesystem>
 #include <string>
@@ -22,5 +23,8 @@ struct OpenedProgram {
 /// Reads CL files that run one after the other. Throws what read_verify_programs does (verification.h).
 OpenedProgram open_program(const Project& project, const std::vector<std::filesystem::path>& files,
                            const Progress& progress);
+/// The same for programs of a control, as it runs them. Throws what read_posted does (posting.h).
+OpenedProgram open_posted(const Project& project, const PreparedPart& part, const Post& post,
+                          const std::vector<std::filesystem::path>& files, const Progress& progress);
 
 } // namespace facetmill

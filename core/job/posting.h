@@ -39,6 +39,7 @@ std::vector<PostedFile> post_plan(const Project& project, const PlanResult& resu
 /// Posted programs as programs to verify, one for each tool in each file.
 struct NcFilePrograms {
     std::vector<VerifyProgram> programs;
+    std::vector<std::shared_ptr<const ClSection>> sections; ///< one for each program
     std::size_t blocks = 0;
     double seconds = 0; ///< see NcProgram
 };
@@ -46,6 +47,9 @@ struct NcFilePrograms {
 /// files.
 NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,
                            const std::filesystem::path& path, const Progress& progress);
+/// Files that run one after the other.
+NcFilePrograms read_posted(const Project& project, const PreparedPart& part, const Post& post,
+                           const std::vector<std::filesystem::path>& paths, const Progress& progress);
 /// The same from memory.
 NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, const Post& post,
                             std::string_view text, const std::string& name, const Progress& progress);

@@ -208,6 +208,12 @@ private slots:
         const CliRun good = run_cli(read, s.path());
         QVERIFY2(good.status == 0, good.err.constData());
         QVERIFY(json(good.out)["remarks"].toArray()[0].toString().startsWith("The posted program, "));
+        // What the control runs can be looked at.
+        const CliRun drawn = run_cli({"render", "job.facetmill", "--nc", "out/01-Finish.nc", "--show",
+                                      "part,cl", "--size", "160x120", "-o", "p.png"},
+                                     s.path());
+        QVERIFY2(drawn.status == 0, drawn.err.constData());
+        QVERIFY(file(s.path() + "/p.png").size() > 2000);
         // A cut that is too deep is found in its line, a word that is not known refused with its.
         QByteArray program = file(s.path() + "/out/01-Finish.nc");
         const auto cut = program.indexOf("\nX", program.size() / 2);
@@ -217,10 +223,10 @@ private slots:
         const CliRun deep = run_cli(read, s.path());
         QCOMPARE(deep.status, 1);
         QVERIFY2(deep.err.contains("gouge of 1.") && deep.err.contains("line "), deep.err.constData());
-        s.write("out/01-Finish.nc", program.insert(cut + 1, "G2 I1 J0 "));
+        s.write("out/01-Finish.nc", program.insert(cut + 1, "G81 R1 "));
         const CliRun word = run_cli(read, s.path());
         QCOMPARE(word.status, 1);
-        QVERIFY2(word.err.contains(("01-Finish.nc:" + QByteArray::number(line) + ": 'G2'")),
+        QVERIFY2(word.err.contains(("01-Finish.nc:" + QByteArray::number(line) + ": 'G81'")),
                  word.err.constData());
         QCOMPARE(run_cli({"simulate", "job.facetmill", "--nc", "p.nc", "--op", "Finish", "-o", "x"}, s.path())
                      .status,
