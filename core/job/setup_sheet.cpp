@@ -268,7 +268,7 @@ void Sheet::posted_programs() {
                         + ": the feed is that of the tip; where an axis is slower, the control slows down.");
             if (f.program.rewinds > 0)
                 warning(f.name + ": the tool goes up " + std::to_string(f.program.rewinds)
-                        + " times so that rotary axes can turn; that is not in the time.");
+                        + " times so that rotary axes can turn.");
         }
         end_wide_table();
     } catch (const Error& e) {

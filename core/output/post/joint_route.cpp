@@ -15,6 +15,8 @@ namespace {
 
 /// Halvings of a motion: enough to follow an axis round the pole of a machine.
 constexpr int max_halvings = 40;
+/// How far up a machine goes whose Z has no limit, above where it works; mm.
+constexpr double free_lift = 100;
 constexpr std::array<double, 3> looked_at = {0.25, 0.5, 0.75};
 /// Rotary axes that turn farther in one block are looked at in pieces; radians.
 constexpr double max_turn_looked_at = pi / 4;
@@ -125,6 +127,20 @@ Joints joints_between(const Joints& from, const Joints& to, double t) {
     for (std::size_t r = 0; r < 2; ++r)
         at.rotary[r] = from.rotary[r] + t * (to.rotary[r] - from.rotary[r]);
     return at;
+}
+
+double travel_top(const Machine& machine, double z) {
+    const Travel& t = machine.travel[2];
+    return t.hi < infinity ? std::max(t.hi, z) : z + free_lift;
+}
+
+double seconds_over(const Kinematics& kinematics, const Joints& from, const Joints& to, double height) {
+    Joints up = from, over = to;
+    up.linear.z() = over.linear.z() = height;
+    Joints turned = up;
+    turned.rotary = to.rotary;
+    return kinematics.time(from, up) + kinematics.time(up, turned) + kinematics.time(turned, over)
+           + kinematics.time(over, to);
 }
 
 bool divide_motion(const Kinematics& kinematics, const JointMotion& motion,

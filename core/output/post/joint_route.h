@@ -49,6 +49,11 @@ void trace_motion(const Kinematics& kinematics, const JointMotion& motion,
                   const std::optional<TurningAxis>& turning, const StrayLimit& limit,
                   std::vector<RoutePlace>& places);
 
+/// How high Z goes when a program sends it up: the end of its travel, or where that has none, clear of `z`.
+double travel_top(const Machine& machine, double z);
+/// Seconds up to a height, there to the rotary angles, then to X and Y of `to`, and down.
+double seconds_over(const Kinematics& kinematics, const Joints& from, const Joints& to, double height);
+
 /// The joints, evenly between two.
 Joints joints_between(const Joints& from, const Joints& to, double t);
 

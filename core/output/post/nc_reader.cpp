@@ -18,8 +18,6 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t lines_per_check = 4096;
-/// How far up a machine goes whose Z has no limit, above where it works; mm.
-constexpr double free_lift = 100;
 /// What the last digit of a program may miss of a travel, mm and radians.
 constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
 /// What the radius of an arc may differ between its ends; mm. More is refused by controls, too.
@@ -133,7 +131,6 @@ private:
                    setup_.machine, modes_);
     }
     void come_down(const Joints& to);
-    double top(double z) const;
     void trace(const Joints& to, bool rapid);
     void straight(const Joints& to, const CutterLocation& location, bool rapid);
     double seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const;
@@ -167,6 +164,8 @@ private:
 };
 
 void NcRun::take_tool(long number) {
+    // Where the number itself changes the tool, that of the tool in the spindle changes nothing.
+    if (has_tool_ && !post_.has(NcCode::tool_change) && number == section_.tool_number) return;
     if (has_tool_ && !up_ && post_.changes_tools)
         refuse("the tool is changed where it stands, and not up", "retract before it");
     const auto found = setup_.tools.find(number);
@@ -289,11 +288,6 @@ Joints NcRun::tcp_target(const NcLine& line) const {
     return to;
 }
 
-double NcRun::top(double z) const {
-    const Travel& t = setup_.machine.travel[2];
-    return t.hi < infinity ? std::max(t.hi, z) : z + free_lift;
-}
-
 void NcRun::add(const CutterLocation& to, const Joints& at, bool rapid, double feed) {
     section_.motions.motions.push_back({rapid ? MotionKind::rapid : MotionKind::cut, to});
     section_.motion_feeds.push_back(feed);
@@ -341,13 +335,15 @@ void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapi
         if (tcp() != Tcp::off) at.tip = from.tip + p.t * (location.tip - from.tip);
         add(at, p.at, rapid, feed);
     }
-    if (!up_) program_.seconds += seconds;
+    // Coming from nobody knows where counts for nothing; over the top does.
+    if (!up_ || left_) program_.seconds += seconds;
     program_.reach.add(to.linear);
 }
 
 /// From the top to the first place below, and before that whatever happened since the tool went up.
 void NcRun::come_down(const Joints& to) {
-    const double high = top(std::max(to.linear.z(), left_ ? left_->linear.z() : to.linear.z()));
+    const double high =
+        travel_top(setup_.machine, std::max(to.linear.z(), left_ ? left_->linear.z() : to.linear.z()));
     by_joints_ = true;
     const auto visit = [&](const Joints& place, bool rapid) {
         if (section_.motions.motions.empty()) {
@@ -485,8 +481,9 @@ void NcRun::close_section() {
     if (section_.motions.motions.empty()) return;
     if (up_ && left_) {
         at_ = *left_;
+        left_.reset();
         Joints above = at_;
-        above.linear.z() = top(at_.linear.z());
+        above.linear.z() = travel_top(setup_.machine, at_.linear.z());
         by_joints_ = true;
         trace(above, true);
         by_joints_ = false;

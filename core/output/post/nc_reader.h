@@ -45,7 +45,8 @@ struct NcProgram {
     /// control chooses how to hold an axis that is told as a vector.
     std::vector<std::vector<Joints>> joints;
     std::size_t blocks = 0; ///< that move something
-    double seconds = 0;     ///< of all motion between the first place that is come down to and the retract
+    double seconds = 0;     ///< of all motion, for each tool between the first place that is come down to and
+                            ///< the last retract
     Box3 reach;             ///< of X, Y, Z in the machine's frame
 };
 

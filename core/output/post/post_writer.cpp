@@ -69,6 +69,27 @@ std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Post& po
     return arcs;
 }
 
+/// No motion of a section goes higher.
+double safe_height(const ClSection& s) {
+    double safe = s.motions.clearance_z;
+    for (const Motion& m : s.motions.motions)
+        safe = std::max(safe, m.to.tip.z());
+    return safe;
+}
+
+/// Seconds from where the tool was, up as the post has it, to where it comes down again.
+double seconds_above(const ClSection& s, const Joints& from, const Joints& to, const Post& post,
+                     const PostSetup& setup) {
+    const Kinematics kinematics(setup.machine, s.gauge_length, setup.part_origin);
+    const bool to_safe_height = std::any_of(post.retract.begin(), post.retract.end(), [](const auto& line) {
+        return line.find("{safe}") != std::string::npos;
+    });
+    const double height = to_safe_height
+                              ? safe_height(s) + setup.part_origin.z() + s.gauge_length
+                              : travel_top(setup.machine, std::max(from.linear.z(), to.linear.z()));
+    return seconds_over(kinematics, from, to, height);
+}
+
 /// The tilted plane of a section whose tool leans one way all along, held by the rotary axes where they are:
 /// as its angles are printed. None where the control has no such planes.
 std::optional<TiltedPlane> plane_of(const ClSection& s, const MachineMotion& found, const Post& post) {
@@ -113,7 +134,7 @@ private:
     void pieces(const ClSection& s, const Kinematics& kinematics, const MachineMotion& found, std::size_t i);
     void rewind(const ClSection& s, const Kinematics& kinematics, const JointMotion& motion, std::size_t i);
     void stop_leading(const ClSection& s);
-    void come_again(const ClSection& s, const Joints& at, const CutterLocation& location);
+    void come_again(const ClSection& s, const Joints& from, const Joints& at, const CutterLocation& location);
     double length_out(const CutterLocation& from) const;
     void place(const ClSection& s, const Joints& at, const CutterLocation& location);
     void start(const ClSection& s, const Joints& at, const CutterLocation& location);
@@ -132,6 +153,7 @@ private:
     bool joints_ = true, inverse_ = false; ///< how the section is told
     double pending_ = 0;                   ///< seconds of motions that print as none
     Joints now_;
+    std::optional<Joints> before_; ///< where the section before ended, with the same tool
     std::vector<RoutePlace> places_;
     std::vector<std::optional<ArcRun>>
         arcs_; ///< by the first motion that each stands for; empty: none at all
@@ -202,10 +224,7 @@ TemplateValues PostWriter::values(const ClSection& s) const {
     const double per = mm_per(program_.unit);
     append_number(v["blend"], std::max<std::int64_t>(1, nc_digits(setup_.tip_tolerance / per, decimals)),
                   decimals, post_);
-    double safe = s.motions.clearance_z;
-    for (const Motion& m : s.motions.motions)
-        safe = std::max(safe, m.to.tip.z());
-    append_number(v["safe"], nc_digits(safe / per, decimals), decimals, post_);
+    append_number(v["safe"], nc_digits(safe_height(s) / per, decimals), decimals, post_);
     append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup_.machine) / per, post_.feed_decimals),
                   post_.feed_decimals, post_);
     return v;
@@ -298,6 +317,7 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
     inverse_ = false;
     Joints at;
     at.linear = motions.front().to.tip + zero_;
+    if (before_) posted_.seconds += seconds_above(s, *before_, at, post_, setup_);
     start(s, at, motions.front().to);
     const auto arcs = found_arcs(s, post_, setup_, blocks_);
     for (std::size_t i = 1; i < motions.size(); ++i) {
@@ -320,6 +340,7 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
         posted_.seconds += seconds[i];
     }
     blocks_.usual_plane();
+    before_ = at;
 }
 
 void PostWriter::check_findings(const ClSection& s, const MachineMotion& found) const {
@@ -383,7 +404,9 @@ void PostWriter::stop_leading(const ClSection& s) {
 }
 
 /// Up, and down again to a place that is held otherwise.
-void PostWriter::come_again(const ClSection& s, const Joints& at, const CutterLocation& location) {
+void PostWriter::come_again(const ClSection& s, const Joints& from, const Joints& at,
+                            const CutterLocation& location) {
+    posted_.seconds += seconds_above(s, from, at, post_, setup_);
     const bool tcp = !told_as_joints(s);
     if (tcp) stop_leading(s);
     blocks_.lines(post_.retract, values(s));
@@ -398,7 +421,7 @@ void PostWriter::rewind(const ClSection& s, const Kinematics& kinematics, const 
     now_ = motion.to_joints;
     const bool rapid = s.motions.motions[i].kind == MotionKind::rapid;
     if (rapid) {
-        come_again(s, motion.to_joints, motion.to);
+        come_again(s, motion.from_joints, motion.to_joints, motion.to);
         return;
     }
     const auto refuse_it = [&] {
@@ -425,7 +448,7 @@ void PostWriter::rewind(const ClSection& s, const Kinematics& kinematics, const 
         posted_.seconds += seconds;
     };
     feed(motion.from_joints, *clear_before, clear, out);
-    come_again(s, *clear_again, clear);
+    come_again(s, *clear_before, *clear_again, clear);
     feed(*clear_again, *again, motion.from, out);
     Joints last = *again;
     double t = 0;
@@ -448,6 +471,7 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
     posted_.planes += plane_.has_value();
     blocks_.feed_mode(inverse_);
     now_ = found.motions.front().at;
+    if (before_) posted_.seconds += seconds_above(s, *before_, now_, post_, setup_);
     start(s, now_, motions.front().to);
     if (!told_as_joints(s)) blocks_.feed_mode(false);
     const Progress rest = progress.part(0.6, 1);
@@ -460,6 +484,7 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
     blocks_.feed_mode(false);
     inverse_ = false;
     plane_.reset();
+    before_ = now_;
 }
 
 void PostWriter::section(const ClSection& s, bool first, bool change, const Progress& progress) {
@@ -472,6 +497,7 @@ void PostWriter::section(const ClSection& s, bool first, bool change, const Prog
     posted_.first_lines.push_back(blocks_.lines_written() + 1);
     blocks_.lines(post_.retract, v);
     if (change) {
+        before_.reset();
         blocks_.lines(post_.tool_change, v);
         posted_.tools.push_back(s.tool_number);
     }

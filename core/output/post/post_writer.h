@@ -44,8 +44,10 @@ struct PostSetup {
 struct PostedProgram {
     std::string text;
     std::size_t blocks = 0; ///< lines that move something
-    double seconds = 0;     ///< as the machine's model has them (motion_time.h), without coming and going
-    Box3 reach;             ///< of X, Y and Z in the machine's frame
+    /// As the machine's model has them (motion_time.h), ways over the top included; without coming with a
+    /// tool and going.
+    double seconds = 0;
+    Box3 reach;                           ///< of X, Y and Z in the machine's frame
     std::vector<std::size_t> first_lines; ///< of each section, from 1
     std::vector<long> tools;              ///< in the order of their use
     bool tcp = false;                     ///< the control does the kinematics

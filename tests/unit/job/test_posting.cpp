@@ -243,6 +243,7 @@ private slots:
             PostedJob& job;
             Edit edit;
             bool arcs = false;
+            const char* post = "linuxcnc";
         };
         const std::vector<Fault> faults = {
             {"tool length not called", upright, swap_text("G43 H1 ", "")},
@@ -273,12 +274,20 @@ private slots:
             {"centre on the other side", trough, change_numbers('K', [](double k) { return -k; }), true},
             {"centre told as a place", trough, change_numbers('I', [](double i) { return i + 3; }), true},
             {"plane of arcs lost", trough, swap_text("G18 ", ""), true},
+            {"tip not led, Heidenhain", leaning, swap_text("M128", "M129"), false, "heidenhain"},
+            {"tip not led, Fanuc", leaning, swap_text("G43.4 H1", "G43 H1"), false, "fanuc"},
+            {"tip not led and no length, Fanuc", leaning, swap_text("G43.4 H1 ", ""), false, "fanuc"},
+            {"tip not led, Haas", leaning, swap_text("G234 H1 ", ""), false, "haas"},
+            {"vectors not switched on, Fanuc", leaning, swap_text("G43.5 H1", "G43.4 H1"), false,
+             "fanuc-vectors"},
+            {"tip not led, Siemens", leaning, swap_text("TRAORI", "TRAFOOF"), false, "siemens"},
+            {"tip led too late, Heidenhain", leaning, swap_text("M129", "M128"), false, "heidenhain"},
             {"part off its place by 1 mm", leaning, change_numbers('Y', [](double y) { return y + 1; })},
         };
         QVERIFY(faults.size() >= 20);
         for (const Fault& f : faults) {
             QVERIFY(f.job.planned.passed());
-            const std::string before = f.job.posted("linuxcnc", f.arcs);
+            const std::string before = f.job.posted(f.post, f.arcs);
             std::string text = before;
             f.edit(text);
             QVERIFY2(text != before, f.name);

@@ -133,10 +133,11 @@ private slots:
             }
             seconds += motion_totals(s, setup.machine).time_seconds;
         }
-        QVERIFY(std::abs(posted.seconds - seconds) < 1e-3 * seconds);
-        // Ways from the top and back count for none; those at feed are the file's own.
-        QVERIFY2(std::abs(read.seconds - seconds) < 0.02 * seconds,
-                 qPrintable(QString("%1 %2").arg(read.seconds).arg(seconds)));
+        // Over the top, where one tool does both, takes time as well; rapids told at feed have the file's
+        // digits.
+        QVERIFY(posted.seconds > 0.999 * seconds && posted.seconds < 1.05 * seconds);
+        QVERIFY2(std::abs(read.seconds - posted.seconds) < (inch ? 2e-3 : 1e-3) * posted.seconds,
+                 qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
     }
 
     void several_axes_keep_to_the_route_data() {
@@ -186,6 +187,8 @@ private slots:
         const double model = motion_totals(section, setup.machine).time_seconds;
         // How an axis is held that is told as a vector, the control chooses.
         const double share = control.multi_axis == Post::MultiAxis::vectors ? 0.05 : 1e-3;
+        QVERIFY2(std::abs(read.seconds - posted.seconds) < share * model,
+                 qPrintable(QString("%1 s, the post %2 s").arg(read.seconds).arg(posted.seconds)));
         QVERIFY2(posted.rewinds > 0 || std::abs(read.seconds - model) < share * model,
                  qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(model)));
     }
@@ -354,6 +357,10 @@ private slots:
         const PostedProgram posted = post_program(program, control, setup, {});
         QVERIFY(posted.rewinds >= 1 && posted.rewinds <= 4);
         const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        // Out, up, over and in again are in the time, here and there.
+        QVERIFY2(std::abs(read.seconds - posted.seconds) < 1e-3 * posted.seconds,
+                 qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
+        QVERIFY(posted.seconds > motion_totals(section, setup.machine).time_seconds);
         const auto& motions = read.sections.front()->motions.motions;
         std::size_t at = 0;
         for (const Motion& m : section.motions.motions) {
