@@ -13,6 +13,8 @@ namespace {
 
 /// Probes that a thread takes at a time: some milliseconds of work.
 constexpr std::size_t probes_per_block = 256;
+/// Of those, probes that look for motions nearby together.
+constexpr std::size_t probes_per_patch = 32;
 /// Extremes that a report lists: as many as someone looks at one by one.
 constexpr std::size_t max_extremes = 10;
 /// Bands of slope from level to upright, 15 degrees each.
@@ -106,10 +108,25 @@ public:
         : bodies_(bodies), exit_of_(exit_of), standing_(sight, aims.allowance, aims.far), aims_(aims),
           collision_limit_(
               std::clamp(aims.gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth)),
-          deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index) {
+          deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index), nearby_(bodies.size()) {
         findings_.program_gouges.assign(bodies.size(), 0);
     }
     BlockFindings take() { return std::move(findings_); }
+
+    /// Samples within `radius` of `center` come next, `off` that of the places where their lines start.
+    void begin_patch(const Vec3& center, double radius, double off) {
+        // Lines that are higher than `far` where the motion before has cut ask all motions.
+        const double along = radius + off + aims_.allowance + aims_.far;
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            const ProgramProbes& body = bodies_[b];
+            Nearby& nearby = nearby_[b];
+            nearby.deep = body.cutting.near(center, radius, -aims_.allowance);
+            if (aims_.far < infinity) nearby.along = body.cutting.near(center, along, 0);
+            nearby.watched.resize(body.watched.size());
+            for (std::size_t k = 0; k < body.watched.size(); ++k)
+                nearby.watched[k] = body.watched[k].probes.near(center, radius, collision_limit_);
+        }
+    }
 
     /// How deep the sample's point comes to lie inside a cutter, as a deviation below 0; where it never does,
     /// what is left on it. Sets the flag `bare`.
@@ -137,7 +154,7 @@ private:
         double deepest = 0;
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
             DepthProbe probe{-aims_.allowance, no_index};
-            if (!bodies_[b].cutting.deepen(surface, deep_hints_[b], probe)) continue;
+            if (!bodies_[b].cutting.deepen(surface, deep_hints_[b], probe, nearby_[b].deep)) continue;
             deep_hints_[b] = probe.motion;
             const double depth = probe.depth + aims_.allowance;
             findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
@@ -152,18 +169,26 @@ private:
     double left(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
         for (std::size_t b = bodies_.size(); b-- > 0 && value > 0;) { // the last to cut likely cuts lowest
             LineProbe probe{value, no_index};
-            if (!bodies_[b].cutting.lower(p, normal, hints_[b], probe)) continue;
+            if (!lower(b, p, normal, probe)) continue;
             value = std::max(probe.value, 0.0);
             by = {b, probe.motion};
             hints_[b] = probe.motion;
         }
         return value;
     }
+    bool lower(std::size_t b, const Vec3& p, const Vec3& normal, LineProbe& probe) const {
+        const MotionProbes& cutting = bodies_[b].cutting;
+        bool lowered = hints_[b] != no_index && cutting.lower(p, normal, hints_[b], probe, {});
+        if (probe.value <= aims_.far && aims_.far < infinity)
+            return cutting.lower(p, normal, no_index, probe, nearby_[b].along) || lowered;
+        return cutting.lower(p, normal, no_index, probe) || lowered;
+    }
     void collide(const Vec3& surface) {
         for (std::size_t b = 0; b < bodies_.size(); ++b)
-            for (const auto& watch : bodies_[b].watched) {
+            for (std::size_t k = 0; k < bodies_[b].watched.size(); ++k) {
+                const auto& watch = bodies_[b].watched[k];
                 DepthProbe probe{collision_limit_, no_index};
-                if (!watch.probes.deepen(surface, no_index, probe)) continue;
+                if (!watch.probes.deepen(surface, no_index, probe, nearby_[b].watched[k])) continue;
                 const Index motion = watch.probes.first_as_deep(surface, probe);
                 keep_deepest(findings_.collisions,
                              {watch.kind, true, {b, motion, probe.course}, surface, probe.depth});
@@ -176,6 +201,12 @@ private:
     const ProbeAims& aims_;
     double collision_limit_;
     std::vector<Index> deep_hints_, hints_;
+    /// Nodes of the trees of motions that can matter to the samples of a patch.
+    struct Nearby {
+        std::vector<Index> deep, along;
+        std::vector<std::vector<Index>> watched;
+    };
+    std::vector<Nearby> nearby_; ///< per program
     BlockFindings findings_;
 };
 
@@ -199,6 +230,18 @@ Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const Stoc
     parallel_blocks(n, probes_per_block, progress.part(0.05, 1.0), [&](std::size_t begin, std::size_t end) {
         SampleProbe probe(bodies, exit_of, sight, aims);
         for (std::size_t k = begin; k < end; ++k) {
+            if ((k - begin) % probes_per_patch == 0) {
+                Box3 box;
+                double radius = 0, off = 0;
+                const std::size_t last = std::min(end, k + probes_per_patch);
+                for (std::size_t j = k; j < last; ++j)
+                    box.add(samples.points[order[j]]);
+                for (std::size_t j = k; j < last; ++j) {
+                    radius = std::max(radius, (samples.points[order[j]] - box.center()).norm());
+                    off = std::max(off, (samples.places[order[j]] - samples.points[order[j]]).norm());
+                }
+                probe.begin_patch(box.center(), radius, off);
+            }
             const std::size_t i = order[k];
             probed.deviation[i] = probe(samples.points[i], samples.places[i], samples.normals[i],
                                         samples.flags[i], probed.by[i]);

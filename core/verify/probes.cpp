@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 
+#include <algorithm>
 #include <array>
 
 namespace facetmill {
@@ -51,38 +52,41 @@ void BodySupport::finish(double radius, double bottom, double top) {
     reach_ = std::hypot(radius, std::max(std::abs(bottom), std::abs(top)));
 }
 
-BodySupport::Plane BodySupport::nearest(const Vec3& point, const Vec3& axis) const {
+BodySupport::Closest BodySupport::closest(const Vec3& point, const Vec3& axis) const {
     // The distance from a convex set is the largest over its supporting planes, and by symmetry over those
     // whose normal lies in the plane of point and axis.
     const double z = point.dot(axis);
-    const Vec3 across = point - z * axis;
-    const double rho = across.norm();
+    Closest found{infinity, Vec2(0, -1), 1, point - z * axis, 0};
+    found.rho = found.across.norm();
     double most = -infinity;
-    Vec2 normal(0, -1);
     for (const Feature& f : features_) {
-        const Vec2 d(rho - f.center.x(), z - f.center.y());
-        double distance;
-        Vec2 u;
+        const Vec2 d(found.rho - f.center.x(), z - f.center.y());
         if (cross(f.first, d) > 0 && cross(d, f.last) > 0) {
             const double length = d.norm();
-            distance = length - f.r;
-            u = d / length;
+            if (!(length - f.r > most)) continue;
+            most = length - f.r;
+            found.out = d;
+            found.length = length;
         } else {
             const double a = f.first.dot(d), b = f.last.dot(d);
-            distance = std::max(a, b) - f.r;
-            u = a >= b ? f.first : f.last;
-        }
-        if (distance > most) {
-            most = distance;
-            normal = u;
+            if (!(std::max(a, b) - f.r > most)) continue;
+            most = std::max(a, b) - f.r;
+            found.out = a >= b ? f.first : f.last;
+            found.length = 1;
         }
     }
-    Vec3 n = normal.y() * axis;
-    if (rho > 0)
-        n += (normal.x() / rho) * across;
-    else if (normal.x() != 0)
-        n += normal.x() * axis.unitOrthogonal();
-    return {-most, n};
+    found.inside = -most;
+    return found;
+}
+
+BodySupport::Plane BodySupport::Closest::plane(const Vec3& axis) const {
+    if (rho > 0) {
+        const double per = 1 / (length * rho);
+        return {inside, (out.y() * rho * per) * axis + (out.x() * per) * across};
+    }
+    Vec3 n = (out.y() / length) * axis;
+    if (out.x() != 0) n += (out.x() / length) * axis.unitOrthogonal();
+    return {inside, n};
 }
 
 Vec3 BodySupport::support(const Vec3& direction, const Vec3& axis) const {
@@ -173,6 +177,7 @@ MotionTree::Node MotionTree::leaf(Index motion) const {
     }
     node.lo = box.lo;
     node.hi = box.hi;
+    node.size = (node.hi - node.lo).norm();
     return node;
 }
 
@@ -193,6 +198,7 @@ void MotionTree::bound(Node& node, const std::vector<Node>& leaves, std::size_t 
         same = same && leaves[i].axis == first.axis;
         sum += leaves[i].axis;
     }
+    node.size = (node.hi - node.lo).norm();
     if (same) return;
     if (sum.norm() > tolerance::level_angle) node.axis = sum.normalized();
     node.cone = 0;
@@ -278,15 +284,16 @@ double MotionProbes::reaches(const MotionTree::Node& node, const Line& line) con
     const double t = line.place(0.5 * (node.lo + node.hi) + up);
     const Vec3 x = line.at(t);
     const Vec3 tip = (x - up).cwiseMax(node.lo).cwiseMin(node.hi);
-    const BodySupport::Plane plane = support_.nearest(x - tip, node.axis);
-    double most = line.max_inside(plane, t);
+    const BodySupport::Closest closest = support_.closest(x - tip, node.axis);
+    // A body that is turned by the cone's angle about its tip: so is the plane.
+    const double stretch = line.far - line.near;
+    const double turned =
+        node.cone > 0 ? std::min(node.cone, 2.0) * ((x - tip).norm() + node.size + stretch) : 0;
+    if (const double at_most = closest.inside + stretch + node.size + turned; !(at_most > 0)) return at_most;
+    const BodySupport::Plane plane = closest.plane(node.axis);
+    double most = line.max_inside(plane, t) + turned;
     for (int k = 0; k < 3; ++k)
         most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
-    if (node.cone > 0) {
-        // A body that is turned by the cone's angle about its tip: so is the plane.
-        const double lever = (x - tip).norm() + (node.hi - node.lo).norm() + (line.far - line.near);
-        most += std::min(node.cone, 2.0) * lever;
-    }
     return most;
 }
 
@@ -437,49 +444,92 @@ bool MotionProbes::ask_turning(Index motion, Line& line, LineProbe& probe) const
     return lowered;
 }
 
-bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const {
+/// Nodes that are still to be asked, the most promising first.
+class MotionProbes::OpenNodes {
+public:
+    /// most(node) for those to begin with: asked if it is above `least`.
+    template <class Most>
+    OpenNodes(std::span<const Index> among, double least, const Most& most) {
+        for (const Index node : among)
+            if (const double m = most(node); m > least) open_[count_++] = {node, m};
+        std::sort(open_.begin(), open_.begin() + std::ptrdiff_t(count_),
+                  [](const Open& a, const Open& b) { return a.most < b.most; });
+    }
+    bool empty() const { return count_ == 0; }
+    Open take() { return open_[--count_]; }
+    void add_children(Open a, Open b, double least) {
+        if (a.most > b.most) std::swap(a, b);
+        if (a.most > least) open_[count_++] = a;
+        if (b.most > least) open_[count_++] = b;
+    }
+
+private:
+    std::array<Open, 128 + max_near> open_; // two a level, and the tree halves
+    std::size_t count_ = 0;
+};
+
+std::vector<Index> MotionProbes::near(const Vec3& center, double radius, double depth) const {
+    const auto& nodes = tree_->nodes_;
+    const double least = depth - radius - tolerance::probe_rounding;
+    std::vector<Index> leaves, level, next;
+    const auto look = [&](std::vector<Index>& list, Index node) {
+        if (max_depth(nodes[node], center, least) > least)
+            (nodes[node].right == 0 ? leaves : list).push_back(node);
+    };
+    if (!nodes.empty()) look(level, 0);
+    while (!level.empty()) {
+        const std::size_t leaves_before = leaves.size();
+        next.clear();
+        for (const Index node : level) {
+            look(next, node + 1);
+            look(next, nodes[node].right);
+        }
+        if (next.size() + leaves.size() > max_near) {
+            leaves.resize(leaves_before);
+            break;
+        }
+        std::swap(level, next);
+    }
+    leaves.insert(leaves.end(), level.begin(), level.end());
+    return leaves;
+}
+
+bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe,
+                         std::span<const Index> among) const {
     const auto& nodes = tree_->nodes_;
     if (nodes.empty()) return false;
     Line line{p, n};
     line.set(probe.value, slack_);
     bool lowered = hint != no_index && ask(hint, line, probe);
-    struct Open {
-        Index node;
-        double reach;
-    };
-    std::array<Open, 128> open; // two a level, and the tree halves
-    std::size_t count = 0;
-    const double root = reaches(nodes[0], line);
-    if (root > 0) open[count++] = {0, root};
+    OpenNodes open(among, 0, [&](Index node) { return reaches(nodes[node], line); });
     bool stale = false; // what is open was judged by a higher value
-    while (count > 0) {
-        const Open top = open[--count];
+    while (!open.empty()) {
+        const Open top = open.take();
         const MotionTree::Node& node = nodes[top.node];
         if (stale && !(reaches(node, line) > 0)) continue;
         if (node.right == 0) {
             if (node.motion != hint && ask(node.motion, line, probe)) lowered = stale = true;
             continue;
         }
-        Open a{top.node + 1, reaches(nodes[top.node + 1], line)},
-            b{node.right, reaches(nodes[node.right], line)};
-        if (a.reach > b.reach) std::swap(a, b);
-        if (a.reach > 0) open[count++] = a;
-        if (b.reach > 0) open[count++] = b;
+        open.add_children({top.node + 1, reaches(nodes[top.node + 1], line)},
+                          {node.right, reaches(nodes[node.right], line)}, 0);
     }
     return lowered;
 }
 
 // ---- depths of points ----
 
-/// The most that p can lie inside the body in any motion of a node.
-double MotionProbes::max_depth(const MotionTree::Node& node, const Vec3& p) const {
+/// The most that p can lie inside the body in any motion of a node; roughly where that is not above `least`.
+double MotionProbes::max_depth(const MotionTree::Node& node, const Vec3& p, double least) const {
     const Vec3 up = support_.middle() * node.axis;
     const Vec3 tip = (p - up).cwiseMax(node.lo).cwiseMin(node.hi);
-    const BodySupport::Plane plane = support_.nearest(p - tip, node.axis);
-    double most = plane.inside;
+    const BodySupport::Closest closest = support_.closest(p - tip, node.axis);
+    const double turned = node.cone > 0 ? std::min(node.cone, 2.0) * ((p - tip).norm() + node.size) : 0;
+    if (const double at_most = closest.inside + node.size + turned; !(at_most > least)) return at_most;
+    const BodySupport::Plane plane = closest.plane(node.axis);
+    double most = plane.inside + turned;
     for (int k = 0; k < 3; ++k)
         most += plane.normal[k] * ((plane.normal[k] > 0 ? node.hi[k] : node.lo[k]) - tip[k]);
-    if (node.cone > 0) most += std::min(node.cone, 2.0) * ((p - tip).norm() + (node.hi - node.lo).norm());
     return most;
 }
 
@@ -583,30 +633,21 @@ Index MotionProbes::first_as_deep(const Vec3& p, const DepthProbe& probe) const 
     return first;
 }
 
-bool MotionProbes::deepen(const Vec3& p, Index hint, DepthProbe& probe) const {
+bool MotionProbes::deepen(const Vec3& p, Index hint, DepthProbe& probe, std::span<const Index> among) const {
     const auto& nodes = tree_->nodes_;
     if (nodes.empty()) return false;
     bool deeper = hint != no_index && ask_depth(hint, p, probe);
-    struct Open {
-        Index node;
-        double most;
-    };
-    std::array<Open, 128> open; // two a level, and the tree halves
-    std::size_t count = 0;
-    open[count++] = {0, max_depth(nodes[0], p)};
-    while (count > 0) {
-        const Open top = open[--count];
+    const auto most = [&](Index node) { return max_depth(nodes[node], p, probe.depth); };
+    OpenNodes open(among, probe.depth, most);
+    while (!open.empty()) {
+        const Open top = open.take();
         if (!(top.most > probe.depth)) continue;
         const MotionTree::Node& node = nodes[top.node];
         if (node.right == 0) {
             if (node.motion != hint) deeper = ask_depth(node.motion, p, probe) || deeper;
             continue;
         }
-        Open a{top.node + 1, max_depth(nodes[top.node + 1], p)},
-            b{node.right, max_depth(nodes[node.right], p)};
-        if (a.most > b.most) std::swap(a, b);
-        if (a.most > probe.depth) open[count++] = a;
-        if (b.most > probe.depth) open[count++] = b;
+        open.add_children({top.node + 1, most(top.node + 1)}, {node.right, most(node.right)}, probe.depth);
     }
     return deeper;
 }

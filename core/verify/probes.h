@@ -12,8 +12,10 @@
 #include "core/verify/axis_courses.h"
 #include "core/verify/sweep.h"
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -30,7 +32,18 @@ public:
         Vec3 normal;   ///< unit, outward
     };
     /// The supporting plane nearest to a point; the body has its tip at 0 and this unit axis.
-    Plane nearest(const Vec3& point, const Vec3& axis) const;
+    Plane nearest(const Vec3& point, const Vec3& axis) const { return closest(point, axis).plane(axis); }
+
+    /// That plane before its normal is worked out: `inside` alone turns most questions away.
+    struct Closest {
+        double inside;
+        Vec2 out;      ///< along the normal, (rho, z) about the axis
+        double length; ///< of `out`
+        Vec3 across;   ///< the point's way off the axis
+        double rho;    ///< its length
+        Plane plane(const Vec3& axis) const;
+    };
+    Closest closest(const Vec3& point, const Vec3& axis) const;
     /// The point of the body, from the tip, that lies farthest in a unit direction.
     Vec3 support(const Vec3& direction, const Vec3& axis) const;
     /// Height on the axis of a point well inside, near the lower end.
@@ -77,6 +90,7 @@ private:
     struct Node {
         Vec3 lo, hi, axis; ///< box of the tips; middle of the axes
         double cone = 0;   ///< no axis is farther from the middle; 0: all are the same
+        double size = 0;   ///< the box's diagonal
         Index right = 0;   ///< the other child; 0: a leaf. The first child is the next node
         Index motion = 0;  ///< leaf
     };
@@ -102,20 +116,32 @@ public:
                  double bound);
 
     const MotionTree& motions() const { return *tree_; }
+    /// Nodes of the tree, few, that hold every motion in which a point within `radius` of `center` may lie
+    /// inside the body by more than `depth`: where many places that are close together are asked, they are
+    /// all that has to be asked.
+    std::vector<Index> near(const Vec3& center, double radius, double depth) const;
     /// Lowers `probe.value` to the least `lo` of the stretches [lo, hi] that the moving body has on the line
     /// p + t n, and says whether it did. A stretch counts if it holds part of [min(value, 0), value]: one
     /// that is wholly below 0 only where it joins what is missing above it. `hint`: a motion to ask first, or
-    /// no_index; it does not change the value.
-    bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe) const;
+    /// no_index; it does not change the value. `among`: the nodes that are asked.
+    bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe,
+               std::span<const Index> among = all_nodes) const;
     /// Raises `probe.depth` to the largest depth of the point p inside the moving body, and says whether it
     /// did: the depth is the distance to the body's surface, which needs to know nothing of the part but the
-    /// point. Of the courses that the axis may take the deepest. `hint`: as above.
-    bool deepen(const Vec3& p, Index hint, DepthProbe& probe) const;
+    /// point. Of the courses that the axis may take the deepest. `hint`, `among`: as above.
+    bool deepen(const Vec3& p, Index hint, DepthProbe& probe, std::span<const Index> among = all_nodes) const;
     /// The first of an unbroken run of motions, up to `probe.motion`, in which p lies as deep: where a motion
     /// ends the next one begins, and both have that place.
     Index first_as_deep(const Vec3& p, const DepthProbe& probe) const;
 
 private:
+    static constexpr std::array<Index, 1> all_nodes{0}; ///< the root
+    static constexpr std::size_t max_near = 32; ///< nodes; below them the tree finds faster than a list
+    struct Open {
+        Index node;
+        double most;
+    };
+    class OpenNodes;
     struct Line;
     struct Pose;
     class TurnedPart;
@@ -124,7 +150,7 @@ private:
     double reaches_straight(Index motion, const Line& line) const;
     bool ask(Index motion, Line& line, LineProbe& probe) const;
     bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
-    double max_depth(const MotionTree::Node& node, const Vec3& p) const;
+    double max_depth(const MotionTree::Node& node, const Vec3& p, double least) const;
     bool ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const;
     bool ask_depth_turning(Index motion, AxisCourse course, const Vec3& p, DepthProbe& probe) const;
 

@@ -84,7 +84,7 @@ private slots:
         std::mt19937 random(turning ? 11 : 3);
         std::uniform_real_distribution<double> share(-1, 1);
         constexpr double bound = 1e-3;
-        std::size_t inside = 0;
+        std::size_t inside = 0, left_out = 0;
         for (const ShapedTool& shaped : tools_of_every_shape())
             for (int round = 0; round < trials(6); ++round) {
                 const CutterProfile cutter(shaped.tool.cutter());
@@ -116,6 +116,14 @@ private slots:
                         probe.depth >= expected - bound && probe.depth <= expected + 0.05,
                         qPrintable(QString("%1: %2 of %3").arg(shaped.name).arg(probe.depth).arg(expected)));
                     inside += expected > 0.05;
+                    // Nor does it matter whether all motions are asked or those that may be near.
+                    const Vec3 center = p + share(random) * any_direction(random);
+                    const double least = k % 2 == 0 ? 0 : 0.2 * share(random);
+                    const std::vector<Index> nearby = probes.near(center, (p - center).norm(), least);
+                    DepthProbe among{least, no_index}, of_all{least, no_index};
+                    QCOMPARE(probes.deepen(p, no_index, among, nearby), probes.deepen(p, no_index, of_all));
+                    QCOMPARE(among.depth, of_all.depth);
+                    left_out += nearby.empty();
                     if (!deeper) continue;
                     // A hint changes nothing, and the first motion as deep is as deep.
                     DepthProbe hinted;
@@ -125,6 +133,7 @@ private slots:
                 }
             }
         QVERIFY(inside > trials(std::size_t(100)));
+        QVERIFY(left_out > trials(std::size_t(50)));
     }
 
     /// A control may turn the axis on a great circle, along its ends' chord or joint by joint: the deepest of
