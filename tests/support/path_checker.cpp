@@ -33,7 +33,7 @@ public:
     double height(double rho) const { return rho > radius_ ? infinity : profile_.height_at(rho); }
 
     /// Lowest height of the moved cutter over (x, y): convex along the piece. A height of at most `enough`
-    /// will do where there is one.
+    /// will do where there is one, and one above it where there is none.
     double lowest_over(const Piece& piece, double x, double y, double enough) const {
         const double dx = piece.to.x() - piece.from.x(), dy = piece.to.y() - piece.from.y();
         const double ex = x - piece.from.x(), ey = y - piece.from.y();
@@ -54,11 +54,14 @@ public:
         };
         constexpr double golden = 0.6180339887498949;
         double x1 = hi - golden * (hi - lo), x2 = lo + golden * (hi - lo), f1 = over(x1), f2 = over(x2);
-        double least = std::min({over(lo), over(hi), f1, f2});
+        double at_lo = over(lo), at_hi = over(hi);
+        double least = std::min({at_lo, at_hi, f1, f2});
         // The minimum is flat: a place found to 1e-4 of a short piece gives the height to 1e-8 of it.
         for (int i = 0; i < 40 && hi - lo > 1e-4 && least > enough; ++i) {
+            if (no_lower(lo, x1, x2, hi, at_lo, f1, f2, at_hi) > enough) return least;
             if (f1 < f2) {
                 hi = x2;
+                at_hi = f2;
                 x2 = x1;
                 f2 = f1;
                 x1 = hi - golden * (hi - lo);
@@ -66,6 +69,7 @@ public:
                 least = std::min(least, f1);
             } else {
                 lo = x1;
+                at_lo = f1;
                 x1 = x2;
                 f1 = f2;
                 x2 = lo + golden * (hi - lo);
@@ -107,6 +111,17 @@ public:
     }
 
 private:
+    /// What a convex function with these values at a < b < c < d is nowhere below between a and d: beyond two
+    /// places it lies above the line through them.
+    static double no_lower(double a, double b, double c, double d, double fa, double fb, double fc,
+                           double fd) {
+        const double slope = (fc - fb) / (c - b);
+        const double before = std::min(fb, fb - slope * (b - a)), behind = std::min(fc, fc + slope * (d - c));
+        const double from_left = std::min(fb, fb + (fb - fa) / (b - a) * (c - b)),
+                     from_right = std::min(fc, fc - (fd - fc) / (d - c) * (c - b));
+        return std::min({before, behind, std::max(from_left, from_right)});
+    }
+
     CutterProfile profile_;
     double radius_;
 };

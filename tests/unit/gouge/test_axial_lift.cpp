@@ -350,7 +350,7 @@ private slots:
                 };
                 long double lo = std::max<long double>(rho - allowance, -end),
                             hi = std::min<long double>(rho + allowance, end);
-                for (int i = 0; i < 90; ++i) {
+                for (int i = 0; i < 60; ++i) {
                     const long double a = lo + (hi - lo) * 0.4L, b = lo + (hi - lo) * 0.6L;
                     (height(a) < height(b) ? hi : lo) = height(a) < height(b) ? b : a;
                 }

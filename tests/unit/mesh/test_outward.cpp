@@ -3,6 +3,7 @@
 #include "core/mesh/sample.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -67,7 +68,7 @@ private slots:
         const Mesh right = dome(10, 12);
         std::mt19937 random(7);
         std::bernoulli_distribution wrong(share);
-        for (int round = 0; round < 20; ++round) {
+        for (int round = 0; round < trials(20); ++round) {
             Mesh mesh = right;
             std::size_t turned_ones = 0;
             for (std::size_t f = 0; f < mesh.facet_count(); ++f)

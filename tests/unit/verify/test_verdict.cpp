@@ -5,6 +5,7 @@
 #include "core/verify/verify.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -125,7 +126,7 @@ private slots:
             const VerifyProgram program = lines(ball_tool(6), Vec2(-12, 0), Vec2(12, 0), z, 1);
             const Verification right = judged(clean, stock, program);
             QCOMPARE(right.gouged(), z < 12);
-            for (int round = 0; round < 8; ++round) {
+            for (int round = 0; round < trials(8, 8); ++round) {
                 Mesh dirty;
                 std::size_t turned_ones = 0;
                 for (std::size_t f = 0; f < clean.facet_count(); ++f)
@@ -208,7 +209,7 @@ private slots:
             for (const double y : {from + 4, 6.01 - 0.5 * fin, 13.99 + 0.5 * fin})
                 rows.push_back(lines(flat_tool(8), Vec2(-20, y), Vec2(20, y), 0, 1));
             VerifySettings s = asked();
-            s.sample_spacing = 0.1;
+            s.sample_spacing = under_sanitizer ? 0.4 : 0.1;
             const Verification v = verify(part, stock, rows, s, Progress());
             double excess = 0;
             const DeviationSurface& surface = *v.surface;

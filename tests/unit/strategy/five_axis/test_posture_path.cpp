@@ -123,7 +123,7 @@ private slots:
         const double step = looking_step(2, chord);
         Random rng(7);
         int clear = 0, exceeded = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < trials(300, 3); ++i) {
             const auto [a, b] = motion(lift, rng);
             const double depth = deepest(lift, a, b);
             const auto passed = [&, a = a, b = b](double steps, double share) {
@@ -140,7 +140,7 @@ private slots:
             exceeded += passed(1, 1.2) && depth > chord;
             if (depth < -chord) QVERIFY(passed(1, 0.6)); // and what is clear is passed
         }
-        QVERIFY2(clear > 300, qPrintable(QString::number(clear)));
+        QVERIFY2(clear > trials(300, 3), qPrintable(QString::number(clear)));
         QVERIFY(exceeded > 0);
     }
 };

@@ -291,8 +291,10 @@ private slots:
         QTest::addColumn<int>("seed");
         QTest::addColumn<double>("corner");
         for (int seed = 0; seed < 4; ++seed)
-            for (const double corner : {3.0, 1.0, 0.0})
+            for (const double corner : {3.0, 1.0, 0.0}) {
+                if (under_sanitizer && corner != 1) continue;
                 QTest::addRow("part %d corner %g", seed, corner) << seed << corner;
+            }
     }
 
     /// A region's distance against the largest, over the part, of the smallest, over all places of the

@@ -391,7 +391,7 @@ private slots:
     void narrow_places_are_left_out_or_plunged_into() {
         const Mesh narrow = height_field(
             [](double x, double y) { return std::abs(x) < 3.6 && std::abs(y) < 3.6 ? 0.0 : 10.0; },
-            Vec2(-20, -15), Vec2(20, 15), 160, 120);
+            Vec2(-10, -10), Vec2(10, 10), 80, 80);
         const PlanContext c = context(narrow, flat_tool(6), 4);
         const StrategyResult r = Rough(settings(2)).plan(c, Progress());
         QVERIFY(warns(r, "no room to enter"));
