@@ -21,23 +21,39 @@ struct Interval {
     bool empty() const { return !(lo <= hi); }
 };
 
-/// Largest value of a concave function on [lo, hi], its ends included.
+/// What a concave function with these values at a < b < c < d is nowhere above between a and d: beyond two
+/// places it lies below the line through them.
+Real no_higher(Real a, Real b, Real c, Real d, Real fa, Real fb, Real fc, Real fd) {
+    const Real slope = (fc - fb) / (c - b);
+    const Real before = std::max(fb, fb - slope * (b - a)), behind = std::max(fc, fc + slope * (d - c));
+    const Real from_left = std::max(fb, fb + (fb - fa) / (b - a) * (c - b)),
+               from_right = std::max(fc, fc - (fd - fc) / (d - c) * (c - b));
+    return std::max({before, behind, std::min(from_left, from_right)});
+}
+
+/// Largest value of a concave function on [lo, hi], its ends included, to 1e-14 mm: tests allow 1e-9.
 template <class F>
 Real golden_maximum(Real lo, Real hi, F&& f) {
+    constexpr Real accuracy = 1e-14L;
     const Real golden = (std::sqrt(Real(5)) - 1) / 2;
-    Real best = std::max(f(lo), f(hi));
+    Real at_lo = f(lo), at_hi = f(hi);
+    Real best = std::max(at_lo, at_hi);
     Real x1 = hi - golden * (hi - lo), x2 = lo + golden * (hi - lo), f1 = f(x1), f2 = f(x2);
     // To the last digit of a double: the function may be as steep as the facet, or steeper on the cutter's
     // side.
     while (hi - lo > 1e-16L * std::max({Real(1), std::abs(lo), std::abs(hi)})) {
+        best = std::max({best, f1, f2});
+        if (no_higher(lo, x1, x2, hi, at_lo, f1, f2, at_hi) <= best + accuracy) break;
         if (f1 < f2) {
             lo = x1;
+            at_lo = f1;
             x1 = x2;
             f1 = f2;
             x2 = lo + golden * (hi - lo);
             f2 = f(x2);
         } else {
             hi = x2;
+            at_hi = f2;
             x2 = x1;
             f2 = f1;
             x1 = hi - golden * (hi - lo);

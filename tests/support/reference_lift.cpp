@@ -238,12 +238,14 @@ Real reference_bound(const ReferenceBody& body, const ReferencePosture& posture,
     const Real least = golden_minimum(
         -quarter, quarter, accuracy,
         [&](Real psi) {
-            const Real3 base = std::sin(psi) * g1 - std::cos(psi) * v;
+            const Real cos_psi = std::cos(psi);
+            const Real3 base = std::sin(psi) * g1 - cos_psi * v;
             return golden_minimum(
                 -quarter, quarter, accuracy,
                 [&](Real phi) {
-                    return bound_local(body, posture, local, std::cos(phi) * base + std::sin(phi) * g2,
-                                       std::cos(phi) * std::cos(psi), grow);
+                    const Real cos_phi = std::cos(phi);
+                    return bound_local(body, posture, local, cos_phi * base + std::sin(phi) * g2,
+                                       cos_phi * cos_psi, grow);
                 },
                 done);
         },
