@@ -4,6 +4,7 @@
 #include "core/strategy/five_axis/five_axis_study.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 

@@ -4,6 +4,7 @@
 #include "tests/property/shapes.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
