@@ -84,7 +84,7 @@ private slots:
         std::mt19937 random(turning ? 11 : 3);
         std::uniform_real_distribution<double> share(-1, 1);
         constexpr double bound = 1e-3;
-        std::size_t inside = 0, left_out = 0;
+        std::size_t inside = 0, left_out = 0, shortened = 0;
         for (const ShapedTool& shaped : tools_of_every_shape())
             for (int round = 0; round < trials(6); ++round) {
                 const CutterProfile cutter(shaped.tool.cutter());
@@ -123,6 +123,14 @@ private slots:
                     DepthProbe among{least, no_index}, of_all{least, no_index};
                     QCOMPARE(probes.deepen(p, no_index, among, nearby), probes.deepen(p, no_index, of_all));
                     QCOMPARE(among.depth, of_all.depth);
+                    // The same of a line that begins here.
+                    const Vec3 n = any_direction(random);
+                    LineProbe line{1, no_index}, line_of_all{1, no_index};
+                    probes.lower(p, n, no_index, line, probes.near(center, (p - center).norm() + 1, 0));
+                    probes.lower(p, n, no_index, line_of_all);
+                    QVERIFY(std::abs(std::max(line.value, 0.0) - std::max(line_of_all.value, 0.0))
+                            <= (turning ? 0.02 : 1e-7));
+                    shortened += line.value < 1;
                     left_out += nearby.empty();
                     if (!deeper) continue;
                     // A hint changes nothing, and the first motion as deep is as deep.
@@ -134,6 +142,7 @@ private slots:
             }
         QVERIFY(inside > trials(std::size_t(100)));
         QVERIFY(left_out > trials(std::size_t(50)));
+        QVERIFY(shortened > trials(std::size_t(50)));
     }
 
     /// A control may turn the axis on a great circle, along its ends' chord or joint by joint: the deepest of

@@ -233,14 +233,6 @@ private slots:
                 const Vec3 n = i % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_unit(random);
                 const double start = 5 + 4 * share(random);
                 const double expected = lowest_of_all(moves, boxes, body, p, n, start);
-                // The motions that may be near the line, told for a place beside it, are all that matter.
-                const Vec3 beside = p + share(random) * random_unit(random);
-                const auto nearby = probes.near(beside, (p - beside).norm() + start, 0);
-                LineProbe among{start, no_index}, of_all{start, no_index};
-                probes.lower(p, n, no_index, among, nearby);
-                probes.lower(p, n, no_index, of_all);
-                QVERIFY(std::abs(std::max(among.value, 0.0) - std::max(of_all.value, 0.0))
-                        <= (kind >= 2 ? 0.02 : 1e-7));
                 for (Index hint : {no_index, Index(5), Index(20)}) {
                     double value = start;
                     for (bool again = true; again;) {
