@@ -156,6 +156,7 @@ std::string report_json(const Project& project, const PlanResult& result, const 
         entry["warnings"] = std::move(warnings);
         entry["seconds_planning"] = number(o->seconds_planning);
         entry["direction_degrees"] = number(degrees(o->path.direction));
+        if (!o->path.direction_reason.empty()) entry["direction_reason"] = o->path.direction_reason;
         if (const auto* rough = o->path.as<RoughPath>()) {
             entry["layers"] = rough->layers.size();
             entry["remaining_height"] = number(o->path.cusp_max / per);

@@ -2,9 +2,11 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/finish3/finish_warnings.h"
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/finish3/partial_lines.h"
 #include "core/strategy/finish3/stepover.h"
+#include "core/strategy/finish3/travel_choice.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/pass_order.h"
@@ -35,25 +37,37 @@ constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
 constexpr double max_places = 2e9;
 
+/// Where the passes leave more than this share of the surface, the other direction is planned too, and taken
+/// where it leaves less than this share of that.
+constexpr double much_passed_by = 0.002, better_passed_by = 0.7;
+/// The same where it is expected to travel less than this share; taken where it does travel less than that.
+constexpr double less_expected = 0.9, less_travel = 0.95;
+
 /// Everything one plan needs, worked out once.
 class Planner {
 public:
     Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress);
-    StrategyResult run();
+    /// The direction asked for; for "auto" by the change of normals.
+    double direction() { return travel_direction(settings_.direction, context_, still(0)); }
+    /// What the passes of another direction would be; none where nothing faces up in it.
+    std::optional<TravelEstimate> estimate(double direction);
+    StrategyResult run(double direction);
+    double travel(const StrategyResult& plan) const { return travel_length(plan.passes, cover_.radius()); }
+    /// Share of the surface that the passes leave uncut where the cutter could go.
+    double passed_by() const { return uncut_.area > 0 ? uncut_.passed_by.area / uncut_.area : 0; }
 
 private:
+    StepOverInput input_for(double direction, ContactDomain& domain) const;
     void add_line(const PlannedLine& line, const Progress& progress);
     void plan_parallel();
     void plan_constant(double step);
     void plan_adaptive();
-    void check_size() const;
+    void check_size(const StepOver& stepover) const;
     void check_uncut(const Progress& progress);
     void leave_out_held_up(const Progress& progress);
     void leave_out_outside(const Progress& progress);
     void leave_out_cut(const Progress& progress);
     void order_passes(const Progress& progress);
-    void add_warnings();
-    void add_held_warning();
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     ContactAt contact_at() const {
@@ -87,38 +101,49 @@ Planner::Planner(const Finish3Settings& settings, const PlanContext& context, co
       cusp_allowed_(cusp_budget(settings, context)),
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
-      cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_) {}
-
-StrategyResult Planner::run() {
-    progress_.part(0, 0.02, "Choosing the direction").set(0);
-    frame_ = DriveFrame(travel_direction(settings_.direction, context_, progress_.part(0, 0.02)));
-    result_.direction = frame_.angle;
-    domain_.emplace(*context_.part, frame_, cover_, allowance_, still(0.02));
-    if (domain_->empty())
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "no facet of the part can be cut from above: all "
-                        + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
-                    "rotate the part");
+      cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_) {
     // What the tip path may lack of the lift and exceed it, together, is the chord tolerance: half of each
     // for the points looked at, half for leaving points out.
     fine_.below = fine_.above = 0.5 * chord_;
     fine_.spacing = safe_spacing(profile_, fine_.below);
-    field_ = {&lift_, domain_->lowest_tip()};
+}
 
+StepOverInput Planner::input_for(double direction, ContactDomain& domain) const {
     StepOverInput input;
     input.mesh = context_.part.get();
     input.contact = context_.contact;
     input.lift = &lift_;
     input.cover = &cover_;
-    input.domain = &*domain_;
-    input.frame = frame_;
+    input.domain = &domain;
+    input.frame = DriveFrame(direction);
     input.allowance = allowance_;
-    input.floor = field_.floor;
+    input.floor = domain.lowest_tip();
     input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
     input.merge = fine_.spacing;
     input.look = settings_.look;
-    stepover_.emplace(input);
-    check_size();
+    return input;
+}
+
+std::optional<TravelEstimate> Planner::estimate(double direction) {
+    ContactDomain domain(*context_.part, DriveFrame(direction), cover_, allowance_, still(0));
+    if (domain.empty()) return std::nullopt;
+    const StepOverInput input = input_for(direction, domain);
+    check_size(StepOver(input));
+    return estimate_travel(input, still(0));
+}
+
+StrategyResult Planner::run(double direction) {
+    frame_ = DriveFrame(direction);
+    result_.direction = frame_.angle;
+    domain_.emplace(*context_.part, frame_, cover_, allowance_, still(placed(0)));
+    if (domain_->empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "no facet of the part can be cut from above: all "
+                        + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
+                    "rotate the part");
+    field_ = {&lift_, domain_->lowest_tip()};
+    stepover_.emplace(input_for(direction, *domain_));
+    check_size(*stepover_);
 
     progress_.part(placed(0), 1, "Placing drive planes").set(0);
     switch (settings_.topology) {
@@ -138,15 +163,15 @@ StrategyResult Planner::run() {
     else
         leave_out_outside(still(1));
     order_passes(still(1));
-    add_warnings();
+    const FinishWarnings warnings{settings_, context_, uncut_, held_, cusp_allowed_, unsatisfied_, lines_};
+    add_finish_warnings(warnings, result_);
     return std::move(result_);
 }
 
 /// What would take days is most likely a part in another unit.
-void Planner::check_size() const {
+void Planner::check_size(const StepOver& stepover) const {
     const Vec3 size = context_.part_box.size();
-    const double step =
-        settings_.stepover.is_number() ? settings_.stepover.number : stepover_->largest_step();
+    const double step = settings_.stepover.is_number() ? settings_.stepover.number : stepover.largest_step();
     if (size.x() * size.y() <= max_places * step * fine_.spacing) return;
     throw Error(ErrorCode::limit_exceeded, settings_.name,
                 "a part of " + text_(size.x()) + " by " + text_(size.y()) + " asks for more than "
@@ -389,59 +414,8 @@ void Planner::order_passes(const Progress& progress) {
                     top + settings_.clearance, progress);
 }
 
-void Planner::add_warnings() {
-    auto& warnings = result_.warnings;
-    const bool uncut = result_.cusp_max == infinity;
-    // What was measured where the cutter could have gone is as good as what was expected.
-    const double expected = std::max(result_.cusp_max, cusp_allowed_);
-    result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
-    // Where a pass misses the part altogether, the stock stays as high as it was.
-    if (uncut)
-        result_.cusp_max = std::max({context_.stock_box.hi.z() - context_.part_box.lo.z(),
-                                     context_.part_box.size().z(), cusp_allowed_});
-    if (settings_.stepover.is_number() && result_.cusp_max > cusp_allowed_)
-        warnings.push_back("the step-over of " + text_(settings_.stepover.number) + " leaves "
-                           + (uncut ? std::string("places uncut") : "cusps of " + text_(result_.cusp_max))
-                           + "; the tolerance allows " + text_(cusp_allowed_));
-    if (unsatisfied_ > 0)
-        warnings.push_back(
-            std::to_string(unsatisfied_) + " of " + std::to_string(lines_)
-            + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
-            + text_(result_.cusp_max) + " stay there, " + text_(cusp_allowed_) + " are allowed");
-    const auto share = [&](const UncutPlaces& places) {
-        return share_text(places.area, uncut_.area) + " of the surface";
-    };
-    if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
-        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
-                           + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
-                           + ": use a smaller tool there");
-    if (const UncutPlaces& u = uncut_.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
-        warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
-                           + text_(u.height) + ", most at " + text_(u.at)
-                           + ": choose a smaller step-over or another direction");
-    if (const UncutPlaces& u = uncut_.covered; u.height > 0)
-        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text_(u.at)
-                           + ", and is not cut: turn the part for another operation");
-
-    if (held_.left_length > 0) add_held_warning();
-}
-
-void Planner::add_held_warning() {
-    const Tool& tool = context_.tool;
-    std::string longer;
-    if (held_.lack.shank > 0)
-        longer = "flutes of " + text_(tool.flute_length + held_.lack.shank) + " instead of "
-                 + text_(tool.flute_length);
-    if (held_.lack.holder > 0)
-        longer += (longer.empty() ? "" : " and ") + std::string("a stick-out of ")
-                  + text_(tool.flute_length + tool.shank_length + held_.lack.holder)
-                  + " below the holder instead of " + text_(tool.flute_length + tool.shank_length);
-    std::string what = "the tool is short: shank or holder would come into the part, so "
-                       + share_text(held_.left_length, held_.length) + " of the passes are left out";
-    if (const UncutPlaces& u = uncut_.held; u.height > 0)
-        what += " and " + share_text(u.area, uncut_.area) + " of the surface stays uncut by up to "
-                + text_(u.height) + ", most at " + text_(u.at);
-    result_.warnings.push_back(what + ": " + longer + " would reach it, or a tool that tilts (finish5)");
+std::string direction_text(double angle) {
+    return angle == 0 ? "x" : "y";
 }
 
 } // namespace
@@ -483,7 +457,37 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
 
 StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return Planner(settings_, context, progress).run();
+    const bool choose = settings_.direction.is("auto") && !settings_.stepover.is_number();
+    // Mostly there is no second time.
+    const Progress whole = progress.part(0, choose ? 0.95 : 1), again = progress.part(0.95, 1);
+    Planner planner(settings_, context, whole);
+    const double first = planner.direction();
+    StrategyResult best = planner.run(first);
+    if (!choose) return best;
+    const double second = first == 0 ? 0.5 * pi : 0;
+    Planner turned(settings_, context, again);
+    const bool leaves_much = planner.passed_by() > much_passed_by;
+    const double length = planner.travel(best);
+    const std::optional<TravelEstimate> expected = turned.estimate(second);
+    if (!expected || !(leaves_much || expected->cost() < less_expected * length)) {
+        progress.set(1);
+        return best;
+    }
+    StrategyResult other = turned.run(second);
+    const bool leaves_less = leaves_much && turned.passed_by() < better_passed_by * planner.passed_by(),
+               shorter = turned.passed_by() <= planner.passed_by() + much_passed_by
+                         && turned.travel(other) < less_travel * length;
+    const PlanText text{context.unit};
+    const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
+        return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
+               + (by.passed_by() > 0 ? ", " + share_text(by.passed_by(), 1)
+                                           + " of the surface uncut where the cutter could go"
+                                     : std::string());
+    };
+    std::string reason = told(first, best, planner) + "; " + told(second, other, turned);
+    if (leaves_less || shorter) best = std::move(other);
+    best.direction_reason = std::move(reason);
+    return best;
 }
 
 } // namespace facetmill

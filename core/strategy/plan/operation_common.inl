@@ -94,7 +94,8 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
               travel_parameter({.key = "direction",
                                 .label = "Direction",
                                 .help = "Direction of travel: auto picks x or y by the "
-                                        "change of normals; a number is an angle "
+                                        "change of normals, 3-axis finishing the other one "
+                                        "where that travels or leaves less; a number is an angle "
                                         "from X."}));
 }
 

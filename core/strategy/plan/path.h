@@ -93,8 +93,9 @@ struct StrategyResult {
     std::vector<Pass> passes; ///< in machining order, already turned (zigzag or one way)
     int drive_planes = 0;     ///< what reports call "passes"
     double stepover_min = 0, stepover_max = 0;
-    double direction = 0; ///< angle of travel from X, radians
-    double cusp_max = 0;  ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
+    double direction = 0;         ///< angle of travel from X, radians
+    std::string direction_reason; ///< why, where it was chosen among several; else empty
+    double cusp_max = 0; ///< largest cusp to expect where the cutter can go, chord tolerance included; mm
     double chord_tolerance = 0; ///< how far moves may run beside the exact path; 0: the strategy has none; mm
     std::size_t cleanup_points = 0;     ///< CC points left for clean-up
     std::vector<CutterContact> cleanup; ///< those points, where the strategy knows them

@@ -1,4 +1,5 @@
 // The operation as its users see it: parameters, passes, figures, refusals.
+#include "core/mesh/sample.h"
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/drive_frame.h"
@@ -319,6 +320,31 @@ private slots:
         tool.holder = {{40, 20}};
         tool.shank_length = 2;
         QVERIFY(has(planned(step(0, 12), s, tool), "holder"));
+    }
+
+    /// A strip whose normals change less along it, but which needs partial passes all along there: across it
+    /// the tool travels less, and "auto" finds that.
+    void auto_takes_the_shorter_direction() {
+        const Mesh pillar = *make_sample("pillar", 0.1, Progress());
+        const auto length = [](const StrategyResult& r) {
+            double sum = 0;
+            for (const Pass& p : r.passes)
+                for (std::size_t i = 1; i < p.cl.size(); ++i)
+                    sum += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+            return sum;
+        };
+        Finish3Settings s;
+        s.tolerance = 0.5;
+        const StrategyResult chosen = planned(pillar, s, ball_tool(12.7));
+        s.direction = {0, "x"};
+        const StrategyResult x = planned(pillar, s, ball_tool(12.7));
+        s.direction = {0, "y"};
+        const StrategyResult y = planned(pillar, s, ball_tool(12.7));
+        QVERIFY(x.direction_reason.empty() && y.direction_reason.empty());
+        QVERIFY(length(y) < 0.9 * length(x));
+        QVERIFY(chosen.direction == y.direction && length(chosen) == length(y));
+        QVERIFY(chosen.direction_reason.starts_with("x: ")
+                && chosen.direction_reason.find("; y: ") != std::string::npos);
     }
 
     /// A stock smaller than the part: nothing is passed where there is none, or the part stands above it.

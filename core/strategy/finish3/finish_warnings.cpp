@@ -1,0 +1,71 @@
+#include "core/strategy/finish3/finish_warnings.h"
+
+#include "core/base/tolerances.h"
+#include "core/strategy/plan/plan_text.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+std::string held_warning(const FinishWarnings& w) {
+    const PlanText text{w.context.unit};
+    const Tool& tool = w.context.tool;
+    std::string longer;
+    if (w.held.lack.shank > 0)
+        longer = "flutes of " + text(tool.flute_length + w.held.lack.shank) + " instead of "
+                 + text(tool.flute_length);
+    if (w.held.lack.holder > 0)
+        longer += (longer.empty() ? "" : " and ") + std::string("a stick-out of ")
+                  + text(tool.flute_length + tool.shank_length + w.held.lack.holder)
+                  + " below the holder instead of " + text(tool.flute_length + tool.shank_length);
+    std::string what = "the tool is short: shank or holder would come into the part, so "
+                       + share_text(w.held.left_length, w.held.length) + " of the passes are left out";
+    if (const UncutPlaces& u = w.uncut.held; u.height > 0)
+        what += " and " + share_text(u.area, w.uncut.area) + " of the surface stays uncut by up to "
+                + text(u.height) + ", most at " + text(u.at);
+    return what + ": " + longer + " would reach it, or a tool that tilts (finish5)";
+}
+
+} // namespace
+
+void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
+    const PlanText text{w.context.unit};
+    auto& warnings = result.warnings;
+    const bool uncut = result.cusp_max == infinity;
+    // What was measured where the cutter could have gone is as good as what was expected.
+    const double expected = std::max(result.cusp_max, w.cusp_allowed);
+    result.cusp_max = std::max(result.cusp_max, w.uncut.passed_by.height);
+    // Where a pass misses the part altogether, the stock stays as high as it was.
+    if (uncut)
+        result.cusp_max = std::max({w.context.stock_box.hi.z() - w.context.part_box.lo.z(),
+                                    w.context.part_box.size().z(), w.cusp_allowed});
+    if (w.settings.stepover.is_number() && result.cusp_max > w.cusp_allowed)
+        warnings.push_back("the step-over of " + text(w.settings.stepover.number) + " leaves "
+                           + (uncut ? std::string("places uncut") : "cusps of " + text(result.cusp_max))
+                           + "; the tolerance allows " + text(w.cusp_allowed));
+    if (w.unsatisfied > 0)
+        warnings.push_back(
+            std::to_string(w.unsatisfied) + " of " + std::to_string(w.lines)
+            + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
+            + text(result.cusp_max) + " stay there, " + text(w.cusp_allowed) + " are allowed");
+    const auto share = [&](const UncutPlaces& places) {
+        return share_text(places.area, w.uncut.area) + " of the surface";
+    };
+    if (const UncutPlaces& u = w.uncut.out_of_reach; u.height > 0)
+        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
+                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
+                           + ": use a smaller tool there");
+    if (const UncutPlaces& u = w.uncut.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
+        warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
+                           + text(u.height) + ", most at " + text(u.at)
+                           + ": choose a smaller step-over or another direction");
+    if (const UncutPlaces& u = w.uncut.covered; u.height > 0)
+        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text(u.at)
+                           + ", and is not cut: turn the part for another operation");
+
+    if (w.held.left_length > 0) warnings.push_back(held_warning(w));
+}
+
+} // namespace facetmill
