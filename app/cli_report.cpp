@@ -68,15 +68,11 @@ void run_report(const Arguments& arguments, Session& session) {
     Planner planner;
     const auto plan = plan_project(planner, project, "", arguments, session, progress.part(0.0, 0.35));
     // Where there is a control, what it will run is judged.
-    PostedPrograms posted;
-    if (project.programs.post.empty())
-        posted.programs = verify_programs(project, plan);
-    else
-        posted = posted_programs(project, plan, progress.part(0.35, 0.4));
+    const PostedPrograms posted = programs_to_judge(project, plan, progress.part(0.35, 0.4));
     const auto& programs = posted.programs;
     Verification result = verify(*plan->part->mesh, plan->stock, programs,
                                  verify_settings(project, plan.get()), progress.part(0.4, 0.85));
-    if (!posted.remark.empty()) result.remarks.insert(result.remarks.begin(), posted.remark);
+    tell_posted(result, posted);
     const auto verification = std::make_shared<const Verification>(std::move(result));
     const auto drawn = pictures(project, *plan, verification, progress.part(0.85, 1.0));
     output.write(setup_sheet(project, *plan, programs, *verification, drawn));

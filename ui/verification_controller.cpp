@@ -54,17 +54,17 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
 void judge(VerificationOutcome& outcome, const Project& project, const std::vector<VerifyProgram>& programs,
            const Progress& progress) {
     const PlanResult& plan = *outcome.plan;
-    const bool posts = !outcome.posting_key.empty();
-    PostedPrograms posted;
-    if (posts) posted = posted_programs(project, outcome.plan, progress.part(0, 0.1));
+    // A program from a file stands for itself.
+    const PostedPrograms posted = outcome.program
+                                      ? PostedPrograms{.programs = programs}
+                                      : programs_to_judge(project, outcome.plan, progress.part(0, 0.1));
     outcome.posted_blocks = posted.blocks;
     VerifySettings settings = verify_settings(project, outcome.program ? nullptr : &plan);
     settings.max_samples = max_samples;
-    auto result = std::make_shared<Verification>(
-        facetmill::verify(*plan.part->mesh, plan.stock, posts ? posted.programs : programs, settings,
-                          progress.part(posts ? 0.1 : 0, 0.97, "Verifying")));
+    auto result = std::make_shared<Verification>(facetmill::verify(
+        *plan.part->mesh, plan.stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
     name_planned_motions(*result, posted);
-    if (posts) result->remarks.insert(result->remarks.begin(), posted.remark);
+    tell_posted(*result, posted);
     outcome.display = prepare_deviation_display(result->surface, default_scale(*result, project.unit),
                                                 progress.part(0.97, 1, "Preparing the view"));
     outcome.verification = std::move(result);

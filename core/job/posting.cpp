@@ -261,6 +261,18 @@ PostedPrograms posted_programs(const Project& project, const std::shared_ptr<con
     return result;
 }
 
+PostedPrograms programs_to_judge(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                                 const Progress& progress) {
+    if (!project.programs.post.empty()) return posted_programs(project, plan, progress);
+    PostedPrograms planned;
+    planned.programs = verify_programs(project, plan);
+    return planned;
+}
+
+void tell_posted(Verification& verification, const PostedPrograms& posted) {
+    if (!posted.remark.empty()) verification.remarks.insert(verification.remarks.begin(), posted.remark);
+}
+
 void name_planned_motions(Verification& verification, const PostedPrograms& posted) {
     const auto rename = [&](MotionPlace& at) {
         if (!at.known() || at.program >= posted.planned.size()) return;

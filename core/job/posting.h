@@ -65,9 +65,15 @@ struct PostedPrograms {
     std::size_t blocks = 0;
     std::string remark;
 };
-/// Throws what post_plan and read_nc do.
+/// What a verdict on a plan is about: what its control will run, or without a control the plan itself, with
+/// no remark and no names for motions. Throws what post_plan and read_nc do.
+PostedPrograms programs_to_judge(const Project& project, const std::shared_ptr<const PlanResult>& plan,
+                                 const Progress& progress);
+/// For a project with a control. Throws as that does.
 PostedPrograms posted_programs(const Project& project, const std::shared_ptr<const PlanResult>& plan,
                                const Progress& progress);
+/// Says in the verdict that it is about posted programs; nothing where it is not.
+void tell_posted(Verification& verification, const PostedPrograms& posted);
 /// Findings name motions of the plan instead of those of the programs that were posted.
 void name_planned_motions(Verification& verification, const PostedPrograms& posted);
 

@@ -87,6 +87,13 @@ void NcModes::one_code(NcCode code, const NcLine& line) {
         if (!counts_length_) length_ = false;
         tcp_ = Tcp::off;
         break;
+    case NcCode::tcp_switch:
+        if (!length_)
+            refuse("the tip is to be led and the tool's length is not called", "call it before",
+                   ErrorCode::missing_key);
+        if (plane_) refuse("the tip is led in a tilted plane", "switch the plane off before it");
+        tcp_ = Tcp::axes;
+        break;
     case NcCode::tcp_off:
         tcp_ = Tcp::off;
         break;

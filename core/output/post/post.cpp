@@ -51,6 +51,7 @@ const std::vector<std::pair<std::string, NcCode>>& code_words() {
         {"spindle_on", NcCode::spindle_on},
         {"spindle_off", NcCode::spindle_off},
         {"tcp", NcCode::tcp},
+        {"tcp_switch", NcCode::tcp_switch},
         {"tcp_vectors", NcCode::tcp_vectors},
         {"tcp_off", NcCode::tcp_off},
         {"plane_axes", NcCode::plane_axes},
@@ -350,7 +351,7 @@ void read_multi_axis(PostReader& file, Post& post) {
             r.refuse("kind", std::string("no code means '") + name + "'", "add one to codes");
     };
     if (post.multi_axis == Post::MultiAxis::joints) needs(NcCode::inverse_time, "inverse_time");
-    if (post.multi_axis == Post::MultiAxis::tcp) needs(NcCode::tcp, "tcp");
+    if (post.multi_axis == Post::MultiAxis::tcp && !post.has(NcCode::tcp_switch)) needs(NcCode::tcp, "tcp");
     if (post.multi_axis == Post::MultiAxis::vectors) {
         needs(NcCode::tcp_vectors, "tcp_vectors");
         for (const NcWord w : {NcWord::i, NcWord::j, NcWord::k})

@@ -47,6 +47,7 @@ enum class NcCode {
     spindle_on,
     spindle_off,
     tcp,         ///< X, Y, Z are the tip on the part, rotary words the axes
+    tcp_switch,  ///< the same as tcp, where the tool's length counts already
     tcp_vectors, ///< the same, with the tool axis as a vector
     tcp_off,
     plane_axes, ///< the rotary axes turn until the tool stands on the tilted plane
