@@ -40,10 +40,10 @@ public:
     explicit MachinedJob(const char* folder) {
         project_ = load_project(data_path(std::string(folder) + "/job.facetmill"));
     }
-    const Project& project(const std::string& machine, const std::string& post, bool one) {
+    const Project& project(const std::string& machine, const std::string& post, bool one, bool arcs) {
         project_.machine = machine;
         project_.programs.post = post;
-        project_.programs.arcs = false;
+        project_.programs.arcs = arcs;
         project_.programs.files = one ? ProgramSpec::Files::one : ProgramSpec::Files::each;
         return project_;
     }
@@ -89,12 +89,16 @@ private slots:
         QTest::addColumn<QString>("job");
         QTest::addColumn<QString>("machine");
         QTest::addColumn<QString>("post");
-        const auto row = [](const char* job, const char* machine, const char* post) {
-            QTest::addRow("%s, %s, %s", job, machine, post) << job << machine << post;
+        QTest::addColumn<bool>("arcs");
+        const auto row = [](const char* job, const char* machine, const char* post, bool arcs = false) {
+            QTest::addRow("%s, %s, %s%s", job, machine, post, arcs ? ", arcs" : "")
+                << job << machine << post << arcs;
         };
         for (const Machine& m : machines())
             for (const char* post : {"linuxcnc", "grbl"})
                 if (m.name != "lathe-mill") row("convex", m.name.c_str(), post);
+        for (const char* post : {"linuxcnc", "grbl"})
+            row("convex", "generic-3-axis", post, true);
         for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
             row("surface", machine, "linuxcnc");
         row("lathe", "lathe-mill", "linuxcnc");
@@ -103,9 +107,10 @@ private slots:
         QFETCH(QString, job);
         QFETCH(QString, machine);
         QFETCH(QString, post);
+        QFETCH(bool, arcs);
         MachinedJob& asked = job_named(job.toStdString());
-        const Project& project =
-            asked.project(machine.toStdString(), post.toStdString(), post == QStringLiteral("linuxcnc"));
+        const Project& project = asked.project(machine.toStdString(), post.toStdString(),
+                                               post == QStringLiteral("linuxcnc"), arcs);
         const auto plan = asked.plan();
         const PostSetup setup = post_setup(project, *plan);
         const Post control = project_post(project, post.toStdString());
@@ -116,7 +121,10 @@ private slots:
                 program.sections.emplace_back(plan->operations[i], &plan->operations[i]->program);
             const Interpreted seen = interpret(file.program.text, program);
             QVERIFY2(seen.status == 0, seen.message.constData());
-            QVERIFY2(all_places_seen(program, setup, control, seen), "a place is missing");
+            // What an arc stands for is not told place by place (test_post_arcs).
+            QCOMPARE(seen.arcs, file.program.arcs);
+            QCOMPARE(file.program.arcs > 0, arcs);
+            QVERIFY2(arcs || all_places_seen(program, setup, control, seen), "a place is missing");
             if (qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE"))
                 std::printf("| %s | %s | %s | %zu | %zu |\n", qPrintable(job), qPrintable(machine),
                             qPrintable(post), file.program.blocks, seen.places.size());
