@@ -34,6 +34,11 @@ constexpr double crowded_seconds = 0.1;
 /// given up for it.
 constexpr double separation_seconds = 1000;
 constexpr std::size_t points_per_block = 4;
+/// Rounds of drawing stops between their neighbours, and the part of its bends by which one has to fall.
+constexpr int smoothing_rounds = 8;
+constexpr double worth_a_draw = 0.01;
+/// The part by which the moves beside a stop may take longer for that, and the whole path.
+constexpr double draw_slack = 1e-3, smooth_slack = 1e-3;
 
 /// A posture at a point, held in one of the manners that the machine has for it.
 struct Stop {
@@ -296,8 +301,70 @@ private:
             }
             seconds = seconds_of(path);
         }
+        std::vector<Stop> even = path;
+        smooth(even, begin, progress);
+        if (seconds_of(even) <= (1 + smooth_slack) * seconds) path = std::move(even);
         for (std::size_t i = begin; i < end; ++i)
             chosen[i] = {true, path[i - begin].posture};
+    }
+
+    /// Where the feed decides the time, axes may go to and fro at hardly any cost. Stops are drawn between
+    /// their neighbours where that is free, takes hardly longer and lets the rotary axes run more evenly.
+    /// Stops that are three apart do not see each other.
+    void smooth(std::vector<Stop>& path, std::size_t begin, const Progress& progress) const {
+        if (path.size() < 3) return;
+        for (int round = 0; round < smoothing_rounds; ++round)
+            for (std::size_t color = 0; color < 3; ++color)
+                parallel_for(
+                    (path.size() + 2) / 3, points_per_block, progress.part(0, 0), [&](std::size_t n) {
+                        const std::size_t k = 3 * n + color;
+                        if (k == 0 || k + 1 >= path.size() || begin + k >= own_ || points_[begin + k].kept)
+                            return;
+                        for (const double share : {1.0, 0.5})
+                            if (draw(path, k, points_[begin + k], share)) return;
+                    });
+    }
+
+    /// The time of the moves on either side of a stop, and how the rotary axes bend about it.
+    std::array<double, 2> local_cost(const std::vector<Stop>& path, std::size_t k, const Stop& stop) const {
+        const auto joints = [&](std::size_t i) { return i == k ? stop.stand.joints : path[i].stand.joints; };
+        double bends = 0;
+        for (std::size_t i = std::max<std::size_t>(k, 2) - 1; i <= k + 1 && i + 1 < path.size(); ++i)
+            bends += clock_.bend(joints(i - 1), joints(i), joints(i + 1));
+        return {clock_.seconds(path[k - 1].stand, stop.stand) + clock_.seconds(stop.stand, path[k + 1].stand),
+                bends};
+    }
+
+    /// Draws a stop towards the axis that lies between its neighbours' by a share of the way.
+    bool draw(std::vector<Stop>& path, std::size_t k, const PassPoint& point, double share) const {
+        const ToolPose &a = path[k - 1].stand.pose, &b = path[k + 1].stand.pose, &own = path[k].stand.pose;
+        const double before = (own.tip - a.tip).norm(), after = (b.tip - own.tip).norm();
+        const double t = before + after > 0 ? before / (before + after) : 0.5;
+        const Vec3 between = (a.axis + t * (b.axis - a.axis)).normalized();
+        const PostureValue wanted =
+            posture_of_axis(point.frame, (own.axis + share * (between - own.axis)).normalized());
+        const PostureGrid& grid = *builder_.input().grid;
+        const double lead = std::clamp(wanted.lead, grid.lead.front(), grid.lead.back());
+        const double yaw = std::clamp(wanted.yaw, grid.yaw.front(), grid.yaw.back());
+        ToolLift::Hint hint;
+        const double bottom = builder_.bottom(point.frame, lead, yaw, hint);
+        const double top = builder_.top(point.frame, lead, yaw, *point.curves);
+        const PostureValue posture{lead, yaw, bottom};
+        if (!(bottom <= top) || !builder_.holds(point.frame, posture)) return false;
+        Stops stops;
+        add(point, posture, top, stops);
+        const std::array<double, 2> now = local_cost(path, k, path[k]);
+        for (const Stop& stop : stops.all) {
+            const Vec3& axis = stop.stand.pose.axis;
+            if (std::min(axis.dot(a.axis), axis.dot(b.axis)) < cos_limit_) continue;
+            const std::array<double, 2> then = local_cost(path, k, stop);
+            if (then[0] > now[0] * (1 + draw_slack) || stop.own_cost > path[k].own_cost + lift_seconds
+                || then[1] > now[1] * (1 - worth_a_draw))
+                continue;
+            path[k] = stop;
+            return true;
+        }
+        return false;
     }
 
     static constexpr std::size_t nodes_per_block = 64;

@@ -43,6 +43,12 @@ public:
         return slowest;
     }
 
+    /// By how much the rotary axes change their speed at b where moves take alike, s.
+    double bend(const Times& a, const Times& b, const Times& c) const {
+        const Times in = difference(a, b), out = difference(b, c);
+        return std::abs(out[3] - in[3]) + std::abs(out[4] - in[4]);
+    }
+
 protected:
     /// From a to b, in the shorter direction where an axis may go round.
     Times difference(const Times& a, const Times& b) const {
@@ -79,6 +85,10 @@ public:
     double between(const Stand& a, const Stand& b) const {
         const double joints = between(a.joints, b.joints);
         return std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, joints) + joint_share * joints;
+    }
+    /// The time alone.
+    double seconds(const Stand& a, const Stand& b) const {
+        return std::max((b.pose.tip - a.pose.tip).norm() * per_feed_, between(a.joints, b.joints));
     }
     /// Speeds of the joints on a move, shares of the largest; 0 where nothing moves.
     Times speeds(const Stand& a, const Stand& b) const {

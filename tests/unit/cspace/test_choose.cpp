@@ -207,7 +207,9 @@ private slots:
                 path.push_back(row.pose(i, choices[i].posture));
             }
             const double found = best_seconds(row.kinematics, path);
-            QVERIFY2(found <= least + 5e-4, qPrintable(QString("%1 %2 %3").arg(seed).arg(found).arg(least)));
+            // A thousandth is given for axes that run evenly.
+            QVERIFY2(found <= 1.001 * least + 5e-4,
+                     qPrintable(QString("%1 %2 %3").arg(seed).arg(found).arg(least)));
             ++compared;
         }
         QVERIFY2(compared >= 5, qPrintable(QString::number(compared)));
@@ -310,6 +312,42 @@ private slots:
             minded += with;
         }
         QVERIFY2(minded < 0.99 * plain, qPrintable(QString("%1 %2").arg(minded).arg(plain)));
+    }
+
+    /// Over a surface whose normals are a little rough, at a feed that is slower than any joint, axes could
+    /// go to and fro for nothing: they hardly bend, and seldom turn back.
+    void axes_run_evenly() {
+        Random rng(9);
+        std::vector<ContactFrame> frames;
+        for (int i = 0; i < 80; ++i) {
+            const Vec3 normal = Vec3(0.4 * std::sin(0.08 * i) + uniform(rng, -0.03, 0.03),
+                                     0.3 * std::cos(0.1 * i) + uniform(rng, -0.03, 0.03), 1)
+                                    .normalized();
+            frames.push_back(ContactFrame::at(Vec3(i - 40, 0, 20), normal, Vec3::UnitX()));
+        }
+        Row row(level_plane(300), small_tool,
+                PostureGrid::make(radians(15), radians(25), radians(-20), radians(20), radians(5)), frames,
+                "trunnion-ac");
+        QVERIFY(row.all_free());
+        row.input.feed = 2;
+        const auto choices = choose_global(row.points, row.input, Progress());
+        int back = 0;
+        double bends = 0;
+        std::optional<Joints> last;
+        std::array<double, 2> step{};
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            const auto at = row.kinematics.nearest(row.pose(i, choices[i].posture), last ? *last : Joints{});
+            QVERIFY(at);
+            for (std::size_t r = 0; last && r < 2; ++r) {
+                const double now = at->rotary[r] - last->rotary[r];
+                back += now * step[r] < 0;
+                if (i > 1) bends += std::abs(now - step[r]);
+                step[r] = now;
+            }
+            last = at;
+        }
+        QVERIFY2(back < 50, qPrintable(QString::number(back)));
+        QVERIFY2(bends < radians(340), qPrintable(QString::number(degrees(bends))));
     }
 
     void neighbors_keep_the_turn_limit() {
