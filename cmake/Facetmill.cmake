@@ -139,6 +139,14 @@ function(facetmill_link_rooms_of variant target)
         nlohmann_json::nlohmann_json Threads::Threads)
 endfunction()
 
+# facetmill_reuse_core_header(TARGET): a program without Qt takes the rooms' precompiled header, for which it has to be compiled as
+# they are: position independent as a library's code is.
+function(facetmill_reuse_core_header target)
+    list(GET FACETMILL_ROOMS 0 first)
+    target_compile_options(${target} PRIVATE -fPIC)
+    target_precompile_headers(${target} REUSE_FROM fm_${first})
+endfunction()
+
 # Tests give way to those of the windows, which wait for what is drawn more than they compute.
 find_program(FACETMILL_NICE nice)
 if(FACETMILL_NICE)
