@@ -350,10 +350,14 @@ struct Planner::Cache {
                              const Asked& earlier, const Progress& progress);
 };
 
-/// What an operation cuts, for those after it.
-std::shared_ptr<const EarlierCuts> cuts_of(const ClSection& program) {
+/// What an operation cuts, for those after it; `allowance` is what it leaves at least, where that is known.
+std::shared_ptr<const EarlierCuts> cuts_of(const OperationResult& operation, double allowance = 0) {
+    const ClSection& program = operation.program;
     auto cuts = std::make_shared<EarlierCuts>();
     cuts->cutter = program.cutter;
+    // Moves may run into what the allowance leaves by the chord tolerance.
+    if (const double chord = operation.path.chord_tolerance; chord > 0)
+        cuts->no_nearer = std::max(0.0, allowance - chord);
     const auto& motions = program.motions.motions;
     for (std::size_t i = 1; i < motions.size(); ++i)
         if (motions[i].kind != MotionKind::rapid)
@@ -635,7 +639,8 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
             }
             if (asked[i].leaves) {
                 earlier.add(std::to_string(planned.motions));
-                if (planned.result->nothing_to_do.empty()) cuts.push_back(cuts_of(planned.result->program));
+                if (planned.result->nothing_to_do.empty())
+                    cuts.push_back(cuts_of(*planned.result, operation.common().allowance));
             }
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
@@ -665,7 +670,7 @@ PlanContext preview_context(const Project& project, std::size_t i, const Prepare
     if (project.operations[i]->reads_stock())
         for (const auto& result : before)
             if (!result->program.multi_axis && result->nothing_to_do.empty())
-                context.earlier.push_back(cuts_of(result->program));
+                context.earlier.push_back(cuts_of(*result));
     return context;
 }
 

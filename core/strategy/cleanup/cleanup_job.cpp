@@ -10,7 +10,8 @@ CleanupJob::CleanupJob(const CleanupSettings& asked, const PlanContext& given, c
       allowance(settings.allowance + context.tessellation_tolerance[1]), profile(context.tool.cutter()),
       cover(profile, cusp_detail(cusp)), lift(context.contact, profile, allowance),
       grid(*context.part, progress), side(*context.part, progress),
-      standing(context, context.further_tools.front().cutter(), cusp, progress), radius(profile.max_radius()),
+      standing(context, context.further_tools.front().cutter(), cusp, allowance, progress),
+      radius(profile.max_radius()),
       ripple(settings.smallest_strip.is_number() ? settings.smallest_strip.number : radius),
       overlap(settings.overlap.is_number() ? settings.overlap.number : 0.5 * radius) {}
 

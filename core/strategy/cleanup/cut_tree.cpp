@@ -8,6 +8,8 @@ namespace facetmill {
 
 namespace {
 
+/// Beside a wall motions of all layers are about as near: boxes may be so many times as high as wide.
+constexpr double height_share = 0.1;
 constexpr std::uint32_t leaf_motions = 8, motions_per_check = 1024;
 
 } // namespace
@@ -31,7 +33,8 @@ std::uint32_t CutTree::build(std::uint32_t begin, std::uint32_t end, const Progr
     nodes_.push_back(node);
     if (end - begin <= leaf_motions) return number;
     int axis = 0;
-    const Vec3 size = node.hi - node.lo;
+    Vec3 size = node.hi - node.lo;
+    size.z() *= height_share;
     size.maxCoeff(&axis);
     const std::uint32_t middle = begin + (end - begin) / 2;
     const auto twice_middle = [&](std::uint32_t m) { return motions_[m][0][axis] + motions_[m][1][axis]; };
@@ -49,11 +52,39 @@ std::uint32_t CutTree::build(std::uint32_t begin, std::uint32_t end, const Progr
 double CutTree::distance(const Vec3& p, std::size_t motion) const {
     const auto& [a, b] = motions_[motion];
     const Vec3 rel = p - a, d = b - a;
-    const double length = d.norm();
-    if (length <= accuracy_) return std::min(cover_.distance(rel), cover_.distance(p - b));
-    // The cutter is convex, so its distance falls and rises once along a straight motion.
+    // Seen from above the cutter comes nearest in one place, and it reaches deepest at the lower end: in
+    // space it is nearest between the two.
+    const double square = d.head<2>().squaredNorm(), lower = d.z() > 0 ? 0 : 1,
+                 level = square > 0 ? std::clamp(rel.head<2>().dot(d.head<2>()) / square, 0.0, 1.0) : lower;
     const auto at = [&](double t) { return cover_.distance(rel - t * d); };
-    return golden_minimum(at, 0, 1, accuracy_ / length, 0).value;
+    if (level == lower || d.z() == 0) return at(level);
+    if (cover_.rounded_disc()) return at(rounded_nearest(rel, d, level, lower));
+    // The cutter is convex, so its distance falls and rises once along a straight motion.
+    const double length = d.norm(), lo = std::min(level, lower), hi = std::max(level, lower);
+    return golden_minimum(at, lo, hi, accuracy_ / length, 0).value;
+}
+
+double CutTree::rounded_nearest(const Vec3& rel, const Vec3& d, double level, double lower) const {
+    const auto [disc, rounding] = *cover_.rounded_disc();
+    const auto below = [&](double t) { return rounding + t * d.z() - rel.z(); };
+    // Beside the shaft.
+    if (below(level) <= 0) return level;
+    double lo = std::min(level, lower), hi = std::max(level, lower);
+    const Vec3 middle = rel - Vec3(0, 0, rounding);
+    if (disc == 0) return std::clamp(middle.dot(d) / d.squaredNorm(), lo, hi);
+    // Half the slope of the square of the distance from the disc.
+    const auto slope = [&](double t) {
+        const Vec2 beside = t * d.head<2>() - rel.head<2>();
+        const double far = beside.norm();
+        return (far > disc ? (1 - disc / far) * beside.dot(d.head<2>()) : 0)
+               + std::max(below(t), 0.0) * d.z();
+    };
+    for (const double accuracy = accuracy_ / d.norm(); hi - lo > accuracy;) {
+        const double t = 0.5 * (lo + hi);
+        if (t == lo || t == hi) break;
+        (slope(t) > 0 ? hi : lo) = t;
+    }
+    return 0.5 * (lo + hi);
 }
 
 } // namespace facetmill

@@ -62,7 +62,8 @@ private:
         if (node.further == 0) {
             for (std::uint32_t k = node.begin; k < node.end; ++k) {
                 const auto& [a, b] = motions_[order_[k]];
-                if (!(least(p, a.cwiseMin(b), a.cwiseMax(b)) < bound)) continue;
+                // Mostly there is a closed form, as short as that of the box.
+                if (!cover_.rounded_disc() && !(least(p, a.cwiseMin(b), a.cwiseMax(b)) < bound)) continue;
                 if (const double d = distance(p, order_[k]); d < bound) bound = use(order_[k], d);
             }
             return;
@@ -76,6 +77,10 @@ private:
         for (const std::size_t k : {0, 1})
             if (from[k] < bound) visit(child[k], p, bound, use);
     }
+
+    /// Where on a motion d, 0 to 1, a cutter that is a rounded disc comes nearest to a place, given from the
+    /// start: between where it does so seen from above and the lower end.
+    double rounded_nearest(const Vec3& rel, const Vec3& d, double level, double lower) const;
 
     CutterCover cover_;
     std::span<const Motion> motions_;

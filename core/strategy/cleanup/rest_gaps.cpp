@@ -17,6 +17,9 @@ constexpr double same_gap_normal = 0.9999;
 constexpr double farthest_left = 3;
 /// Two valleys that leave the same within this share of the tolerance leave alike.
 constexpr double alike_share = 0.25;
+/// That operations before left less than so many tolerances is asked: where more stands, how much matters
+/// little to where a band ends.
+constexpr double asked_tolerances = 4;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
 constexpr double last_step = 0.02;
 
@@ -90,7 +93,8 @@ private:
                               ? nearest_about(in_, nearest, in_.tolerance, last_step * radius_, hint).gap
                               : least;
             if (in_.standing && nearest.gap > in_.tolerance)
-                nearest.gap = in_.standing->uncut(p, std::min(nearest.gap, raw_over(p, facets)));
+                nearest.gap = in_.standing->uncut(p, std::min(nearest.gap, raw_over(p, facets)),
+                                                  asked_tolerances * in_.tolerance);
         }
         result.gap[v] = nearest.gap;
     }

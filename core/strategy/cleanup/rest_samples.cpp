@@ -69,14 +69,6 @@ std::vector<Index> asked_facets(const ValleyInput& in, double spacing, const Pro
     return asked;
 }
 
-/// Is a sample on which the cutter leaves too much in the raw material, and was nothing else there before it?
-bool stands(const ValleyInput& in, const RestSample& s) {
-    // A hair more than the tolerance says enough.
-    const double thick =
-        std::min((1 + tolerance::uncut_margin) * in.tolerance, in.standing->raw_over(s.point, s.normal));
-    return in.standing->uncut(s.point, thick) > in.tolerance;
-}
-
 } // namespace
 
 std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& progress) {
@@ -98,7 +90,11 @@ std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& p
                         if (c % 512 == 0) progress.check();
                         const RestSample s = nearest_touch(input, rows.point(r, c), n, hint);
                         if (!(s.gap > input.tolerance)) continue;
-                        if (!input.standing || stands(input, s)) found.push_back(s);
+                        // In the raw material, where nothing else was before it?
+                        if (!input.standing
+                            || input.standing->stands(s.point, input.standing->raw_over(s.point, s.normal),
+                                                      input.tolerance))
+                            found.push_back(s);
                     }
             }
             return found;

@@ -11,15 +11,17 @@ constexpr double standing_accuracy = 0.02;
 
 } // namespace
 
-Standing::Standing(const PlanContext& context, const AptCutter& asked, double enough,
+Standing::Standing(const PlanContext& context, const AptCutter& asked, double enough, double over,
                    const Progress& progress)
     : raw_(context.stock.box.empty() ? context.stock_box : context.stock.box), enough_(enough) {
     for (auto earlier = context.earlier.rbegin(); earlier != context.earlier.rend(); ++earlier) {
         progress.check();
         if ((*earlier)->motions.empty() || (*earlier)->cutter == asked) continue;
         const CutterCover cover(CutterProfile((*earlier)->cutter), 0);
-        cuts_.push_back({*earlier, std::make_unique<const CutTree>(cover, (*earlier)->motions,
-                                                                   standing_accuracy * enough, progress)});
+        cuts_.push_back({*earlier,
+                         std::make_unique<const CutTree>(cover, (*earlier)->motions,
+                                                         standing_accuracy * enough, progress),
+                         (*earlier)->no_nearer - over});
     }
 }
 
@@ -36,12 +38,19 @@ double Standing::raw_over(const Vec3& p, const Vec3& n) const {
     return std::max(thick, 0.0);
 }
 
-double Standing::uncut(const Vec3& p, double thick) const {
+double Standing::uncut(const Vec3& p, double thick, double asked) const {
     for (const Cuts& c : cuts_) {
         if (thick <= enough_) break;
-        thick = std::min(thick, c.tree->nearest(p, enough_, thick));
+        if (std::min(thick, asked) > c.no_nearer)
+            thick = std::min(thick, c.tree->nearest(p, enough_, std::min(thick, asked)));
     }
     return thick;
+}
+
+bool Standing::stands(const Vec3& p, double thick, double least) const {
+    return thick > least && std::none_of(cuts_.begin(), cuts_.end(), [&](const Cuts& c) {
+               return least > c.no_nearer && c.tree->nearest(p, least, least) < least;
+           });
 }
 
 } // namespace facetmill

@@ -14,14 +14,19 @@ class Standing {
 public:
     /// Reads PlanContext::stock and `earlier`. What is not above `enough` is not measured further. Motions of
     /// a cutter that is asked about itself, `asked`, are left out: how near it can come is known already.
-    Standing(const PlanContext& context, const AptCutter& asked, double enough, const Progress& progress);
+    /// Places are asked up to `over` above the part.
+    Standing(const PlanContext& context, const AptCutter& asked, double enough, double over,
+             const Progress& progress);
 
     /// How far the raw material, seen as its box, reaches over a place of the part along the unit normal n;
     /// infinite where it has no end, 0 beside it.
     double raw_over(const Vec3& p, const Vec3& n) const;
     /// What of material so thick over a place was not cut: how far the place is from all motions, no more
-    /// than `thick`. Or any thickness that is not above `enough`.
-    double uncut(const Vec3& p, double thick) const;
+    /// than `thick`. Or any thickness that is not above `enough`; and `thick` where that is no nearer than
+    /// `asked`.
+    double uncut(const Vec3& p, double thick, double asked = infinity) const;
+    /// Does as much as `least` of it stand there? Much sooner known than how much.
+    bool stands(const Vec3& p, double thick, double least) const;
     /// What counts as nothing, mm.
     double enough() const { return enough_; }
 
@@ -29,6 +34,7 @@ private:
     struct Cuts {
         std::shared_ptr<const EarlierCuts> motions;
         std::unique_ptr<const CutTree> tree;
+        double no_nearer; ///< to a place that is asked
     };
     Box3 raw_; ///< empty: without end
     double enough_;

@@ -21,7 +21,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t touched_per_check = 4096;
+constexpr std::size_t touched_per_check = 4096, touched_at_once = 32768;
 /// In hollows that the cutter does not fill samples are so far apart, in radii.
 constexpr double deep_share = 0.25;
 constexpr double max_touch_samples = 1e6;
@@ -122,51 +122,61 @@ private:
         return in_a * double(left[0]) + in_b * double(left[1]) + (1 - in_a - in_b) * double(left[2]);
     }
 
-    /// A place on which more is left than may be, if it is one.
-    std::optional<Left> left_at(const Place& at) const {
+    /// A place on which more is left than may be, if it is one, with where the cutter stands over it. How
+    /// much is left takes longer to know.
+    std::optional<Left> left_at(const Place& at, LiftHint& hint) const {
         Left l;
         const Vec3 n = normal(triangle(at)), p = at.point + with_.allowance * n;
-        l.rest = tree_->nearest(p, allowed_);
-        if (l.rest <= allowed_) return std::nullopt;
+        if (tree_->nearest(p, allowed_, allowed_) < allowed_) return std::nullopt;
         l.before = before(at);
-        if (with_.standing) l.before = with_.standing->uncut(p, l.before);
-        if (with_.standing && l.before <= with_.standing->enough()) return std::nullopt;
-        LiftHint hint;
+        if (with_.standing && !with_.standing->stands(p, l.before, with_.standing->enough()))
+            return std::nullopt;
         l.sample = nearest_touch(in_, p, n, hint);
         l.band = at.band;
         return l;
     }
 
+    /// How much is left there, and the least that the cutter can leave. Is that worth it?
+    bool leaves_too_much(Left& l, LiftHint& hint) const {
+        const Vec3 p = l.sample.point;
+        l.rest = tree_->nearest(p, allowed_);
+        l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint,
+                                 std::min(l.rest, l.before));
+        if (!too_much(l)) return false;
+        // Less may stand there than at the corners of the triangle.
+        const double best = at_best(l);
+        return !with_.standing || best <= allowed_ || with_.standing->stands(p, l.before, best + allowed_);
+    }
+
     /// Where more is left than need be.
     void find(const Progress& progress) {
         const std::vector<Place> all = places(progress.part(0, 0.1));
-        std::vector<Left> found = parallel_reduce(
-            all.size(), touched_per_check, std::vector<Left>(), progress.part(0.1, 0.7),
-            [&](std::size_t begin, std::size_t end) {
-                std::vector<Left> some;
-                for (std::size_t i = begin; i < end; ++i) {
-                    if (i % 256 == 0) progress.check();
-                    if (const auto l = left_at(all[i])) some.push_back(*l);
-                }
-                return some;
-            },
-            [](std::vector<Left> a, const std::vector<Left>& b) {
-                a.insert(a.end(), b.begin(), b.end());
-                return a;
-            });
         // Where the cutter does not touch, what is left changes less from place to place.
         CellSet deep(deep_share * radius_);
-        std::erase_if(found, [&](const Left& l) {
-            return l.sample.gap > 0.5 * allowed_ && !deep.add_first(l.sample.point);
-        });
-        parallel_for(found.size(), 16, progress.part(0.7, 1), [&](std::size_t i) {
+        std::vector<Left> found;
+        std::vector<std::optional<Left>> some;
+        for (std::size_t begin = 0; begin < all.size(); begin += touched_at_once) {
+            const std::size_t count = std::min(touched_at_once, all.size() - begin);
+            some.assign(count, std::nullopt);
+            const auto share = [&](std::size_t i) { return 0.1 + 0.6 * double(i) / double(all.size()); };
+            parallel_blocks(count, 256, progress.part(share(begin), share(begin + count)),
+                            [&](std::size_t from, std::size_t to) {
+                                LiftHint hint;
+                                for (std::size_t i = from; i < to; ++i)
+                                    some[i] = left_at(all[begin + i], hint);
+                            });
+            for (const auto& l : some)
+                if (l && !(l->sample.gap > 0.5 * allowed_ && !deep.add_first(l->sample.point)))
+                    found.push_back(*l);
+        }
+        std::vector<char> which(found.size(), 0);
+        parallel_blocks(found.size(), 16, progress.part(0.7, 1), [&](std::size_t from, std::size_t to) {
             LiftHint hint;
-            Left& l = found[i];
-            l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint,
-                                     std::min(l.rest, l.before));
+            for (std::size_t i = from; i < to; ++i)
+                which[i] = leaves_too_much(found[i], hint) && !is_over_border(found[i].sample.tip);
         });
-        std::erase_if(found, [&](const Left& l) { return !too_much(l) || is_over_border(l.sample.tip); });
-        left_ = std::move(found);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (which[i]) left_.push_back(found[i]);
     }
 
     /// Where the search ended early the cutter can leave next to nothing.

@@ -140,14 +140,19 @@ private:
         const Vec3 n = job_.side.towards_tool(cross.normalized());
         const Vec3 p = (a + b + c) / 3 + job_.allowance * n;
         const double limit = nearest_touch(reach_of_, p, n, hint).gap;
-        const double rest = rest_over(p, before);
+        double rest = rest_over(p, before);
+        const double missed_from = limit + (1 + tolerance::uncut_margin) * cusp;
+        // What operations before left of thick material is not known yet, and matters seldom.
+        if (rest < infinity && rest > cusp
+            && (rest > missed_from || rest > (limit > cusp ? sum.hollow : sum.reached)))
+            rest = job_.standing.uncut(p, rest);
         sum.area += area;
         if (limit > cusp && rest < infinity && rest > std::max(sum.hollow, cusp)) {
             sum.hollow = rest;
             sum.hollow_at = p;
         }
         if (limit <= reached_share * cusp && rest < infinity) sum.reached = std::max(sum.reached, rest);
-        if (rest > limit + (1 + tolerance::uncut_margin) * cusp) {
+        if (rest > missed_from) {
             sum.missed_area += area;
             if (rest > sum.missed) {
                 sum.missed = rest;

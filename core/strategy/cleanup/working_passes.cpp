@@ -79,11 +79,11 @@ private:
     }
 
     void mark(const Place& place, const CutTree& tree) {
-        double best = infinity;
         // Between the corners of a band's triangles no more is known than about how much is left.
-        double left = place.left;
-        if (with_.standing) left = with_.standing->uncut(place.point, left);
-        if (with_.standing && !(left > with_.standing->enough())) return;
+        double left = place.left, best = infinity;
+        if (with_.standing && !with_.standing->stands(place.point, left, with_.standing->enough())) return;
+        // How much deeper it comes is not asked there.
+        if (left == infinity) left = (1 + as_good_share) * with_.cusp;
         const auto bound = [&] {
             return std::min(std::max(with_.cusp, best + as_good_share * with_.cusp), left);
         };
@@ -93,6 +93,10 @@ private:
             found.emplace_back(m, d);
             return bound();
         });
+        if (found.empty()) return;
+        // Whether more than so much stood there matters.
+        const double deep_enough = std::max(best, with_.cusp) + (1 + as_good_share) * with_.cusp;
+        if (with_.standing) left = with_.standing->uncut(place.point, std::min(left, deep_enough));
         // It comes within the cusp there, or much nearer than before.
         const bool deeper = place.left < infinity && left - best > with_.cusp;
         if (best > with_.cusp && !deeper) return;

@@ -28,6 +28,7 @@ namespace facetmill {
 struct EarlierCuts {
     AptCutter cutter;
     std::vector<std::array<Vec3, 2>> motions; ///< tip from, to
+    double no_nearer = 0;                     ///< than this to the part the cutter came anywhere, mm
 };
 
 /// A place of the part that operations before left.

@@ -52,6 +52,25 @@ Near nearest(const ProfilePiece& piece, const Vec2& q) {
     return near;
 }
 
+std::optional<CutterCover::RoundedDisc> rounded_disc_of(const CutterProfile& profile) {
+    auto pieces = profile.lower_pieces();
+    CutterCover::RoundedDisc shape{0, 0};
+    if (pieces.front().kind == ProfilePiece::Kind::line) {
+        if (pieces.front().to.y() != 0) return std::nullopt;
+        shape.disc = pieces.front().to.x();
+        pieces = pieces.subspan(1);
+    }
+    if (!pieces.empty()) {
+        if (pieces.size() > 1 || pieces.front().kind == ProfilePiece::Kind::line) return std::nullopt;
+        shape.rounding = pieces.front().radius;
+        const double off = tolerance::cutter_angle * profile.max_radius();
+        if ((pieces.front().center - Vec2(shape.disc, shape.rounding)).norm() > off) return std::nullopt;
+    }
+    const double lack = profile.max_radius() - (shape.disc + shape.rounding);
+    return std::abs(lack) <= tolerance::cutter_angle * profile.max_radius() ? std::optional(shape)
+                                                                            : std::nullopt;
+}
+
 /// A line d + t n, given from the tip, against the lower surface of a cutter, taken endless upward. The
 /// height of that surface over the line is convex in t, because the cutter is.
 class LineThroughCutter {
@@ -184,6 +203,7 @@ CutterCover::CutterCover(const CutterProfile& profile, double slack)
             break;
         }
     ball_ = first.kind == ProfilePiece::Kind::arc && first.center.x() == 0 && first.radius == radius_;
+    rounded_disc_ = rounded_disc_of(profile_);
 }
 
 Vec2 CutterCover::support(const Vec3& n) const {
@@ -252,14 +272,8 @@ bool CutterCover::holds(const Vec3& rel) const {
     return rel.z() >= profile_.height_at(std::sqrt(square));
 }
 
-double CutterCover::distance(const Vec3& rel) const {
-    const double square = rel.x() * rel.x() + rel.y() * rel.y();
-    if (ball_) {
-        // Beside the shaft the axis counts, below it the middle.
-        const double below = std::min(rel.z() - radius_, 0.0);
-        return std::max(std::sqrt(square + below * below) - radius_, 0.0);
-    }
-    const Vec2 q(std::sqrt(square), rel.z());
+double CutterCover::distance_from_profile(const Vec3& rel) const {
+    const Vec2 q(std::hypot(rel.x(), rel.y()), rel.z());
     if (q.y() >= shoulder_) return std::max(q.x() - radius_, 0.0); // beside the shaft
     if (q.x() <= radius_ && q.y() >= profile_.height_at(q.x())) return 0;
     double best = (q - Vec2(radius_, shoulder_)).norm();

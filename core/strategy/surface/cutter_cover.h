@@ -5,6 +5,8 @@
 
 #include "core/cutter/cutter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace facetmill {
@@ -32,11 +34,24 @@ public:
     bool holds(const Vec3& rel) const;
 
     /// Distance of a point, given from the tip, to the cutter, taken endless upward; 0 inside.
-    double distance(const Vec3& rel) const;
+    double distance(const Vec3& rel) const {
+        if (!rounded_disc_) return distance_from_profile(rel);
+        // Beside the shaft the axis counts, below it the middle.
+        const auto [disc, rounding] = *rounded_disc_;
+        const double level = std::sqrt(rel.x() * rel.x() + rel.y() * rel.y()),
+                     beside = std::max(level - disc, 0.0), below = std::max(rounding - rel.z(), 0.0);
+        return std::max(std::sqrt(beside * beside + below * below) - rounding, 0.0);
+    }
 
     /// Unit normal of the surface that the cutter touches at `rel` (contact minus tip), pointing into the
     /// cutter; nothing at a corner of the profile, where the cutter leaves it open.
     std::optional<Vec3> contact_normal(const Vec3& rel) const;
+
+    /// A disc about the axis, rounded by a radius: flat ends, bull noses and balls are such.
+    struct RoundedDisc {
+        double disc, rounding;
+    };
+    const std::optional<RoundedDisc>& rounded_disc() const { return rounded_disc_; }
 
     bool has_flat_bottom() const { return flat_radius_ > 0; }
     /// Radius to which the bottom is level within the slack.
@@ -47,9 +62,12 @@ public:
     const CutterProfile& profile() const { return profile_; }
 
 private:
+    double distance_from_profile(const Vec3& rel) const;
+
     CutterProfile profile_;
     double slack_, radius_, shoulder_ = 0, flat_radius_ = 0;
     bool ball_ = false;
+    std::optional<RoundedDisc> rounded_disc_;
 };
 
 } // namespace facetmill

@@ -87,8 +87,8 @@ private slots:
     /// Against all motions, one after the other, in small steps.
     void the_nearest_of_many_motions_is_found() {
         Random rng(11);
-        for (const Tool& tool : {ball_tool(6), flat_tool(6)}) {
-            const CutterCover cover(CutterProfile(tool.cutter()), 0.001);
+        for (const ShapedTool& t : tools_of_every_shape()) {
+            const CutterCover cover(CutterProfile(t.tool.cutter()), 0.001);
             std::vector<CutTree::Motion> motions;
             for (int i = 0; i < 200; ++i) {
                 const Vec3 a(uniform(rng, 0, 60), uniform(rng, 0, 60), uniform(rng, 0, 20));
@@ -387,19 +387,27 @@ private slots:
         const double enough = 0.05;
         const Vec3 up = Vec3::UnitZ();
         const AptCutter other = AptCutter::ball(6, 20);
-        const Standing all(context, other, enough, Progress());
+        const Standing all(context, other, enough, 0, Progress());
         QCOMPARE(all.raw_over(Vec3::Zero(), up), 3.0);
         QVERIFY(std::abs(all.raw_over(Vec3(0, 9, 0), Vec3::UnitY()) - 1) < 1e-9);
         QCOMPARE(all.raw_over(Vec3(0, 11, 0), up), 0.0);
         QCOMPARE(all.uncut(Vec3::Zero(), 3), 3.0);
         context.earlier = {earlier};
-        const Standing standing(context, other, enough, Progress());
+        const Standing standing(context, other, enough, 0, Progress());
         QVERIFY(std::abs(standing.uncut(Vec3::Zero(), 3) - 0.3) < 0.02 * enough);
         QVERIFY(std::abs(standing.uncut(Vec3(0, 2, 0), 3) - (std::hypot(2, 2.3) - 2)) < 0.02 * enough);
         QVERIFY(standing.uncut(Vec3(0, 0, 1), 2) <= enough);
         QCOMPARE(standing.uncut(Vec3(0, 8, 0), 3), 3.0);
+        QVERIFY(standing.stands(Vec3::Zero(), 3, 0.28) && !standing.stands(Vec3::Zero(), 3, 0.32));
+        QVERIFY(!standing.stands(Vec3::Zero(), 0.2, 0.25) && standing.stands(Vec3(0, 8, 0), 3, 2));
+        // What an allowance says is not asked of the motions.
+        auto held_off = std::make_shared<EarlierCuts>(*earlier);
+        held_off->no_nearer = 0.5;
+        context.earlier = {held_off};
+        QVERIFY(Standing(context, other, enough, 0, Progress()).stands(Vec3::Zero(), 3, 0.45));
+        QVERIFY(!Standing(context, other, enough, 0.1, Progress()).stands(Vec3::Zero(), 3, 0.45));
         // Of a cutter that is asked about itself nothing more is asked.
-        QCOMPARE(Standing(context, earlier->cutter, enough, Progress()).uncut(Vec3::Zero(), 3), 3.0);
+        QCOMPARE(Standing(context, earlier->cutter, enough, 0, Progress()).uncut(Vec3::Zero(), 3), 3.0);
     }
 
     /// As Lu has it: a fillet of radius 4 turns by 1/4 per mm. A previous ball of radius 3 fits into it.
