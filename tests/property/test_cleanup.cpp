@@ -59,12 +59,11 @@ public:
         columns_ = long(size.x() / cell_) + 1;
         rows_ = long(size.y() / cell_) + 1;
         z_.resize(std::size_t(columns_ * rows_));
-        parallel_for(std::size_t(rows_), 1, Progress(), [&](std::size_t j) {
-            for (long i = 0; i < columns_; ++i) {
-                const Vec2 at = place(i, long(j));
-                z_[std::size_t(long(j) * columns_ + i)] = lift_.tip_z(at.x(), at.y());
-            }
-        });
+        std::vector<Vec2> all;
+        for (long j = 0; j < rows_; ++j)
+            for (long i = 0; i < columns_; ++i)
+                all.push_back(place(i, j));
+        lift_.tip_z(all, z_, Progress());
     }
 
     /// How deep in the ball the stretch from p to q lies where it lies deepest: what stands along it the
@@ -86,6 +85,7 @@ public:
                     std::swap(best[k], best[k - 1]);
             }
         double most = -infinity;
+        LiftHint hint;
         for (auto [d, at] : best) {
             if (!(d > -r_)) continue;
             for (double step = cell_; step > 0.0005 * r_;) {
@@ -94,7 +94,7 @@ public:
                 for (int k = 0; k < 12; ++k) {
                     const double angle = 2 * pi * k / 12;
                     const Vec2 there = middle + step * Vec2(std::cos(angle), std::sin(angle));
-                    const double e = depth(p, q, there, lift_.tip_z(there.x(), there.y()));
+                    const double e = depth(p, q, there, lift_.tip_z(there.x(), there.y(), hint));
                     if (!(e > d)) continue;
                     d = e;
                     at = there;
