@@ -1,6 +1,6 @@
 #include "core/setup/machine.h"
 
-#include "core/base/file.h"
+#include "core/base/catalogue.h"
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
@@ -254,28 +254,12 @@ std::string machine_kind(const Machine& machine) {
 }
 
 const std::vector<Machine>& machines() {
-    static const auto all = [] {
-        std::vector<Machine> list;
-        for (const MachineFile& file : machine_files) {
-            list.push_back(parse_machine(file.text, std::string(file.name) + ".json"));
-            list.back().name = file.name;
-        }
-        return list;
-    }();
+    static const auto all = built_in<Machine>(machine_files, parse_machine);
     return all;
 }
 
 const Machine& find_machine(std::string_view name) {
-    std::vector<std::string> known;
-    for (const Machine& m : machines()) {
-        if (m.name == name) return m;
-        known.push_back(m.name);
-    }
-    std::string list;
-    for (const auto& k : known)
-        list += (list.empty() ? "" : ", ") + k;
-    throw Error(ErrorCode::missing_reference, "machine", "there is no machine '" + printable(name) + "'",
-                "known machines: " + list + "; a name that ends with .json is a file of your own");
+    return find_built_in(machines(), name, "machine");
 }
 
 bool is_machine_file(std::string_view name) {
@@ -292,10 +276,7 @@ Machine parse_machine(std::string_view json, const std::string& file) {
 }
 
 Machine load_machine(const std::filesystem::path& path) {
-    const InputFile file(path);
-    Machine machine = parse_machine(file.bytes(), printable(path.string(), 400));
-    machine.name = path.filename().string();
-    return machine;
+    return load_own<Machine>(path, parse_machine);
 }
 
 } // namespace facetmill

@@ -1,6 +1,6 @@
 #include "core/output/post/post.h"
 
-#include "core/base/file.h"
+#include "core/base/catalogue.h"
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/base/vec.h"
@@ -65,13 +65,6 @@ const std::vector<std::string>& word_keys() {
         "x",        "y",        "z",        "a",      "b",    "c",     "i",    "j",      "k",
         "centre_x", "centre_y", "centre_z", "radius", "feed", "speed", "tool", "length", "edge"};
     return keys;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string list;
-    for (const auto& n : names)
-        list += (list.empty() ? "" : ", ") + n;
-    return list;
 }
 
 /// One object of the file; `finish` refuses the keys nobody asked for.
@@ -492,25 +485,12 @@ const std::vector<std::string>& post_template_words() {
 }
 
 const std::vector<Post>& posts() {
-    static const auto all = [] {
-        std::vector<Post> list;
-        for (const PostFile& file : post_files) {
-            list.push_back(parse_post(file.text, std::string(file.name) + ".json"));
-            list.back().name = file.name;
-        }
-        return list;
-    }();
+    static const auto all = built_in<Post>(post_files, parse_post);
     return all;
 }
 
 const Post& find_post(std::string_view name) {
-    std::vector<std::string> known;
-    for (const Post& p : posts()) {
-        if (p.name == name) return p;
-        known.push_back(p.name);
-    }
-    throw Error(ErrorCode::missing_reference, "post", "there is no post '" + printable(name) + "'",
-                "known posts: " + listed(known) + "; a name that ends with .json is a file of your own");
+    return find_built_in(posts(), name, "post");
 }
 
 bool is_post_file(std::string_view name) {
@@ -527,10 +507,7 @@ Post parse_post(std::string_view json, const std::string& file) {
 }
 
 Post load_post(const std::filesystem::path& path) {
-    const InputFile file(path);
-    Post post = parse_post(file.bytes(), printable(path.string(), 400));
-    post.name = path.filename().string();
-    return post;
+    return load_own<Post>(path, parse_post);
 }
 
 } // namespace facetmill
