@@ -102,6 +102,8 @@ QString StripController::empty_reason() const {
         if (!operation.has(switched_off_key)) continue;
         if (document_.state(i) == OperationState::failed)
             return with_lengths_in(sentence(document_.failure(i)), document_.unit());
+        if (const auto planned = document_.result(i); planned && !planned->nothing_to_do.empty())
+            return with_lengths_in(sentence(text(planned->nothing_to_do)), document_.unit());
         return tr("Plan “%1” to see its strips here").arg(text(operation.common().name));
     }
     return tr("Strips of clean-up come here: add a clean-up operation and plan it");
