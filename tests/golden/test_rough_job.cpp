@@ -14,22 +14,6 @@
 using namespace facetmill;
 using namespace facetmill::test;
 
-namespace {
-
-const char* const rough_project =
-    R"({ "facetmill": 1, "units": "in", "part": { "file": "part.stl", "units": "in" },
-  "stock": { "kind": "box", "margin": [0.25, 0.25, 0.25] },
-  "tools": [ { "number": 1, "name": "Ball 1", "diameter": 1, "corner_radius": 0.5, "flute_length": 4,
-               "shank_diameter": 1, "shank_length": 3, "holder": [ { "diameter": 2.5, "length": 3 } ] },
-             { "number": 2, "name": "Flat 0.5", "diameter": 0.5, "flute_length": 3, "shank_diameter": 0.5,
-               "shank_length": 3 } ],
-  "operations": [
-    { "kind": "rough", "name": "Rough", "tool": 1, "tolerance": 0.4, "allowance": 0.05, "feed": 100, "clearance": 0.25 },
-    { "kind": "rough", "name": "Rest", "tool": 2, "depth": 0.1, "tolerance": 0.2, "allowance": 0.05, "feed": 100,
-      "clearance": 0.25, "pattern": "zigzag" } ] })";
-
-} // namespace
-
 class TestRoughJob : public QObject {
     Q_OBJECT
 private slots:
@@ -37,7 +21,9 @@ private slots:
         const CliRun sample = run_cli(
             {"sample", "complex", "--tolerance", "0.01", "--units", "in", "-o", "part.stl"}, sandbox_.path());
         QVERIFY2(sample.status == 0, sample.err);
-        sandbox_.write("job.facetmill", rough_project);
+        QFile project(QString::fromStdString(data_path("golden/jobs/rough.facetmill")));
+        QVERIFY(project.open(QIODevice::ReadOnly));
+        sandbox_.write("job.facetmill", project.readAll());
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
         operations_ = json(run.out)["operations"].toArray();

@@ -36,9 +36,16 @@ public:
             "p");
         project_.path = folder / "p.facetmill";
     }
-    /// The golden job, whose part is a sample.
-    explicit MachinedJob(const char* folder) {
-        project_ = load_project(data_path(std::string(folder) + "/job.facetmill"));
+    /// A golden job that has its part beside it.
+    explicit MachinedJob(const char* job) { project_ = load_project(data_path(job)); }
+    /// One whose part is a sample in inches.
+    MachinedJob(const char* job, const char* sample, double tolerance) {
+        const fs::path folder = dir_.path().toStdString();
+        OutputFile file(folder / "part.stl");
+        write_stl(*make_sample(sample, tolerance * mm_per_inch, {}), file, LengthUnit::inch, {});
+        file.commit();
+        project_ = load_project(data_path(job));
+        project_.path = folder / "job.facetmill";
     }
     const Project& project(const std::string& machine, const std::string& post, bool one, bool arcs) {
         project_.machine = machine;
@@ -61,7 +68,8 @@ private:
 };
 
 MachinedJob& job_named(const std::string& name) {
-    static MachinedJob convex("golden/jobs/convex");
+    static MachinedJob convex("golden/jobs/convex/job.facetmill");
+    static MachinedJob rough("golden/jobs/rough.facetmill", "complex", 0.01);
     static MachinedJob lathe("square-prism", 0.1,
                              R"("stock": { "kind": "cylinder", "axis": "x", "margin": [0, 1, 1] },
       "operations": [ { "kind": "lathe_finish", "name": "Turn", "tool": 1, "tolerance": 0.5, "points_per_turn": 180,
@@ -70,7 +78,7 @@ MachinedJob& job_named(const std::string& name) {
       "operations": [ { "kind": "finish5", "name": "Lean", "tool": 1, "tolerance": 1, "posture": "cm2", "grid_degrees": 15,
                         "clearance": 6 } ])",
                                0.15);
-    return name == "convex" ? convex : name == "lathe" ? lathe : surface;
+    return name == "convex" ? convex : name == "rough" ? rough : name == "lathe" ? lathe : surface;
 }
 
 } // namespace
@@ -99,6 +107,9 @@ private slots:
                 if (m.name != "lathe-mill") row("convex", m.name.c_str(), post);
         for (const char* post : {"linuxcnc", "grbl"})
             row("convex", "generic-3-axis", post, true);
+        for (const char* machine : {"generic-3-axis", "trunnion-ac"})
+            for (const char* post : {"linuxcnc", "grbl"})
+                row("rough", machine, post);
         for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
             row("surface", machine, "linuxcnc");
         row("lathe", "lathe-mill", "linuxcnc");
