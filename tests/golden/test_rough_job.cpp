@@ -14,6 +14,16 @@
 using namespace facetmill;
 using namespace facetmill::test;
 
+namespace {
+
+QByteArray rough_project() {
+    QFile file(QString::fromStdString(data_path("golden/jobs/rough.facetmill")));
+    if (!file.open(QIODevice::ReadOnly)) qFatal("the roughing job is not there");
+    return file.readAll();
+}
+
+} // namespace
+
 class TestRoughJob : public QObject {
     Q_OBJECT
 private slots:
@@ -21,9 +31,7 @@ private slots:
         const CliRun sample = run_cli(
             {"sample", "complex", "--tolerance", "0.01", "--units", "in", "-o", "part.stl"}, sandbox_.path());
         QVERIFY2(sample.status == 0, sample.err);
-        QFile project(QString::fromStdString(data_path("golden/jobs/rough.facetmill")));
-        QVERIFY(project.open(QIODevice::ReadOnly));
-        sandbox_.write("job.facetmill", project.readAll());
+        sandbox_.write("job.facetmill", rough_project());
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
         operations_ = json(run.out)["operations"].toArray();
@@ -51,7 +59,7 @@ private slots:
         QVERIFY2(alone.status == 0, alone.err);
         const QJsonObject rest = json(alone.out)["operations"].toArray()[0].toObject();
         QCOMPARE(rest["cut_length"].toDouble(), operations_[1].toObject()["cut_length"].toDouble());
-        QByteArray only = rough_project;
+        QByteArray only = rough_project();
         only.replace("\"Rough\"", "\"R0\"")
             .replace("\"tool\": 1, \"tolerance\": 0.4", "\"tool\": 2, \"depth\": 0.1, \"tolerance\": 0.2");
         sandbox_.write("fresh.facetmill", only);

@@ -138,6 +138,7 @@ std::shared_ptr<const PlanResult> planned(Workplace& place, Refusals& refusals) 
             for (const std::string& key : keys)
                 place.project.operations.front()->set(key, other);
             result = place.plan();
+            result->check_programs();
             result->check_reach();
             return result;
         } catch (const Error& e) {
