@@ -79,7 +79,9 @@ private slots:
         QVERIFY(sandbox_.copy("golden/jobs/convex"));
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, sandbox_.path());
         QVERIFY2(run.status == 0, run.err);
-        QVERIFY2(run.err.isEmpty(), run.err);
+        // Nothing but how far it is, which is told where it takes long.
+        for (const QByteArray& line : run.err.split('\n'))
+            QVERIFY2(line.isEmpty() || line.contains(" % "), run.err);
         QCOMPARE(sandbox_.files("out"), (QStringList{"01-Semi-finish.apt", "02-Finish.apt", "report.json"}));
         QCOMPARE(run.out, bytes_of(sandbox_.path() + "/out/report.json"));
         report_ = QJsonDocument::fromJson(run.out).object();
