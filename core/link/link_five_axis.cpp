@@ -9,6 +9,7 @@
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/surface/stock_before.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -199,9 +200,8 @@ private:
         run.begin(in.fast);
         own.begin(at);
         in.between.push_back(at);
-        const bool serves = run.follows(in.between);
-        for (std::size_t k = 0; serves && k < in.between.size(); ++k)
-            run.go(in.between[k]);
+        const bool serves =
+            std::ranges::all_of(in.between, [&](const CutterLocation& c) { return run.go(c); });
         in.between.pop_back();
         return serves && run.reach(ahead) == own.reach(ahead) ? in : along_axis(at, slow);
     }
