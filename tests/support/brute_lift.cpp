@@ -1,5 +1,7 @@
 #include "tests/support/brute_lift.h"
 
+#include "tests/support/convex_bound.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -21,16 +23,6 @@ struct Interval {
     bool empty() const { return !(lo <= hi); }
 };
 
-/// What a concave function with these values at a < b < c < d is nowhere above between a and d: beyond two
-/// places it lies below the line through them.
-Real no_higher(Real a, Real b, Real c, Real d, Real fa, Real fb, Real fc, Real fd) {
-    const Real slope = (fc - fb) / (c - b);
-    const Real before = std::max(fb, fb - slope * (b - a)), behind = std::max(fc, fc + slope * (d - c));
-    const Real from_left = std::max(fb, fb + (fb - fa) / (b - a) * (c - b)),
-               from_right = std::max(fc, fc - (fd - fc) / (d - c) * (c - b));
-    return std::max({before, behind, std::min(from_left, from_right)});
-}
-
 /// Largest value of a concave function on [lo, hi], its ends included, to 1e-14 mm: tests allow 1e-9.
 template <class F>
 Real golden_maximum(Real lo, Real hi, F&& f) {
@@ -43,7 +35,7 @@ Real golden_maximum(Real lo, Real hi, F&& f) {
     // side.
     while (hi - lo > 1e-16L * std::max({Real(1), std::abs(lo), std::abs(hi)})) {
         best = std::max({best, f1, f2});
-        if (no_higher(lo, x1, x2, hi, at_lo, f1, f2, at_hi) <= best + accuracy) break;
+        if (-no_lower(lo, x1, x2, hi, -at_lo, -f1, -f2, -at_hi) <= best + accuracy) break;
         if (f1 < f2) {
             lo = x1;
             at_lo = f1;

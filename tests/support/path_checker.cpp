@@ -1,6 +1,7 @@
 #include "tests/support/path_checker.h"
 
 #include "core/base/parallel.h"
+#include "tests/support/convex_bound.h"
 
 #include <map>
 #include <optional>
@@ -111,17 +112,6 @@ public:
     }
 
 private:
-    /// What a convex function with these values at a < b < c < d is nowhere below between a and d: beyond two
-    /// places it lies above the line through them.
-    static double no_lower(double a, double b, double c, double d, double fa, double fb, double fc,
-                           double fd) {
-        const double slope = (fc - fb) / (c - b);
-        const double before = std::min(fb, fb - slope * (b - a)), behind = std::min(fc, fc + slope * (d - c));
-        const double from_left = std::min(fb, fb + (fb - fa) / (b - a) * (c - b)),
-                     from_right = std::min(fc, fc - (fd - fc) / (d - c) * (c - b));
-        return std::min({before, behind, std::max(from_left, from_right)});
-    }
-
     CutterProfile profile_;
     double radius_;
 };
