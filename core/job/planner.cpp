@@ -103,10 +103,7 @@ MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) 
         return mesh;
     Vec3 factors = Vec3::Constant(spec.scale);
     if (spec.mirror != Mirror::none) factors[int(spec.mirror) - int(Mirror::x)] *= -1;
-    const Mat3 turn =
-        (Eigen::AngleAxisd(spec.rotate[2], Vec3::UnitZ()) * Eigen::AngleAxisd(spec.rotate[1], Vec3::UnitY())
-         * Eigen::AngleAxisd(spec.rotate[0], Vec3::UnitX()))
-            .toRotationMatrix();
+    const Mat3 turn = rotation_of(spec.rotate);
     const Vec3 move(spec.translate[0], spec.translate[1], spec.translate[2]);
     auto copy = std::make_shared<Mesh>();
     copy->facets = mesh->facets;
