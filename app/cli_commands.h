@@ -7,6 +7,7 @@ namespace facetmill::cli {
 
 Command info_command();
 Command sample_command();
+Command place_command();
 Command plan_command();
 Command simulate_command();
 Command cspace_command();

@@ -1,5 +1,7 @@
 // The headless program's manners: exit status, one line on stderr, nothing left behind.
 #include "core/gouge/axial_lift.h"
+#include "core/job/planner.h"
+#include "core/job/project.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/golden/run_cli.h"
 #include "tests/support/test_runner.h"
@@ -52,7 +54,7 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         for (const char* command :
-             {"info", "sample", "plan", "simulate", "cspace", "drop", "render", "reference"}) {
+             {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);
@@ -74,6 +76,11 @@ private slots:
                                  "info part.stl --unit mm",
                                  "info part.stl --units mm --units in",
                                  "info part.stl --units=",
+                                 "place part.stl",
+                                 "place part.stl --on",
+                                 "place part.stl --on side",
+                                 "place part.stl --on -1",
+                                 "place part.stl --on 0.5",
                                  "sample",
                                  "sample concave",
                                  "sample conclave -o x.stl",
@@ -229,6 +236,34 @@ private slots:
             QVERIFY2(o[key].isDouble(), key);
         QVERIFY(o["warnings"].toArray().contains("open_edges"));
         QVERIFY(!o["explanations"]["open_edges"].toString().isEmpty());
+    }
+
+    /// What is printed is what a project takes, and the part lies then.
+    void place_prints_what_a_project_takes() {
+        Sandbox s;
+        run_cli({"sample", "square-prism", "--tolerance", "0.5", "--units", "mm", "-o", "bar.stl"}, s.path());
+        const Box3 bar = load_mesh((s.path() + "/bar.stl").toStdString(), LengthUnit::mm, {}).mesh->box();
+        for (const QString on : {"best", "largest", "0"}) {
+            const QJsonObject o =
+                json(run_cli({"place", "bar.stl", "--on", on, "--square", "--units", "mm"}, s.path()).out);
+            const QJsonObject project{{"facetmill", 1}, {"units", "mm"}, {"part", o["part"]}};
+            s.write("p.facetmill", QJsonDocument(project).toJson());
+            const Project placed = load_project((s.path() + "/p.facetmill").toStdString());
+            const Box3 box = Planner().prepare(placed, {})->box;
+            for (int k = 0; k < 3; ++k) {
+                QVERIFY(std::abs(o["low"][k].toDouble() - box.lo[k]) < 1e-6);
+                QVERIFY(std::abs(o["high"][k].toDouble() - box.hi[k]) < 1e-6);
+            }
+            QVERIFY(std::abs(box.lo.z()) < 1e-6);
+            if (on == "0") continue;
+            // A bar lies along, not on its end.
+            QVERIFY(std::abs(box.size().x() - bar.size().maxCoeff()) < 1e-6);
+            QVERIFY(o["lies_on"]["contact_area"].toDouble() > 0);
+            QVERIFY(o["candidates"].toArray().size() > 1);
+        }
+        const CliRun far = run_cli({"place", "bar.stl", "--on", "123456"}, s.path());
+        QCOMPARE(far.status, 1);
+        QVERIFY(far.err.contains("--on"));
     }
 
     void samples_are_in_their_units() {
