@@ -6,6 +6,7 @@
 #include "ui/messages.h"
 #include "ui/part_controller.h"
 #include "ui/path_controller.h"
+#include "ui/place_controller.h"
 #include "ui/point_picker.h"
 #include "ui/region_controller.h"
 #include "ui/rough_controller.h"
@@ -47,11 +48,15 @@ void Controllers::build(const Parts& p, QWidget* window) {
     paths_ = new PathController(p.document, p.viewport, p.layers, p.tree, *rough_, window);
     tool_ = new ToolController(p.document, p.viewport, *paths_, *verification_, p.status, window);
     part_ = new PartController(p.document, p.viewport, p.planner, p.job, p.messages, window);
+    place_ = new PlaceController(p.document, p.viewport, p.messages, window);
+    // A click in the view is for one of them.
+    connect(picker, &PointPicker::picking_begun, place_, &PlaceController::leave);
+    connect(place_, &PlaceController::picking_begun, picker, &PointPicker::leave);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
     all_ = {picker,  verification_, rough_,  regions_, inspection_, unrolled_,
-            cspace_, tool_,         strips_, part_,    paths_};
+            cspace_, tool_,         strips_, part_,    place_,      paths_};
 }
 
 void Controllers::connect_document(const Document& document) {

@@ -18,6 +18,7 @@ class LayerBar;
 class Messages;
 class PartController;
 class PathController;
+class PlaceController;
 class PropertiesPanel;
 class RegionController;
 class RoughController;
@@ -54,6 +55,7 @@ public:
     RegionController& regions() { return *regions_; }
     StripController& strips() { return *strips_; }
     PartController& part() { return *part_; }
+    PlaceController& place() { return *place_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -87,6 +89,7 @@ private:
     ToolController* tool_ = nullptr;
     PathController* paths_ = nullptr;
     PartController* part_ = nullptr;
+    PlaceController* place_ = nullptr;
     std::vector<Controller*> all_; ///< in the order in which they are told
 };
 

@@ -33,6 +33,17 @@ enum class Icon {
     edit,
     close,
     pick,
+    // how the part lies
+    place,
+    lay_on_face,
+    lay_on_points,
+    align_edge,
+    square_up,
+    quarter_turn,
+    quarter_back,
+    mirror,
+    drop,
+    centre,
     // jobs
     plan,
     verify,

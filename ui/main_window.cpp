@@ -9,6 +9,7 @@
 #include "ui/log_view.h"
 #include "ui/messages.h"
 #include "ui/parameter_form.h"
+#include "ui/place_controller.h"
 #include "ui/plan_runner.h"
 #include "ui/playback_bar.h"
 #include "ui/program_export.h"
@@ -120,6 +121,7 @@ void MainWindow::build_docks() {
     constexpr auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea,
                    bottom = Qt::BottomDockWidgetArea;
     const QString report = QStringLiteral("report_dock"), beside = QStringLiteral("verification_dock");
+    PlaceController& place = controllers_->place();
     docks_ = new WindowDocks(this);
     docks_->add({"project_dock", tr("Project"), tree_, left});
     docks_->add({"properties_dock", tr("Parameters"), properties_, left});
@@ -127,7 +129,9 @@ void MainWindow::build_docks() {
     docks_->add({beside, tr("Verification"), verification().panel(), right, report});
     docks_->add({"cspace_dock", tr("Configuration space"), cspace().panel(), right, beside, &cspace()});
     docks_->add({"unrolled_dock", tr("Unrolled"), unrolled().panel(), right, beside, &unrolled(), true});
-    docks_->add({"strips_dock", tr("Strips"), strips().panel(), right, beside, &strips(), true});
+    docks_->add({"strips_dock", tr("Strips"), controllers_->strips().panel(), right, beside,
+                 &controllers_->strips(), true});
+    docks_->add({"place_dock", tr("Place part"), place.panel(), right, beside, &place, true});
     docks_->show(report);
     docks_->add({"log_dock", tr("Log"), log_, bottom});
     docks_->add({"chart_dock", tr("Charts"), inspection().panel(), bottom, "log_dock", &inspection(), true});
@@ -334,12 +338,12 @@ RegionController& MainWindow::regions() {
     return controllers_->regions();
 }
 
-StripController& MainWindow::strips() {
-    return controllers_->strips();
-}
-
 const QString& MainWindow::last_failure() const {
     return messages_->last_failure();
+}
+
+void MainWindow::show_place() {
+    docks_->bring(QStringLiteral("place_dock"));
 }
 
 bool MainWindow::busy() const {

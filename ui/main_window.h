@@ -33,7 +33,6 @@ class ReportView;
 class RoughController;
 class StartHint;
 class StatusLine;
-class StripController;
 class UnrolledController;
 class VerificationController;
 class Viewport;
@@ -60,6 +59,7 @@ public:
     void set_unit(LengthUnit unit);
 
     /// True while a job runs or a picture is due.
+    void show_place(); ///< the panel that lays the part
     bool busy() const;
     /// The last thing that failed, until something succeeds.
     const QString& last_failure() const;
@@ -75,13 +75,13 @@ public:
     LayerBar& layers() { return *layers_; }
     MessageBar& message_bar() { return *message_bar_; }
     ReportView& report() { return *report_; }
+    Controllers& controllers() { return *controllers_; }
     VerificationController& verification();
     CSpaceController& cspace();
     InspectionController& inspection();
     UnrolledController& unrolled();
     RoughController& roughing();
     RegionController& regions();
-    StripController& strips();
 
 signals:
     /// The window is through with what it was asked to do.

@@ -18,6 +18,21 @@ constexpr double corner_pixels = 8;
 
 } // namespace
 
+Vec3 snapped_point(const Viewport& viewport, const Mesh& mesh, const PartPick& pick) {
+    Vec3 point = pick.point;
+    const SceneCamera& camera = viewport.scene().camera();
+    const Vec2 at = camera.display_of(pick.point);
+    double nearest = corner_pixels * viewport.devicePixelRatioF();
+    for (int k = 0; k < 3; ++k) {
+        const Vec3& corner = mesh.corner(pick.facet, k);
+        const double away = (camera.display_of(corner) - at).norm();
+        if (away > nearest) continue;
+        nearest = away;
+        point = corner;
+    }
+    return point;
+}
+
 PointPicker::PointPicker(Document& document, Viewport& viewport, PropertiesPanel& properties,
                          Messages& messages, QObject* window)
     : Controller(window), document_(document), viewport_(viewport), properties_(properties),
@@ -37,6 +52,7 @@ void PointPicker::begin(const std::string& key) {
         messages_.information(tr("The part is not read yet: there is nothing to pick."));
         return end();
     }
+    emit picking_begun();
     key_ = key;
     properties_.form()->set_picking(key);
     viewport_.set_picking(true);
@@ -52,21 +68,8 @@ void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifier
         return;
     }
     const Mesh& mesh = *document_.part()->mesh;
-    Vec3 point = pick->point;
-    if (modifiers & Qt::ControlModifier) {
-        point = middle_of(mesh, flat_face(mesh, Index(pick->facet)));
-    } else {
-        const Scene& scene = viewport_.scene();
-        const Vec2 at = scene.camera().display_of(pick->point);
-        double nearest = corner_pixels * viewport_.devicePixelRatioF();
-        for (int k = 0; k < 3; ++k) {
-            const Vec3& corner = mesh.corner(pick->facet, k);
-            const double away = (scene.camera().display_of(corner) - at).norm();
-            if (away > nearest) continue;
-            nearest = away;
-            point = corner;
-        }
-    }
+    const Vec3 point = modifiers & Qt::ControlModifier ? middle_of(mesh, flat_face(mesh, Index(pick->facet)))
+                                                       : snapped_point(viewport_, mesh, *pick);
     const std::string key = key_;
     end();
     viewport_.scene().marks().set_marker(Marker{point, pick->normal});

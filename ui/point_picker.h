@@ -9,6 +9,9 @@ class Messages;
 class PropertiesPanel;
 class Viewport;
 
+/// The corner of the facet that lies within some pixels of a click, or the place that was met.
+Vec3 snapped_point(const Viewport& viewport, const Mesh& mesh, const PartPick& pick);
+
 class PointPicker : public Controller {
     Q_OBJECT
 public:
@@ -17,6 +20,11 @@ public:
 
     /// Esc ends the picking.
     bool take_key(const QKeyEvent& event) override;
+    void leave() { end(); }
+
+signals:
+    /// A click in the view is for a parameter now.
+    void picking_begun();
 
 private:
     void begin(const std::string& key);

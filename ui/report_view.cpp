@@ -126,6 +126,14 @@ QString ReportView::part_html() const {
     facts.add(tr("Format"), text(r.format));
     if (!r.name.empty()) facts.add(tr("Name"), elided(text(r.name), 40));
     facts.add(tr("Size"), size_text(size, unit, 5));
+    const auto corner = [&](const Vec3& p) {
+        QStringList numbers;
+        for (int k = 0; k < 3; ++k)
+            numbers << text(format_number(std::abs(p[k]) < 1e-9 ? 0 : p[k] / mm_per(unit), 5));
+        return numbers.join(QStringLiteral(", ")) + QChar(' ') + text(unit_name(unit));
+    };
+    facts.add(tr("From"), corner(part->box.lo));
+    facts.add(tr("To"), corner(part->box.hi));
     facts.add(tr("File unit"), text(unit_name(r.assumed_unit)));
     facts.add(tr("Facets"), count_text(r.facets));
     facts.add(tr("Vertices"), count_text(r.welded_vertices));

@@ -87,6 +87,14 @@ void add_file_commands(Commands& commands, MainWindow& w) {
 }
 
 void add_plan_commands(Commands& commands, MainWindow& w) {
+    commands.add({"place",
+                  tr("P&lace part…"),
+                  Icon::place,
+                  {QKeySequence(Qt::Key_P)},
+                  [&w] { w.show_place(); },
+                  [&w] { return w.document().has_part(); },
+                  {},
+                  tr("Lay the part on a face, turn, move or mirror it (P)")});
     const auto can_plan = [&w] { return w.planning().can_plan(); };
     commands.add({"plan",
                   tr("&Plan"),

@@ -62,6 +62,11 @@ void WindowDocks::show(const QString& name) {
     docks_.at(name)->raise();
 }
 
+void WindowDocks::bring(const QString& name) {
+    bring_to_light(docks_.at(name));
+    docks_.at(name)->raise();
+}
+
 /// Shows a dock that has something to see for the first time; in a narrow window only its tab.
 void WindowDocks::bring_to_light(QDockWidget* dock) {
     dock->show();
@@ -105,7 +110,7 @@ bool WindowDocks::make_room() {
         return false;
     bool moved = false;
     for (const char* name :
-         {"report_dock", "verification_dock", "cspace_dock", "strips_dock", "unrolled_dock"}) {
+         {"report_dock", "verification_dock", "cspace_dock", "strips_dock", "unrolled_dock", "place_dock"}) {
         QDockWidget* dock = docks_.at(QLatin1String(name));
         if (!stands_right(dock) || dock->isHidden()) continue;
         window_.tabifyDockWidget(parameters, dock);
@@ -126,8 +131,10 @@ void WindowDocks::go_back() {
     };
     if (beside_report(verification)) {
         window_.tabifyDockWidget(report, verification);
-        for (QDockWidget* dock : {at("cspace_dock"), at("strips_dock"), at("unrolled_dock")})
-            if (beside_report(dock) && !(dock == at("strips_dock") && dock->isHidden()))
+        for (QDockWidget* dock :
+             {at("cspace_dock"), at("strips_dock"), at("unrolled_dock"), at("place_dock")})
+            if (beside_report(dock)
+                && !((dock == at("strips_dock") || dock == at("place_dock")) && dock->isHidden()))
                 window_.tabifyDockWidget(verification, dock);
         report->raise();
     }

@@ -36,6 +36,8 @@ public:
     void clear();
     /// To the front.
     void show(const QString& name);
+    /// The same as wide as it needs, also where it was hidden.
+    void bring(const QString& name);
     /// The sizes of a window that was never changed.
     void size_as_new();
     /// In a narrow window what stands on the right goes behind the parameters, so that the view keeps room;

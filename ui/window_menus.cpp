@@ -54,19 +54,20 @@ std::vector<MenuTable> menus() {
               "-", "export", "setup_sheet", "picture", "-", "quit"}},
             {"edit_menu",
              tr("&Edit"),
-             {"undo", "redo", "-", "add_operation", "add_tool", "edit", "duplicate", "remove", "up", "down",
-              "-", "unit_menu"}},
+             {"undo", "redo", "-", "place", "-", "add_operation", "add_tool", "edit", "duplicate", "remove",
+              "up", "down", "-", "unit_menu"}},
             {"view_menu", tr("&View"),
              views()
                  + Entries{"-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",
                            "report_dock", "verification_dock", "cspace_dock", "unrolled_dock", "strips_dock",
-                           "chart_dock", "log_dock", "tool_bar"}},
+                           "place_dock", "chart_dock", "log_dock", "tool_bar"}},
             {"plan_menu", tr("&Plan"), {"plan", "verify", "cancel", "-", "export"}},
             {"help_menu", tr("&Help"), {"keys", "about"}}};
 }
 
 Entries tools() {
-    return Entries{"open", "save", "-", "undo", "redo", "-", "plan", "verify", "cancel", "export", "-"}
+    return Entries{"open",  "save", "-",      "undo",   "redo",   "-",
+                   "place", "plan", "verify", "cancel", "export", "-"}
            + views();
 }
 

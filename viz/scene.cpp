@@ -45,12 +45,13 @@ struct Scene::Impl {
     SceneStock stock{stage};
     ScenePaths paths{stage, part};
     SceneLevels levels{stage};
+    SceneSupport support{stage};
     SceneTool tool{stage};
     SceneStrips strips{stage, part};
     SceneMarks marks{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 9> layers{&part,  &stock, &levels,    &findings, &strips,
-                                            &marks, &paths, &deviation, &tool};
+    const std::array<SceneLayer*, 10> layers{&part,   &stock, &levels, &support,   &findings,
+                                             &strips, &marks, &paths,  &deviation, &tool};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -257,6 +258,10 @@ const SceneDeviation& Scene::deviation() const {
 SceneFindings& Scene::findings() {
     return impl_->findings;
 }
+SceneSupport& Scene::support() {
+    return impl_->support;
+}
+
 SceneLevels& Scene::levels() {
     return impl_->levels;
 }

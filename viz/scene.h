@@ -22,6 +22,7 @@
 #include "viz/scene_paths.h"
 #include "viz/scene_stock.h"
 #include "viz/scene_strips.h"
+#include "viz/scene_support.h"
 #include "viz/scene_tool.h"
 
 #include <cstddef>
@@ -51,6 +52,7 @@ public:
     const SceneDeviation& deviation() const;
     SceneFindings& findings();
     SceneLevels& levels();
+    SceneSupport& support();
     SceneStrips& strips();
     const SceneStrips& strips() const;
     ScenePaths& paths();

@@ -4,6 +4,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/controllers.h"
 #include "ui/elided_label.h"
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
@@ -66,7 +67,7 @@ Tool ball(long number, double diameter) {
 class TestWindowStrips : public QObject, public WindowFixture {
     Q_OBJECT
 
-    StripController& controller() { return w().strips(); }
+    StripController& controller() { return w().controllers().strips(); }
     QTreeWidget* list() { return controller().panel()->list(); }
     QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("strips_dock")); }
     QString readout() { return controller().panel()->readout()->text(); }

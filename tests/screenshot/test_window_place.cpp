@@ -1,0 +1,244 @@
+// How the part lies: faces from a list and by clicks, turns, edges, mirrors, moves; each is one step of the
+// history and stands in the project.
+#include "core/mesh/mesh_io.h"
+#include "core/setup/lying.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/controllers.h"
+#include "ui/place_controller.h"
+#include "ui/report_view.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <cmath>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+/// A tray of 60 x 40 x 20 mm, open above, lying on a long side and crooked: made of five blocks.
+QString write_tray(const QString& path) {
+    Mesh tray;
+    const auto block = [&](const Vec3& lo, const Vec3& hi) {
+        const auto first = Index(tray.vertices.size());
+        for (int c = 0; c < 8; ++c)
+            tray.vertices.emplace_back(c & 1 ? hi.x() : lo.x(), c & 2 ? hi.y() : lo.y(),
+                                       c & 4 ? hi.z() : lo.z());
+        for (const Facet& f :
+             {Facet{0, 2, 1}, Facet{1, 2, 3}, Facet{4, 5, 6}, Facet{5, 7, 6}, Facet{0, 1, 4}, Facet{1, 5, 4},
+              Facet{2, 6, 3}, Facet{3, 6, 7}, Facet{0, 4, 2}, Facet{2, 4, 6}, Facet{1, 3, 5}, Facet{3, 7, 5}})
+            tray.facets.push_back({f[0] + first, f[1] + first, f[2] + first});
+    };
+    block(Vec3(0, 0, 0), Vec3(60, 40, 4));
+    block(Vec3(0, 0, 4), Vec3(6, 40, 20));
+    block(Vec3(54, 0, 4), Vec3(60, 40, 20));
+    block(Vec3(6, 0, 4), Vec3(54, 6, 20));
+    block(Vec3(6, 34, 4), Vec3(54, 40, 20));
+    const Mat3 turn = Eigen::AngleAxisd(radians(25), Vec3::UnitZ()) * quarter_turn(0, 1);
+    for (Vec3& v : tray.vertices)
+        v = turn * v + Vec3(10, 20, 30);
+    save_stl(tray, path.toStdString(), LengthUnit::mm, {});
+    return path;
+}
+
+} // namespace
+
+class TestWindowPlace : public QObject, private WindowFixture {
+    Q_OBJECT
+private slots:
+    void init() {
+        QVERIFY(show_window());
+        w().open_file(write_tray(scratch_folder(QStringLiteral("place")) + QStringLiteral("/tray.stl")),
+                      LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+    }
+    void cleanup() { close_window(); }
+
+    void a_face_from_the_list() {
+        QVERIFY(!action(w(), "place")->icon().isNull());
+        QVERIFY(!dock()->isVisible());
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(dock()->isVisible());
+        QVERIFY(list()->topLevelItemCount() > 3);
+        QVERIFY(!button("place_lay"));
+        QVERIFY(label("place_extents").contains(QStringLiteral("30")));
+        QVERIFY(w().report().toPlainText().contains(QStringLiteral("From")));
+        const QImage before = view_picture(w());
+        shot(w(), QStringLiteral("place-list"));
+        // Shown in the view before it is done; nothing has changed yet.
+        list()->setCurrentItem(list()->topLevelItem(0));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().viewport().scene().support().shown());
+        QVERIFY(changed_pixels(before, view_picture(w())) > 500);
+        QVERIFY(!w().document().undo_stack().canUndo());
+        shot(w(), QStringLiteral("place-preview"));
+        press("place_lay");
+        QVERIFY(!w().viewport().scene().support().shown());
+        QVERIFY(lies(Vec3(60, 40, 20), false));
+        QCOMPARE(w().document().undo_stack().count(), 1);
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on face"));
+        press("place_square");
+        QVERIFY(lies(Vec3(60, 40, 20)));
+        shot(w(), QStringLiteral("place-laid"));
+        // The list is that of the part as it lies now.
+        QCOMPARE(list()->topLevelItem(0)->text(ui::PlacePanel::height_column), QStringLiteral("20"));
+        // It stands in the project, and comes back with it.
+        const QString file = scratch_folder(QStringLiteral("placed")) + QStringLiteral("/tray.facetmill");
+        Project saved = w().document().project();
+        save_project(saved, file.toStdString());
+        const Box3 again = Planner().prepare(load_project(file.toStdString()), {})->box;
+        QVERIFY((again.size() - Vec3(60, 40, 20)).norm() < 1e-4);
+        // Largest first is another order of them, and the view follows the part back, too.
+        auto* order = w().findChild<QComboBox*>(QStringLiteral("place_order"));
+        order->setCurrentIndex(1);
+        emit order->activated(1);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(list()->topLevelItemCount() > 3);
+        action(w(), "undo")->trigger();
+        action(w(), "undo")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().project().part.rotate == (std::array<double, 3>{0, 0, 0}));
+        QVERIFY(!w().document().undo_stack().canUndo());
+    }
+
+    void quarter_turns_moves_and_mirrors() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        press("place_square");
+        QVERIFY(lies(Vec3(60, 20, 40)));
+        press("place_back_x");
+        QVERIFY(lies(Vec3(60, 40, 20)));
+        press("place_turn_z");
+        QVERIFY(lies(Vec3(40, 60, 20)));
+        press("place_turn_y");
+        QVERIFY(lies(Vec3(20, 60, 40)));
+        press("place_centre");
+        QVERIFY(lies(Vec3(20, 60, 40)));
+        QVERIFY(part().center().head<2>().norm() < 1e-6);
+        QCOMPARE(w().document().undo_stack().count(), 5);
+        press("place_mirror_x");
+        QVERIFY(lies(Vec3(20, 60, 40)));
+        QVERIFY(w().document().project().part.mirror != Mirror::none);
+        press("place_mirror_x");
+        QVERIFY(w().document().project().part.mirror == Mirror::none);
+        QCOMPARE(w().document().undo_stack().count(), 7);
+        // What is so already is no step.
+        press("place_drop");
+        QCOMPARE(w().document().undo_stack().count(), 7);
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("already")));
+    }
+
+    void a_face_and_an_edge_by_clicks() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        press("place_pick_face");
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("flat face")));
+        QCOMPARE(w().viewport().cursor().shape(), Qt::CrossCursor);
+        shot(w(), QStringLiteral("place-picking"));
+        // Beside the part; Esc leaves it.
+        QTest::mouseClick(&w().viewport(), Qt::LeftButton, {}, QPoint(4, w().viewport().height() / 2));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("beside the part")));
+        QTest::keyClick(&w(), Qt::Key_Escape);
+        QVERIFY(w().viewport().cursor().shape() != Qt::CrossCursor);
+        QVERIFY(!tool_button("place_pick_face")->isChecked());
+        // The back, which is upright now.
+        const Vec3 back = Eigen::AngleAxisd(radians(25), Vec3::UnitZ()) * Vec3(30, 0, 20) + Vec3(10, 20, 30);
+        w().viewport().set_view(StandardView::rear);
+        QVERIFY(wait_until_settled(w()));
+        press("place_pick_face");
+        if (!click_at(back)) {
+            w().viewport().set_view(StandardView::front);
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY(click_at(back));
+        }
+        QVERIFY(lies(Vec3(60, 40, 20), false));
+        QCOMPARE(w().document().undo_stack().count(), 1);
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        // Beside the middle of the outer edge of the rim, whichever way the part has turned.
+        press("place_pick_edge");
+        const Mesh& mesh = *w().document().part()->mesh;
+        const Vec3 a = mesh.vertices[0], b = mesh.vertices[1], middle = part().center();
+        Vec3 beside = 0.5 * (a + b);
+        beside.z() = part().hi.z();
+        beside += 3 * Vec3(middle.x() - beside.x(), middle.y() - beside.y(), 0).normalized();
+        QVERIFY(click_at(beside));
+        QVERIFY(lies(part().size().x() > 50 ? Vec3(60, 40, 20) : Vec3(40, 60, 20)));
+        QCOMPARE(w().document().undo_stack().count(), 2);
+        shot(w(), QStringLiteral("place-edge"));
+    }
+
+    void three_points_and_a_small_window() {
+        w().resize(800, 600);
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(tool_button("place_pick_points")->isVisible());
+        shot(w(), QStringLiteral("place-small"));
+        press("place_square");
+        press("place_back_x");
+        QVERIFY(lies(Vec3(60, 40, 20)));
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        press("place_pick_points");
+        const Box3 box = part();
+        const bool up = w().document().part()->mesh->vertices[0].z() < 1; // the open side
+        const double in = 3;
+        for (const Vec2& p : {Vec2(box.lo.x() + in, box.lo.y() + in), Vec2(box.hi.x() - in, box.lo.y() + in),
+                              Vec2(box.lo.x() + in, box.hi.y() - in)})
+            QVERIFY(click_at(Vec3(p.x(), p.y(), box.hi.z())));
+        QVERIFY(lies(Vec3(60, 40, 20)));
+        QVERIFY((w().document().part()->mesh->vertices[0].z() < 1) != up); // it was turned over
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on three points"));
+        shot(w(), QStringLiteral("place-small-over"));
+    }
+
+private:
+    QDockWidget* dock() { return w().findChild<QDockWidget*>(QStringLiteral("place_dock")); }
+    QTreeWidget* list() { return w().findChild<QTreeWidget*>(QStringLiteral("place_faces")); }
+    QToolButton* tool_button(const char* name) { return w().findChild<QToolButton*>(QLatin1String(name)); }
+    bool button(const char* name) { return w().findChild<QPushButton*>(QLatin1String(name))->isEnabled(); }
+    QString label(const char* name) { return w().findChild<QLabel*>(QLatin1String(name))->text(); }
+    Box3 part() { return w().document().part()->box; }
+    void press(const char* name) {
+        w().findChild<QAbstractButton*>(QLatin1String(name))->click();
+        QVERIFY(wait_until_settled(w()));
+    }
+    /// The part is read anew, has the size, and its lowest point Z 0; the view has it whole.
+    bool lies(const Vec3& size, bool straight = true) {
+        if (!w().document().part_is_current()) return false;
+        const Box3 box = part();
+        const Scene& scene = w().viewport().scene();
+        for (const Vec3& corner : {box.lo, box.hi}) {
+            const Vec2 at = scene.camera().display_of(corner) / w().viewport().devicePixelRatioF();
+            if (at.x() < 0 || at.y() < 0 || at.x() > w().viewport().width()
+                || at.y() > w().viewport().height())
+                return false;
+        }
+        return std::abs(box.size().z() - size.z()) < 1e-4 && (!straight || (box.size() - size).norm() < 1e-4)
+               && (w().document().project().part.rotate == std::array<double, 3>{0, 0, 0}
+                   || std::abs(box.lo.z()) < 1e-6 || !straight);
+    }
+    /// False where the place is not what is seen there.
+    bool click_at(const Vec3& p) {
+        auto& viewport = w().viewport();
+        const Vec2 pixel = viewport.scene().camera().display_of(p);
+        const auto seen = viewport.scene().part().pick(pixel.x(), pixel.y());
+        if (!seen || (seen->point - p).norm() > 1) return false;
+        const Vec2 at = pixel / viewport.devicePixelRatioF();
+        QTest::mouseClick(&viewport, Qt::LeftButton, {},
+                          QPoint(int(std::lround(at.x())), int(std::lround(at.y()))));
+        return wait_until_settled(w());
+    }
+};
+
+FACETMILL_TEST(TestWindowPlace)
+#include "test_window_place.moc"

@@ -1,0 +1,299 @@
+#include "ui/place_controller.h"
+
+#include "core/mesh/flat_face.h"
+#include "ui/camera_flight.h"
+#include "ui/messages.h"
+#include "ui/point_picker.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <QKeyEvent>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// A side of a facet of a face beyond which there is no other facet of it.
+struct Side {
+    Vec3 from, to;
+    double distance(const Vec3& p) const {
+        const Vec3 along = to - from;
+        const double t = std::clamp((p - from).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+        return (from + t * along - p).norm();
+    }
+};
+
+std::vector<Side> outline_of(const Mesh& mesh, const std::vector<Index>& face) {
+    std::map<std::pair<Index, Index>, int> sides;
+    for (const Index f : face)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++sides[std::minmax(mesh.facets[f][k], mesh.facets[f][(k + 1) % 3])];
+    std::vector<Side> outline;
+    for (const auto& [side, count] : sides)
+        if (count == 1) outline.push_back({mesh.vertices[side.first], mesh.vertices[side.second]});
+    return outline;
+}
+
+} // namespace
+
+PlaceController::PlaceController(Document& document, Viewport& viewport, Messages& messages, QWidget* window)
+    : Controller(window), document_(document), viewport_(viewport), messages_(messages),
+      panel_(new PlacePanel(window)), flight_(new CameraFlight(viewport)) {
+    connect(panel_, &PlacePanel::order_changed, this, &PlaceController::find_faces);
+    connect(panel_, &PlacePanel::face_chosen, this, &PlaceController::show_chosen);
+    connect(panel_, &PlacePanel::lay_wanted, this, &PlaceController::lay_chosen);
+    connect(panel_, &PlacePanel::pick_wanted, this, &PlaceController::pick);
+    connect(panel_, &PlacePanel::turn_wanted, this, [this](int axis, int quarters) {
+        lay(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))), quarter_turn(axis, quarters));
+    });
+    connect(panel_, &PlacePanel::square_wanted, this, [this] {
+        if (const Mesh* m = mesh()) lay(tr("Square up part"), turn_to_square(*m));
+    });
+    connect(panel_, &PlacePanel::mirror_wanted, this, [this](int axis) {
+        const Mesh* m = mesh();
+        if (m)
+            change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
+                   mirrored(placement_of(document_.project().part), axis, m->box().center()[axis]));
+    });
+    connect(panel_, &PlacePanel::drop_wanted, this, [this] {
+        if (const Mesh* m = mesh())
+            change(tr("Drop part to Z 0"),
+                   moved(placement_of(document_.project().part), Vec3(0, 0, -m->box().lo.z())));
+    });
+    connect(panel_, &PlacePanel::centre_wanted, this, [this] {
+        const Mesh* m = mesh();
+        if (!m) return;
+        const Vec3 middle = m->box().center();
+        change(tr("Centre part"),
+               moved(placement_of(document_.project().part), Vec3(-middle.x(), -middle.y(), 0)));
+    });
+    connect(&viewport_, &Viewport::point_picked, this,
+            [this](const std::optional<PartPick>& pick, Qt::KeyboardModifiers) { take(pick); });
+    connect(&job_, &BackgroundJob::ended, this, &PlaceController::settled);
+}
+
+PlaceController::~PlaceController() = default;
+
+bool PlaceController::busy() const {
+    return job_.running() || flight_->flying();
+}
+
+const Mesh* PlaceController::mesh() const {
+    return document_.part_is_current() ? document_.part()->mesh.get() : nullptr;
+}
+
+void PlaceController::project_opened() {
+    leave();
+    box_ = Box3();
+    refresh();
+}
+
+void PlaceController::part_changed() {
+    refresh();
+    if (!document_.part_is_current()) return;
+    const Box3 now = document_.part()->box;
+    const bool other = !box_.empty() && (now.lo != box_.lo || now.hi != box_.hi);
+    box_ = now;
+    // After all have heard of the part: the stock goes with it.
+    if (other) QTimer::singleShot(0, this, [this] { viewport_.fit(); });
+}
+
+void PlaceController::panel_seen(bool) {
+    // Later: a dock says that it is hidden before what is in it is.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            seen_ = panel_->isVisible();
+            if (!seen_) leave();
+            refresh();
+        },
+        Qt::QueuedConnection);
+}
+
+void PlaceController::refresh() {
+    const bool there = document_.has_part() && document_.part();
+    panel_->show_box(there ? document_.part()->box : Box3(), document_.unit());
+    if (!mesh()) leave();
+    find_faces();
+}
+
+void PlaceController::find_faces() {
+    if (!seen_ || !mesh()) {
+        if (!listed_.empty()) {
+            job_.cancel();
+            listed_.clear();
+            faces_.clear();
+            panel_->fill({}, document_.unit(), {});
+            show_chosen();
+        }
+        return;
+    }
+    const LyingOrder order = panel_->order();
+    const std::string key = Document::part_key(document_.project())
+                            + (order == LyingOrder::best ? "|best" : "|largest")
+                            + std::string(unit_name(document_.unit()));
+    if (key == listed_) return;
+    listed_ = key;
+    faces_.clear();
+    panel_->fill({}, document_.unit(), tr("Looking for faces to lie on…"));
+    show_chosen();
+    auto found = std::make_shared<std::vector<LyingFace>>();
+    job_.start(
+        tr("Looking for faces to lie on"),
+        [found, order, part = document_.part()](const Progress& progress) {
+            *found = lying_faces(*part->mesh, order, progress);
+        },
+        [this, found, key](const JobEnd& end) {
+            if (key != listed_ || end.how == JobEnd::How::cancelled) return;
+            faces_ = *found;
+            panel_->fill(faces_, document_.unit(),
+                         end.done() ? tr("Click: shown in the view. Double click: laid on it.")
+                                    : sentence(end.message));
+        });
+}
+
+void PlaceController::show_chosen() {
+    const auto i = panel_->chosen();
+    const bool shown = i && *i < faces_.size();
+    viewport_.scene().support().set(shown ? faces_[*i].outline : std::vector<Vec3>());
+    if (shown) {
+        const LyingFace& face = faces_[*i];
+        Box3 box;
+        for (const Vec3& p : face.outline)
+            box.add(p);
+        const SceneCamera& camera = viewport_.scene().camera();
+        flight_->fly_to(camera.place_to_see(box.center(), face.down, camera.place().height));
+    }
+    viewport_.refresh();
+}
+
+void PlaceController::lay_chosen() {
+    const auto i = panel_->chosen();
+    if (i && *i < faces_.size()) lay(tr("Lay part on face"), turn_to_lie(faces_[*i].down));
+}
+
+void PlaceController::pick(PlacePick what) {
+    if (what != PlacePick::none && !mesh()) what = PlacePick::none;
+    panel_->show_picking(what);
+    points_.clear();
+    if (what == picking_) return;
+    const PlacePick was = std::exchange(picking_, PlacePick::none);
+    if (what == PlacePick::none) {
+        if (was == PlacePick::none) return;
+        viewport_.set_picking(false);
+        messages_.dismiss();
+        return;
+    }
+    emit picking_begun();
+    picking_ = what;
+    viewport_.set_picking(true);
+    const QString wanted =
+        what == PlacePick::face ? tr("Click the flat face that the part is to lie on. Esc leaves it.")
+        : what == PlacePick::points
+            ? tr("Click three points of the part, one after the other, that are to be "
+                 "down; a corner nearby is taken exactly. Esc leaves it.")
+            : tr("Click on the part beside the edge that is to run along X. Esc leaves it.");
+    messages_.information(wanted);
+}
+
+bool PlaceController::take_key(const QKeyEvent& event) {
+    if (picking_ == PlacePick::none || event.key() != Qt::Key_Escape) return false;
+    leave();
+    return true;
+}
+
+void PlaceController::take(const std::optional<PartPick>& pick) {
+    if (picking_ == PlacePick::none) return;
+    if (!pick || !mesh()) {
+        messages_.information(tr("That is beside the part: click on it, or press Esc."));
+        return;
+    }
+    try {
+        if (picking_ == PlacePick::face)
+            take_face(*pick);
+        else if (picking_ == PlacePick::points)
+            take_point(*pick);
+        else
+            take_edge(*pick);
+    } catch (const Error& e) {
+        points_.clear();
+        messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
+    }
+}
+
+void PlaceController::take_face(const PartPick& pick) {
+    // What is seen of a sheet from behind is laid down as it is seen.
+    const Vec3 down = pick.back_side ? Vec3(-pick.normal) : pick.normal;
+    const Mesh& part = *mesh();
+    double lowest = -infinity;
+    for (const Facet& f : part.facets)
+        for (const Index v : f)
+            lowest = std::max(lowest, down.dot(part.vertices[v]));
+    const double above = lowest - down.dot(part.corner(pick.facet, 0));
+    leave();
+    lay(tr("Lay part on face"), turn_to_lie(down));
+    // A face in a hollow, or between feet.
+    if (above > 1e-3 * part.box().diagonal())
+        messages_.information(
+            tr("The face is level now and %1 above the table: something else of the part reaches lower.")
+                .arg(shown_length(above, document_.unit(), 4)));
+}
+
+void PlaceController::take_point(const PartPick& pick) {
+    points_.push_back(snapped_point(viewport_, *mesh(), pick));
+    viewport_.scene().marks().set_marker(Marker{points_.back(), pick.normal});
+    viewport_.refresh();
+    if (points_.size() < 3) {
+        messages_.information(tr("%1 of 3 points. Click the next one; Esc leaves it.").arg(points_.size()));
+        return;
+    }
+    const std::vector<Vec3> points = std::exchange(points_, {});
+    const Mat3 turn = turn_to_lie(down_through(points[0], points[1], points[2], mesh()->box().center()));
+    leave();
+    lay(tr("Lay part on three points"), turn);
+}
+
+void PlaceController::take_edge(const PartPick& pick) {
+    const std::vector<Side> sides = outline_of(*mesh(), flat_face(*mesh(), Index(pick.facet)));
+    const auto nearest = std::min_element(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+        return a.distance(pick.point) < b.distance(pick.point);
+    });
+    if (nearest == sides.end()) return;
+    const Mat3 turn = turn_along_x(nearest->to - nearest->from);
+    leave();
+    lay(tr("Align edge with X"), turn);
+}
+
+void PlaceController::lay(const QString& what, const Mat3& turn) {
+    const Mesh* m = mesh();
+    if (!m) return;
+    change(what, laid(placement_of(document_.project().part), *m, turn));
+}
+
+void PlaceController::change(const QString& what, const Placement& placement) {
+    if (placement == placement_of(document_.project().part)) {
+        messages_.information(tr("The part lies so already."));
+        return;
+    }
+    viewport_.scene().marks().set_marker(std::nullopt);
+    try {
+        document_.change(what, [&](Project& p) {
+            PartSpec part = p.part;
+            ParameterView<PartSpec> values(part, part_parameters());
+            values.set("rotate", placement.rotate);
+            values.set("translate", placement.translate);
+            part.mirror = placement.mirror;
+            p.part = part;
+        });
+    } catch (const Error& e) {
+        messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
+    }
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,70 @@
+// How the part lies: the faces that it can lie on, found in the background while the panel is seen and marked
+// in the view; what is picked in the view for it; every change of the placement as one step of the history.
+#pragma once
+
+#include "ui/background_job.h"
+#include "ui/controller.h"
+#include "ui/place_panel.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facetmill::ui {
+
+class CameraFlight;
+class Messages;
+class Viewport;
+
+class PlaceController : public Controller {
+    Q_OBJECT
+public:
+    PlaceController(Document& document, Viewport& viewport, Messages& messages, QWidget* window);
+    ~PlaceController() override;
+
+    PlacePanel* panel() { return panel_; }
+    /// Ends what is picked.
+    void leave() { pick(PlacePick::none); }
+    const std::vector<LyingFace>& faces() const { return faces_; }
+
+    void project_opened() override;
+    void project_changed() override { refresh(); }
+    void part_changed() override;
+    void panel_seen(bool seen) override;
+    bool take_key(const QKeyEvent& event) override;
+    bool busy() const override;
+
+signals:
+    /// A click in the view is for the placement now.
+    void picking_begun();
+
+private:
+    void refresh();
+    void find_faces();
+    void show_chosen();
+    void lay_chosen();
+    void pick(PlacePick what);
+    void take(const std::optional<PartPick>& pick);
+    void take_face(const PartPick& pick);
+    void take_point(const PartPick& pick);
+    void take_edge(const PartPick& pick);
+    /// The part as it stands, and where the project says that it does; null while it is read anew.
+    const Mesh* mesh() const;
+    void lay(const QString& what, const Mat3& turn);
+    void change(const QString& what, const Placement& placement);
+
+    Document& document_;
+    Viewport& viewport_;
+    Messages& messages_;
+    PlacePanel* panel_ = nullptr;
+    CameraFlight* flight_ = nullptr;
+    bool seen_ = false;
+    std::string listed_; ///< says what the list was, or is being, made from
+    std::vector<LyingFace> faces_;
+    PlacePick picking_ = PlacePick::none;
+    std::vector<Vec3> points_; ///< picked so far
+    Box3 box_;                 ///< of the part that the view was fitted to
+    BackgroundJob job_;        // last: it ends first
+};
+
+} // namespace facetmill::ui
