@@ -165,7 +165,9 @@ std::vector<Replaced> read_set_record(const std::string& bytes) {
         Replaced r{fields[i], fields[i + 1], 0};
         std::from_chars(fields[i + 2].data(), fields[i + 2].data() + fields[i + 2].size(), r.inode);
         // Of this folder only, whatever a record says.
-        const auto plain = [](const std::string& name) { return name.find('/') == std::string::npos; };
+        const auto plain = [](const std::string& name) {
+            return name.find('/') == std::string::npos && name != "." && name != "..";
+        };
         const bool own = r.before.empty() || ending_of(r.before) == before_ending;
         if (r.target.empty() || !plain(r.target) || !plain(r.before) || !own) return {};
         set.push_back(std::move(r));

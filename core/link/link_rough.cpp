@@ -162,14 +162,14 @@ ToolMotions link_operation(const Operation& operation, Linking linking, const St
                            const PlanContext& context, const Progress& progress) {
     const OperationCommon& common = operation.common();
     LinkOptions options = default_link_options(path, context, common);
-    const double beside = options.holder_clearance = operation.holder_clearance();
+    const double clearance = options.holder_clearance = operation.holder_clearance();
     switch (linking) {
     case Linking::upright:
         return link_three_axis(path, context, common.allowance, options, progress);
     case Linking::tilted:
         return link_five_axis(path, context,
-                              {common.allowance + context.tessellation_tolerance[1], beside, beside}, options,
-                              progress);
+                              {common.allowance + context.tessellation_tolerance[1], clearance, clearance},
+                              options, progress);
     case Linking::over_stock:
         return link_rough(path, context, common.allowance, options, progress);
     case Linking::about_axis:

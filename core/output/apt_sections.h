@@ -51,8 +51,8 @@ private:
     };
     template <class T>
     struct Given {
-        T value{};
-        long line = 0;
+        T value;
+        long line;
     };
     struct FeedChange {
         std::size_t motion = 0;

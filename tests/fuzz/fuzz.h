@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -34,6 +35,14 @@ bool reads(Read&& read) {
             found("an error that cannot be shown");
         return false;
     }
+}
+
+/// Every motion leads to a place, by an axis that is one.
+template <class Motions>
+void check_motions(const Motions& motions) {
+    for (const auto& motion : motions)
+        if (!motion.to.tip.allFinite() || !(std::abs(motion.to.axis.norm() - 1) < 1e-6))
+            found("a motion to no place");
 }
 
 } // namespace facetmill::fuzz

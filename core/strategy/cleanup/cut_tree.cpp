@@ -65,7 +65,8 @@ double CutTree::distance(const Vec3& p, std::size_t motion) const {
 }
 
 double CutTree::rounded_nearest(const Vec3& rel, const Vec3& d, double level, double lower) const {
-    const auto [disc, rounding] = *cover_.rounded_disc();
+    const CutterCover::RoundedDisc shape = *cover_.rounded_disc();
+    const double disc = shape.disc, rounding = shape.rounding;
     const auto below = [&](double t) { return rounding + t * d.z() - rel.z(); };
     // Beside the shaft.
     if (below(level) <= 0) return level;

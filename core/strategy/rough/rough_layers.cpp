@@ -40,8 +40,7 @@ const double smooth_cosine = std::cos(10 * pi / 180);
 
 double layer_excess(const CutterProfile& cutter, double depth, double stepover, double slope) {
     const double between = cutter.height_at(0.5 * stepover); // of the floor over its layer, at most
-    const double steepest = 0.5 * pi - tolerance::vertical_normal_z;
-    slope = std::clamp(slope, 0.0, steepest);
+    slope = std::clamp(slope, 0.0, 0.5 * pi - tolerance::vertical_normal_z);
     const double c = std::cos(slope), tan = std::tan(slope);
     // Flat enough for the next layer to begin beyond any reach: the floor's own height over the plane there.
     const double step = tan > 0 ? depth / tan : infinity;

@@ -1,5 +1,6 @@
 // Outputs under attack: killed at every step, on full disks, over what must stay.
 #include "core/base/file.h"
+#include "core/base/leftovers.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 
@@ -187,6 +188,9 @@ private slots:
         next_run(folder / "in");
         QCOMPARE(contents(folder)["mine"], std::string("mine"));
         QVERIFY(fs::is_empty(folder / "in"));
+        for (const char* name : {".", "..", "a/b"})
+            QVERIFY(detail::read_set_record(detail::set_record({{name, "", info.st_ino}})).empty());
+        QCOMPARE(detail::read_set_record(detail::set_record({{"..a", "", 7}})).size(), std::size_t(1));
     }
 
     void permissions_stay() {
