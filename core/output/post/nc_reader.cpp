@@ -20,6 +20,9 @@ namespace {
 constexpr std::size_t lines_per_check = 4096;
 /// What the last digit of a program may miss of a travel, mm and radians.
 constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
+/// A rotary axis without an end turns no further in one block: a point that was lost makes millions of turns.
+/// A part that turns is wound back after a whole helix.
+constexpr double max_turns = 100, max_turns_of_part = 10'000;
 /// What the radius of an arc may differ between its ends; mm. More is refused by controls, too.
 constexpr double radius_slack = 0.005;
 constexpr double max_arc_pieces = 1e5;
@@ -56,6 +59,17 @@ void check_axes(const Joints& to, const std::array<bool, 5>& known, const Machin
                          + ", and its travel is " + format_number(t.lo / unit) + " to "
                          + format_number(t.hi / unit),
                      "check the part's place and the program");
+    }
+}
+
+void check_turns(const Joints& from, const Joints& to, const NcSetup& setup, const NcModes& modes) {
+    const double most = setup.turning ? max_turns_of_part : max_turns;
+    for (std::size_t r = 0; r < setup.machine.rotary.size(); ++r) {
+        const double turns = std::abs(to.rotary[r] - from.rotary[r]) / (2 * pi);
+        if (turns > most)
+            modes.refuse(setup.machine.axis_name(int(3 + r)) + " makes " + format_number(turns, 3)
+                             + " turns in one block, and " + format_number(most) + " are the most",
+                         "check the number for a point that was lost");
     }
 }
 
@@ -316,6 +330,7 @@ double NcRun::seconds_for(const Joints& to, const CutterLocation& end, bool rapi
 }
 
 void NcRun::straight(const Joints& to, const CutterLocation& location, bool rapid) {
+    check_turns(at_, to, setup_, modes_);
     const CutterLocation from = section_.motions.motions.back().to;
     const double step = (location.tip - from.tip).norm();
     const double seconds = seconds_for(to, location, rapid);

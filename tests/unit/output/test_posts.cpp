@@ -493,6 +493,9 @@ private slots:
         row("marlin", ";tool 1", "; tool", "no tool");
         row("marlin", ";tool 1", ";tool 9", "no tool 9");
         row("marlin", "M400", "M30", "M30");
+        // A point: the table would turn for days.
+        row("linuxcnc", "G53 G0 Z0\nM5\nM9\nM2", "G93 G1 C60146875 F1\nG53 G0 Z0\nM5\nM9\nM2",
+            "turns in one block");
     }
     void words_that_are_lost() {
         QFETCH(QString, post);
