@@ -303,7 +303,8 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
         const bool planned = !plan
                              || std::any_of(plan->operations.begin(), plan->operations.end(),
                                             [&](const auto& r) { return r->name == o->common().name; });
-        if (planned) last = o.get();
+        // What cuts after it and leaves more puts nothing back.
+        if (planned && (!last || o->left_on_purpose() <= last->left_on_purpose())) last = o.get();
     }
     if (last) {
         const OperationCommon& common = last->common();

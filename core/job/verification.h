@@ -38,9 +38,9 @@ struct ClFilePrograms {
 ClFilePrograms read_verify_programs(const Project& project, const std::filesystem::path& path,
                                     const Progress& progress);
 
-/// Tolerance and allowance of the last operation planned, or without a plan (null) of the project's last; the
-/// limits of the project. A gouge limit of `auto` is twice the largest chord tolerance that operations keep
-/// which leave no more on purpose than the last one, at least 1e-4 mm.
+/// Tolerance and allowance of the last operation, planned or without a plan (null) the project's, of those
+/// that leave the least; the limits of the project. A gouge limit of `auto` is twice the largest chord
+/// tolerance that operations keep which leave no more on purpose than that one, at least 1e-4 mm.
 VerifySettings verify_settings(const Project& project, const PlanResult* plan);
 
 /// verify.json as the contract says, in the project's units: lengths in `units`, angles in degrees, seconds.

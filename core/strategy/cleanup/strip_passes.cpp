@@ -1,6 +1,7 @@
 #include "core/strategy/cleanup/strip_passes.h"
 
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/strategy/cleanup/between_passes.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/pass_leads.h"
@@ -381,14 +382,20 @@ private:
 void run_out(const StripCutting& with, ValleyCurve& curve, RestBand& band) {
     auto& p = curve.points;
     if (curve.closed || p.size() < 3) return;
+    constexpr double max_run_out_points = 1000;
     const double length = with.overlap + with.cover->radius();
     for (const std::size_t side : {0, 1}) {
         if (curve.node[side] >= 0) continue;
         const PencilPoint end = side == 0 ? p.front() : p.back();
-        const Vec3 before = side == 0 ? p[2].center : p[p.size() - 3].center;
-        const double step = 0.5 * (end.center - before).norm();
-        if (step <= 0) continue;
-        const Vec3 ahead = (end.center - before).normalized();
+        // Points that lie in one place say nothing about where it goes on.
+        const double min_step = length / max_run_out_points;
+        std::size_t back = 2;
+        const auto before = [&] { return side == 0 ? p[back].center : p[p.size() - 1 - back].center; };
+        while (back + 1 < p.size() && !(0.5 * (end.center - before()).norm() >= min_step))
+            ++back;
+        const double step = 0.5 * (end.center - before()).norm();
+        if (!(step >= min_step)) continue;
+        const Vec3 ahead = (end.center - before()).normalized();
         const auto reach = side == 0 ? band.reach.front() : band.reach.back();
         const auto flank = side == 0 ? band.flank.front() : band.flank.back();
         for (int k = 1; k * step <= length + step; ++k) {
