@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/job/program_files.h"
+#include "core/job/work_zero.h"
 #include "core/output/motion_time.h"
 #include "core/output/post/nc_reader.h"
 #include "core/strategy/lathe/lathe.h"
@@ -109,12 +110,16 @@ std::vector<std::uint32_t> planned_motions(const ToolMotions& posted, const Tool
 
 PostedFile post_programs(const Project& project, const PlanResult& result, const Post& post, PostSetup setup,
                          const std::string& name, std::vector<std::size_t> which, const Progress& progress) {
+    const Vec3 zero = work_zero(project.programs, result.part->box, result.stock.box);
     ClProgram program;
     program.part_name = fs::path(project.part.file).stem().string();
     program.unit = project.unit;
     double chord = infinity;
     for (const std::size_t i : which) {
         program.sections.emplace_back(result.operations[i], &result.operations[i]->program);
+        if (zero != Vec3::Zero())
+            program.sections.back() =
+                std::make_shared<const ClSection>(moved_section(*program.sections.back(), -zero));
         if (const double c = result.operations[i]->path.chord_tolerance; c > 0) chord = std::min(chord, c);
     }
     if (chord < infinity) {
@@ -133,9 +138,12 @@ PostedFile post_programs(const Project& project, const PlanResult& result, const
 PostSetup post_setup(const Project& project, const PlanResult& result) {
     PostSetup setup;
     setup.machine = project_machine(project);
-    setup.part_origin = setup_origin(project, *result.part, setup.machine);
+    const Vec3 zero = work_zero(project.programs, result.part->box, result.stock.box);
+    setup.part_origin = setup_origin(project, *result.part, setup.machine) + zero;
     setup.keep_clear = result.part->box;
     if (!result.stock.box.empty()) setup.keep_clear.add(result.stock.box);
+    setup.keep_clear.lo -= zero;
+    setup.keep_clear.hi -= zero;
     setup.wcs = project.programs.wcs;
     setup.program_number = project.programs.number;
     setup.arcs = project.programs.arcs;
@@ -199,8 +207,11 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
                             std::string_view text, const std::string& name, const Progress& progress) {
     NcSetup setup;
     setup.machine = project_machine(project);
-    setup.turning = project_turning(project, part);
-    setup.part_origin = setup_origin(project, part, setup.machine);
+    const std::optional<TurningAxis> turning = project_turning(project, part);
+    const Vec3 zero = work_zero(project, part);
+    setup.turning = turning;
+    if (setup.turning) setup.turning->point -= zero;
+    setup.part_origin = setup_origin(project, part, setup.machine) + zero;
     setup.wcs = project.programs.wcs;
     for (const Tool& t : project.tools)
         setup.tools[t.number] = {t.name, t.cutter(), gauge_length(t)};
@@ -211,11 +222,12 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
     const std::string file = fs::path(name).filename().string();
     const auto machine = std::make_shared<const Machine>(setup.machine);
     for (std::size_t i = 0; i < read.sections.size(); ++i) {
-        const auto& section = read.sections[i];
+        const auto section = zero == Vec3::Zero()
+                                 ? read.sections[i]
+                                 : std::make_shared<const ClSection>(moved_section(*read.sections[i], zero));
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == section->tool_number; });
-        VerifyProgram program{file,   VerifyTool(*tool), {section, &section->motions}, setup.turning, {},
-                              machine};
+        VerifyProgram program{file, VerifyTool(*tool), {section, &section->motions}, turning, {}, machine};
         if (read.sections.size() > 1) program.name += ", tool " + std::to_string(section->tool_number);
         program.lines = std::move(read.lines[i]);
         if (!read.joints[i].empty())

@@ -22,7 +22,8 @@ Post project_post(const Project& project, const std::string& name);
 /// them. Throws Error(out_of_range) and what project_post does.
 void check_posting(const Project& project);
 
-/// What a project's programs are posted for, but for the tolerance, which is each program's own.
+/// What a project's programs are posted for, but for the tolerance, which is each program's own. The work
+/// zero stands for the part's origin: sections are moved by minus work_zero.
 PostSetup post_setup(const Project& project, const PlanResult& result);
 
 /// A program for the control.

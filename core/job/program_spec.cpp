@@ -18,10 +18,36 @@ const ParameterTable<ProgramSpec>& program_parameters() {
         t.add(&ProgramSpec::wcs,
               {.key = "wcs",
                .label = "Work coordinates",
-               .help = "The control's work coordinate system, whose zero lies in the part's origin: `G54`. "
+               .help = "The control's work coordinate system that programs are told in: `G54`. "
                        "Default: the control's first.",
                .kind = K::text,
                .stage = Stage::output});
+        t.add_choice(&ProgramSpec::zero_from,
+                     {.key = "zero_from",
+                      .label = "Zero from",
+                      .help = "What the zero of the work coordinates is on: the part's origin, or the box of "
+                              "the stock or of the part. Posted programs and the setup sheet count from "
+                              "there; APT files are in part coordinates.",
+                      .words = {"origin", "stock", "part"},
+                      .stage = Stage::output});
+        t.add(&ProgramSpec::zero_place,
+              {.key = "zero_place",
+               .label = "Zero on box",
+               .help = "Where on the box of stock or part the zero is, in X, Y and Z: -1 its low side, 0 its "
+                       "middle, 1 its high side. `0, 0, 1`: the middle of its top.",
+               .kind = K::triple,
+               .minimum = -1,
+               .maximum = 1,
+               .stage = Stage::output});
+        t.add(&ProgramSpec::zero, {.key = "zero",
+                                   .label = "Zero",
+                                   .help = "Of the work coordinates, from the place that `zero_from` says; "
+                                           "from the part's origin a point of the part.",
+                                   .kind = K::triple,
+                                   .quantity = Quantity::length,
+                                   .minimum = -1e6,
+                                   .maximum = 1e6,
+                                   .stage = Stage::output});
         t.add(&ProgramSpec::number, {.key = "program_number",
                                      .label = "Program number",
                                      .help = "Number of the first program, for controls that want one; those "

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/job/posting.h"
 #include "core/job/program_files.h"
+#include "core/job/work_zero.h"
 #include "core/mesh/mesh_report.h"
 
 #include <algorithm>
@@ -133,6 +134,7 @@ public:
     void tools();
     void operations();
     void posted_programs();
+    void told_from_zero();
     void verification(std::span<const VerifyProgram> programs, const Verification& v);
 
 private:
@@ -229,6 +231,15 @@ void Sheet::operations() {
             warning(o->name + ": " + w);
 }
 
+/// Where part and stock are as the control tells places.
+void Sheet::told_from_zero() {
+    const Vec3 zero = work_zero(project_.programs, plan_.part->box, plan_.stock.box);
+    if (zero == Vec3::Zero()) return;
+    fact("Zero at", point(zero) + " of the part's coordinates");
+    fact("Part in them", point(plan_.part->box.lo - zero) + " to " + point(plan_.part->box.hi - zero));
+    fact("Stock in them", point(plan_.stock.box.lo - zero) + " to " + point(plan_.stock.box.hi - zero));
+}
+
 /// The programs for the control, as they are posted now.
 void Sheet::posted_programs() {
     if (project_.programs.post.empty()) return;
@@ -240,7 +251,9 @@ void Sheet::posted_programs() {
         const std::vector<PostedFile> files = post_plan(project_, plan_, {});
         begin_facts();
         fact("Control", post.label);
-        fact("Work coordinates", (wcs.empty() ? "the control's" : wcs) + ": zero in the part's origin");
+        fact("Work coordinates", (wcs.empty() ? "the control's" : wcs) + ": zero in "
+                                     + work_zero_text(project_.programs, project_.unit));
+        told_from_zero();
         end_table();
         begin_table(
             {"/Program", "Told as", "Tools, gauge length", "#Blocks", "X, Y, Z of the machine", "#Time"});

@@ -26,8 +26,9 @@ namespace facetmill {
 /// What a program is posted for.
 struct PostSetup {
     Machine machine;
-    Vec3 part_origin = Vec3::Zero(); ///< in the frame of the machine, as for Kinematics
-    std::string wcs;                 ///< one of the post's; empty: its first
+    Vec3 part_origin =
+        Vec3::Zero(); ///< in the frame of the machine, as for Kinematics: the zero of the program
+    std::string wcs;  ///< one of the post's; empty: its first
     long program_number = 1;
     /// How far the tip may stray from the verified route between two blocks, and how far a control may round
     /// its corners; mm.

@@ -3,6 +3,7 @@
 #include "core/job/posting.h"
 #include "core/job/program_files.h"
 #include "core/job/stock_solid.h"
+#include "core/job/work_zero.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
@@ -332,6 +333,84 @@ private slots:
                  std::string("out_of_range"));
         job.project.programs = {"linuxcnc", "", 1, ProgramSpec::Files::one};
         QVERIFY2(message.find("01-Rows.nc") == 0 && !fs::exists(folder / "not"), message.c_str());
+    }
+
+    /// Told from a zero elsewhere, programs say the same: read back they are the plan's, in the part's
+    /// coordinates.
+    void programs_count_from_the_work_zero_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<int>("job");
+        QTest::addRow("three axes") << "linuxcnc" << 0;
+        QTest::addRow("three axes, arcs") << "linuxcnc" << 3;
+        QTest::addRow("joints of a trunnion") << "linuxcnc" << 1;
+        QTest::addRow("tip of a trunnion") << "fanuc" << 1;
+        QTest::addRow("joints of a head") << "linuxcnc" << 2;
+    }
+    void programs_count_from_the_work_zero() {
+        QFETCH(QString, post);
+        QFETCH(int, job);
+        PostedJob& j = job == 0   ? upright_job()
+                       : job == 1 ? leaning_job()
+                       : job == 2 ? head_job()
+                                  : trough_job();
+        const std::string before = j.posted(post.toStdString(), job == 3);
+        j.project.programs.zero_from = ProgramSpec::ZeroFrom::stock;
+        j.project.programs.zero_place = {-1, 0, 1};
+        j.project.programs.zero = {0.5, 0, 0};
+        const Vec3 zero = work_zero(j.project, *j.plan->part);
+        const Box3 stock = j.plan->stock.box;
+        QVERIFY((zero - Vec3(stock.lo.x() + 0.5, stock.center().y(), stock.hi.z())).norm() < 1e-12);
+        const std::string after = j.posted(post.toStdString(), job == 3);
+        const Post control = project_post(j.project, j.project.programs.post);
+        const auto read = parse_posted(j.project, *j.plan->part, control, after, "p.ngc", {});
+        const Verification v = j.judge(read.programs, verify_settings(j.project, j.plan.get()));
+        j.project.programs.zero_from = ProgramSpec::ZeroFrom::origin;
+        j.project.programs.zero = {0, 0, 0};
+        const auto elsewhere = parse_posted(j.project, *j.plan->part, control, after, "p.ngc", {});
+        const auto same = parse_posted(j.project, *j.plan->part, control, before, "p.ngc", {});
+        QCOMPARE(j.posted(post.toStdString(), job == 3), before);
+        QVERIFY(after != before);
+        QCOMPARE(v.passed(), j.planned.passed());
+        QCOMPARE(v.gouges.empty(), j.planned.gouges.empty());
+        QCOMPARE(v.collisions.size(), j.planned.collisions.size());
+        // The places of the part that it goes to; who takes the zero to be elsewhere is off by it.
+        const auto box = [](const NcFilePrograms& programs) {
+            Box3 b;
+            for (const Motion& m : programs.sections.front()->motions.motions)
+                if (m.kind != MotionKind::rapid) b.add(m.to.tip);
+            return b;
+        };
+        QVERIFY((box(read).lo - box(same).lo).norm() < 0.01);
+        QVERIFY((box(read).hi - box(same).hi).norm() < 0.01);
+        if (job != 1) QVERIFY((box(elsewhere).lo + zero - box(same).lo).norm() < 0.01);
+    }
+
+    void the_work_zero_is_on_what_the_project_says() {
+        Box3 part, stock;
+        part.lo = Vec3(1, 2, 3);
+        part.hi = Vec3(5, 4, 9);
+        stock.lo = Vec3(0, 0, 3);
+        stock.hi = Vec3(8, 8, 11);
+        ProgramSpec spec;
+        QCOMPARE(work_zero(spec, part, stock), Vec3(0, 0, 0));
+        QCOMPARE(work_zero_text(spec, LengthUnit::mm), std::string("the part's origin"));
+        spec.zero = {25.4, 0, -50.8};
+        QCOMPARE(work_zero(spec, part, stock), Vec3(25.4, 0, -50.8));
+        QCOMPARE(work_zero_text(spec, LengthUnit::inch), std::string("the part's origin + (1, 0, -2) in"));
+        spec.zero = {0, 0, 0};
+        spec.zero_place = {-1, 0, 1};
+        spec.zero_from = ProgramSpec::ZeroFrom::part;
+        QCOMPARE(work_zero(spec, part, stock), Vec3(1, 3, 9));
+        spec.zero_from = ProgramSpec::ZeroFrom::stock;
+        QCOMPARE(work_zero(spec, part, stock), Vec3(0, 4, 11));
+        QCOMPARE(work_zero_text(spec, LengthUnit::mm), std::string("the stock's top, low X, middle of Y"));
+        QCOMPARE(code_of([&] { work_zero(spec, part, Box3()); }), std::string("missing_reference"));
+        const std::string file = R"({ "facetmill": 1, "units": "in", "part": { "file": "p.stl" },
+            "zero_from": "stock", "zero_place": [-1, 0, 1], "zero": [0, 0, 0.5] })";
+        const Project p = parse_project(file, "p");
+        QCOMPARE(p.programs.zero[2], 12.7);
+        QVERIFY(p.programs.zero_from == ProgramSpec::ZeroFrom::stock);
+        QCOMPARE(project_to_json(parse_project(project_to_json(p), "p")), project_to_json(p));
     }
 
     /// One file for two operations with one tool: what is read back is theirs again, each motion named by the
