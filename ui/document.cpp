@@ -274,6 +274,10 @@ std::string Document::posting_key(const Project& project) {
     std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
                       + programs.wcs + "|" + std::to_string(programs.number) + "|"
                       + std::to_string(int(programs.files)) + (programs.arcs ? "|arcs" : "");
+    key += "|" + std::to_string(int(programs.zero_from));
+    for (const auto& three : {programs.zero_place, programs.zero})
+        for (const double v : three)
+            key += "|" + format_number(v, 17);
     if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
     if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
     return key;

@@ -1,5 +1,6 @@
 #include "ui/place_controller.h"
 
+#include "core/job/work_zero.h"
 #include "core/mesh/flat_face.h"
 #include "ui/camera_flight.h"
 #include "ui/messages.h"
@@ -18,6 +19,9 @@
 namespace facetmill::ui {
 
 namespace {
+
+/// Length of the axes at the work zero, as a share of the part's size.
+constexpr double zero_axis_share = 0.15;
 
 /// A side of a facet of a face beyond which there is no other facet of it.
 struct Side {
@@ -73,6 +77,19 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
         change(tr("Centre part"),
                moved(placement_of(document_.project().part), Vec3(-middle.x(), -middle.y(), 0)));
     });
+    connect(panel_, &PlacePanel::zero_wanted, this, [this](bool on_part, const std::array<double, 3>& place) {
+        change_zero([&](ProgramSpec& spec) {
+            spec.zero_from = on_part ? ProgramSpec::ZeroFrom::part : ProgramSpec::ZeroFrom::stock;
+            spec.zero_place = place;
+            spec.zero = {0, 0, 0};
+        });
+    });
+    connect(panel_, &PlacePanel::zero_origin_wanted, this, [this] {
+        change_zero([](ProgramSpec& spec) {
+            spec.zero_from = ProgramSpec::ZeroFrom::origin;
+            spec.zero = {0, 0, 0};
+        });
+    });
     connect(&viewport_, &Viewport::point_picked, this,
             [this](const std::optional<PartPick>& pick, Qt::KeyboardModifiers) { take(pick); });
     connect(&job_, &BackgroundJob::ended, this, &PlaceController::settled);
@@ -120,7 +137,49 @@ void PlaceController::refresh() {
     const bool there = document_.has_part() && document_.part();
     panel_->show_box(there ? document_.part()->box : Box3(), document_.unit());
     if (!mesh()) leave();
+    show_zero();
     find_faces();
+}
+
+/// In the panel, and in the view where it is elsewhere than in the part's origin or the panel is seen.
+void PlaceController::show_zero() {
+    const Project& project = document_.project();
+    const ProgramSpec& spec = project.programs;
+    ShownZero shown;
+    shown.on_origin = spec.zero_from == ProgramSpec::ZeroFrom::origin;
+    shown.on_part = spec.zero_from == ProgramSpec::ZeroFrom::part;
+    shown.place = spec.zero_place;
+    std::optional<ZeroMark> mark;
+    if (mesh()) {
+        try {
+            const Vec3 zero = work_zero(project, *document_.part());
+            const std::string name = work_zero_name(project);
+            shown.text = tr("%1 in %2").arg(text(name), text(work_zero_text(spec, project.unit)));
+            if (seen_ || zero != Vec3::Zero())
+                mark = ZeroMark{zero, zero_axis_share * document_.part()->box.diagonal(), name};
+        } catch (const Error& e) {
+            shown.text = sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.');
+        }
+    }
+    panel_->show_zero(shown);
+    viewport_.scene().zero().set(mark);
+    viewport_.refresh();
+}
+
+void PlaceController::change_zero(const std::function<void(ProgramSpec&)>& edit) {
+    ProgramSpec after = document_.project().programs;
+    edit(after);
+    if (after == document_.project().programs) return show_zero();
+    document_.change(tr("Set work zero"), [&](Project& p) { p.programs = after; });
+}
+
+void PlaceController::take_zero(const PartPick& pick) {
+    const Vec3 at = snapped_point(viewport_, *mesh(), pick);
+    leave();
+    change_zero([&](ProgramSpec& spec) {
+        spec.zero_from = ProgramSpec::ZeroFrom::origin;
+        spec.zero = {at.x(), at.y(), at.z()};
+    });
 }
 
 void PlaceController::find_faces() {
@@ -194,7 +253,9 @@ void PlaceController::pick(PlacePick what) {
     picking_ = what;
     viewport_.set_picking(true);
     const QString wanted =
-        what == PlacePick::face ? tr("Click the flat face that the part is to lie on. Esc leaves it.")
+        what == PlacePick::zero   ? tr("Click a point of the part for the work zero; a corner nearby is "
+                                         "taken exactly. Esc leaves it.")
+        : what == PlacePick::face ? tr("Click the flat face that the part is to lie on. Esc leaves it.")
         : what == PlacePick::points
             ? tr("Click three points of the part, one after the other, that are to be "
                  "down; a corner nearby is taken exactly. Esc leaves it.")
@@ -219,6 +280,8 @@ void PlaceController::take(const std::optional<PartPick>& pick) {
             take_face(*pick);
         else if (picking_ == PlacePick::points)
             take_point(*pick);
+        else if (picking_ == PlacePick::zero)
+            take_zero(*pick);
         else
             take_edge(*pick);
     } catch (const Error& e) {

@@ -6,6 +6,7 @@
 #include "ui/controller.h"
 #include "ui/place_panel.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ signals:
 
 private:
     void refresh();
+    void show_zero();
+    void change_zero(const std::function<void(ProgramSpec&)>& edit);
+    void take_zero(const PartPick& pick);
     void find_faces();
     void show_chosen();
     void lay_chosen();

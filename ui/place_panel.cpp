@@ -61,6 +61,7 @@ PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
     build_picks(column);
     build_turns(column);
     build_moves(column);
+    build_zero(column);
     column->addStretch(1);
 
     auto* scroll = new QScrollArea(this);
@@ -202,6 +203,91 @@ void PlacePanel::build_moves(QVBoxLayout* column) {
             names[axis], [this, axis] { emit mirror_wanted(axis); });
     }
     column->addWidget(flow);
+}
+
+void PlacePanel::build_zero(QVBoxLayout* column) {
+    column->addWidget(section(tr("Work zero"), this));
+    zero_text_ = new QLabel(this);
+    zero_text_->setObjectName(QStringLiteral("zero_text"));
+    zero_text_->setWordWrap(true);
+    column->addWidget(zero_text_);
+    auto* row = new QHBoxLayout;
+    auto* grid = new QGridLayout;
+    grid->setSpacing(2);
+    for (int i = 0; i < 9; ++i) {
+        auto* b = zero_spots_[std::size_t(i)] = new QToolButton(this);
+        b->setObjectName(QStringLiteral("zero_%1").arg(i));
+        b->setCheckable(true);
+        b->setFixedSize(26, 22);
+        b->setFocusPolicy(Qt::TabFocus);
+        const QString places[] = {tr("low"), tr("middle"), tr("high")};
+        b->setToolTip(
+            tr("Zero at %1 X, %2 Y of the box, as seen from above").arg(places[i % 3], places[i / 3]));
+        grid->addWidget(b, 2 - i / 3, i % 3);
+        of_part_.push_back(b);
+        connect(b, &QToolButton::clicked, this, [this, i] {
+            for (int k = 0; k < 9; ++k)
+                zero_spots_[std::size_t(k)]->setChecked(k == i);
+            want_zero();
+        });
+    }
+    row->addLayout(grid);
+    auto* side = new QVBoxLayout;
+    zero_of_ = new QComboBox(this);
+    zero_of_->setObjectName(QStringLiteral("zero_of"));
+    zero_of_->addItems({tr("Of the stock"), tr("Of the part")});
+    zero_of_->setToolTip(tr("Whose box the zero is on; it goes with it"));
+    zero_level_ = new QComboBox(this);
+    zero_level_->setObjectName(QStringLiteral("zero_level"));
+    zero_level_->addItems({tr("Top"), tr("Middle"), tr("Bottom")});
+    zero_level_->setToolTip(tr("At which height of the box the zero is"));
+    for (QComboBox* box : {zero_of_, zero_level_}) {
+        side->addWidget(box);
+        of_part_.push_back(box);
+        connect(box, &QComboBox::activated, this, &PlacePanel::want_zero);
+    }
+    row->addLayout(side, 1);
+    column->addLayout(row);
+    auto* flow = new QWidget(this);
+    auto* buttons = new FlowLayout(flow, 4);
+    QToolButton* pick =
+        button(flow, Icon::pick, tr("At a point"),
+               tr("Click a point of the part for the zero; a corner nearby is taken exactly"), "zero_pick");
+    pick->setCheckable(true);
+    connect(pick, &QToolButton::clicked, this,
+            [this](bool on) { emit pick_wanted(on ? PlacePick::zero : PlacePick::none); });
+    picks_.push_back(pick);
+    QToolButton* origin =
+        button(flow, Icon::reset, tr("Part's origin"),
+               tr("Programs count from the origin of the part's coordinates"), "zero_origin");
+    connect(origin, &QToolButton::clicked, this, &PlacePanel::zero_origin_wanted);
+    for (QToolButton* b : {pick, origin}) {
+        buttons->addWidget(b);
+        of_part_.push_back(b);
+    }
+    column->addWidget(flow);
+}
+
+void PlacePanel::want_zero() {
+    std::array<double, 3> place{0, 0, 1.0 - zero_level_->currentIndex()};
+    for (int i = 0; i < 9; ++i)
+        if (zero_spots_[std::size_t(i)]->isChecked()) {
+            place[0] = i % 3 - 1;
+            place[1] = i / 3 - 1;
+        }
+    emit zero_wanted(zero_of_->currentIndex() == 1, place);
+}
+
+void PlacePanel::show_zero(const ShownZero& zero) {
+    zero_text_->setText(zero.text);
+    for (int i = 0; i < 9; ++i) {
+        QToolButton* spot = zero_spots_[std::size_t(i)];
+        spot->setChecked(!zero.on_origin && zero.place[0] == i % 3 - 1 && zero.place[1] == i / 3 - 1);
+        spot->setText(spot->isChecked() ? QStringLiteral("●") : QString());
+    }
+    if (zero.on_origin) return;
+    zero_of_->setCurrentIndex(zero.on_part ? 1 : 0);
+    zero_level_->setCurrentIndex(zero.place[2] > 0.5 ? 0 : zero.place[2] > -0.5 ? 1 : 2);
 }
 
 LyingOrder PlacePanel::order() const {

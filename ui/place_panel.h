@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -20,7 +21,14 @@ class QVBoxLayout;
 namespace facetmill::ui {
 
 /// What is picked in the view.
-enum class PlacePick { none, face, points, edge };
+enum class PlacePick { none, face, points, edge, zero };
+
+/// What the buttons of the work zero show.
+struct ShownZero {
+    bool on_origin = true, on_part = false; ///< else on the stock
+    std::array<double, 3> place{0, 0, 0};   ///< see ProgramSpec::zero_place
+    QString text;
+};
 
 class PlacePanel : public QWidget {
     Q_OBJECT
@@ -39,6 +47,7 @@ public:
     void show_box(const Box3& box, LengthUnit unit);
     /// In the order of the list. `note` stands below it.
     void fill(const std::vector<LyingFace>& faces, LengthUnit unit, const QString& note);
+    void show_zero(const ShownZero& zero);
     /// Which button is down.
     void show_picking(PlacePick picking);
 
@@ -54,19 +63,27 @@ signals:
     void square_wanted();
     void drop_wanted();
     void centre_wanted();
+    /// The zero on a box: from -1, its low side, to 1, its high side.
+    void zero_wanted(bool on_part, const std::array<double, 3>& place);
+    void zero_origin_wanted();
 
 private:
     void build_list(QVBoxLayout* column);
     void build_picks(QVBoxLayout* column);
     void build_turns(QVBoxLayout* column);
     void build_moves(QVBoxLayout* column);
+    void build_zero(QVBoxLayout* column);
+    void want_zero();
 
     QLabel *size_ = nullptr, *extents_ = nullptr, *note_ = nullptr;
     QComboBox* order_ = nullptr;
     QTreeWidget* list_ = nullptr;
     QPushButton* lay_ = nullptr;
-    std::vector<QToolButton*> picks_; ///< face, points, edge
-    std::vector<QWidget*> of_part_;   ///< disabled without a part
+    std::vector<QToolButton*> picks_; ///< face, points, edge, zero
+    QComboBox *zero_of_ = nullptr, *zero_level_ = nullptr;
+    std::array<QToolButton*, 9> zero_spots_{}; ///< from low X to high X, the row of low Y first
+    QLabel* zero_text_ = nullptr;
+    std::vector<QWidget*> of_part_; ///< disabled without a part
 };
 
 } // namespace facetmill::ui

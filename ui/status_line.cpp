@@ -1,5 +1,6 @@
 #include "ui/status_line.h"
 
+#include "core/job/work_zero.h"
 #include "ui/elided_label.h"
 #include "ui/text.h"
 
@@ -82,13 +83,20 @@ void StatusLine::set_hovered(const std::optional<PartPick>& pick) {
         readout_->set_text(readout_text_);
         return;
     }
+    Vec3 zero = Vec3::Zero(); // places are told as the control tells them
+    try {
+        if (document_.part()) zero = work_zero(document_.project(), *document_.part());
+    } catch (const Error&) {
+        // There is no stock for it to be on: told where it is set.
+    }
+    const Vec3 at = pick->point - zero;
     const double mm = mm_per(document_.unit());
     const auto number = [&](double v) {
         return QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3);
     };
-    readout_->set_text(QStringLiteral("x %1   y %2   z %3 %4")
-                           .arg(number(pick->point.x()), number(pick->point.y()), number(pick->point.z()),
-                                text(unit_name(document_.unit()))));
+    readout_->set_text(
+        QStringLiteral("x %1   y %2   z %3 %4")
+            .arg(number(at.x()), number(at.y()), number(at.z()), text(unit_name(document_.unit()))));
 }
 
 void StatusLine::refresh() {

@@ -49,9 +49,10 @@ struct Scene::Impl {
     SceneTool tool{stage};
     SceneStrips strips{stage, part};
     SceneMarks marks{stage};
+    SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 10> layers{&part,   &stock, &levels, &support,   &findings,
-                                             &strips, &marks, &paths,  &deviation, &tool};
+    const std::array<SceneLayer*, 11> layers{&part,  &stock, &levels,    &support, &findings, &strips,
+                                             &marks, &paths, &deviation, &tool,    &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -205,6 +206,7 @@ OverlayContent Scene::Impl::overlay_content() {
             content.legend.push_back({sample, colors_of(stage.palette).stock, 1, "-"});
     }
     marks.add_to(content);
+    zero.add_to(content);
     const Mat3 frame = camera.frame();
     for (int k = 0; k < 3; ++k)
         content.axis_directions[std::size_t(k)] = frame.col(k);
@@ -257,6 +259,9 @@ const SceneDeviation& Scene::deviation() const {
 }
 SceneFindings& Scene::findings() {
     return impl_->findings;
+}
+SceneZero& Scene::zero() {
+    return impl_->zero;
 }
 SceneSupport& Scene::support() {
     return impl_->support;

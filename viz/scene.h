@@ -24,6 +24,7 @@
 #include "viz/scene_strips.h"
 #include "viz/scene_support.h"
 #include "viz/scene_tool.h"
+#include "viz/scene_zero.h"
 
 #include <cstddef>
 #include <memory>
@@ -53,6 +54,7 @@ public:
     SceneFindings& findings();
     SceneLevels& levels();
     SceneSupport& support();
+    SceneZero& zero();
     SceneStrips& strips();
     const SceneStrips& strips() const;
     ScenePaths& paths();

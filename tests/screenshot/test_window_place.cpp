@@ -4,6 +4,7 @@
 #include "core/setup/lying.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/controllers.h"
+#include "ui/layer_bar.h"
 #include "ui/place_controller.h"
 #include "ui/report_view.h"
 #include "ui/viewport.h"
@@ -199,6 +200,67 @@ private slots:
         QVERIFY((w().document().part()->mesh->vertices[0].z() < 1) != up); // it was turned over
         QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on three points"));
         shot(w(), QStringLiteral("place-small-over"));
+    }
+
+    void the_work_zero() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        auto& zero = w().viewport().scene().zero();
+        QVERIFY(zero.mark() && zero.mark()->point == Vec3(0, 0, 0));
+        w().document().change(QStringLiteral("Control"), [](Project& p) { p.programs.post = "linuxcnc"; });
+        QCOMPARE(label("zero_text"), QStringLiteral("G54 in the part's origin"));
+        const QImage before = view_picture(w());
+        // The corner of the stock's top, low X and low Y; one step.
+        const int steps = w().document().undo_stack().count();
+        press("zero_0");
+        QCOMPARE(w().document().undo_stack().count(), steps + 1);
+        QVERIFY(w().document().project().programs.zero_from == ProgramSpec::ZeroFrom::stock);
+        const double margin = w().document().project().stock.margin[2];
+        QVERIFY(std::abs(zero.mark()->point.z() - part().hi.z() - margin) < 1e-9);
+        QVERIFY(std::abs(zero.mark()->point.x() - part().lo.x() + w().document().project().stock.margin[0])
+                < 1e-9);
+        QVERIFY(tool_button("zero_0")->isChecked());
+        QVERIFY2(label("zero_text").contains(QStringLiteral("stock's top, low X, low Y")),
+                 qPrintable(label("zero_text")));
+        QVERIFY(changed_pixels(before, view_picture(w())) > 100);
+        w().layers().set_shown(ui::ViewLayer::stock, true);
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("zero-stock"));
+        // It goes with the stock, and comes to the part's middle.
+        w().document().change(QStringLiteral("Margin"), [](Project& p) { p.stock.margin[2] += 5; });
+        QVERIFY(std::abs(zero.mark()->point.z() - part().hi.z() - margin - 5) < 1e-9);
+        auto* of = w().findChild<QComboBox*>(QStringLiteral("zero_of"));
+        of->setCurrentIndex(1);
+        emit of->activated(1);
+        auto* level = w().findChild<QComboBox*>(QStringLiteral("zero_level"));
+        level->setCurrentIndex(2);
+        emit level->activated(2);
+        QVERIFY((zero.mark()->point - part().lo).norm() < 1e-9);
+        press("zero_4");
+        QVERIFY((zero.mark()->point.head<2>() - part().center().head<2>()).norm() < 1e-9);
+        // A corner of the part, clicked roughly.
+        w().layers().set_shown(ui::ViewLayer::stock, false);
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        const Mesh& mesh = *w().document().part()->mesh;
+        Vec3 corner = mesh.vertices[0];
+        for (const Vec3& v : mesh.vertices)
+            if (v.z() > part().hi.z() - 1e-6
+                && v.x() + v.y() < corner.x() + corner.y() + (corner.z() < v.z() - 1 ? 1e9 : 0))
+                corner = v;
+        press("zero_pick");
+        const Vec3 toward = part().center() - corner;
+        QVERIFY(click_at(corner + Vec3(toward.x(), toward.y(), 0).normalized() * 0.6));
+        QVERIFY2((zero.mark()->point - corner).norm() < 1,
+                 qPrintable(QString::number((zero.mark()->point - corner).norm())));
+        QVERIFY(w().document().project().programs.zero_from == ProgramSpec::ZeroFrom::origin);
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Set work zero"));
+        press("zero_origin");
+        QCOMPARE(zero.mark()->point, Vec3(0, 0, 0));
+        QVERIFY(!tool_button("zero_4")->isChecked());
+        dock()->hide();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!zero.mark());
     }
 
 private:
