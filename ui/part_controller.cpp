@@ -68,6 +68,28 @@ void PartController::show_stock() {
     else if (part)
         shape = make_stock_shape(stock_solid(stock, *part), {});
     viewport_.scene().stock().set(shape);
+    show_dimensions();
+}
+
+void PartController::show_dimensions() {
+    std::array<std::string, 3> texts;
+    const auto& part = document_.part();
+    if (part && node_ && node_->kind == TreeNode::Kind::stock) {
+        const StockSolid solid = stock_solid(document_.project().stock, *part);
+        for (int k = 0; k < 3 && !solid.box.empty(); ++k) {
+            const bool round = solid.kind == StockSolid::Kind::cylinder && k != solid.axis;
+            texts[std::size_t(k)] = utf8((round ? QStringLiteral("Ø ") : QString())
+                                         + shown_length(solid.box.size()[k], document_.unit(), 5));
+        }
+    }
+    if (texts == viewport_.scene().stock().dimensions()) return;
+    viewport_.scene().stock().set_dimensions(texts);
+    viewport_.refresh();
+}
+
+void PartController::node_chosen(const std::optional<TreeNode>& node) {
+    node_ = node;
+    show_dimensions();
 }
 
 void PartController::project_opened() {

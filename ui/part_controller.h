@@ -37,15 +37,19 @@ public:
     void project_opened() override;
     void project_changed() override;
     void part_changed() override;
+    /// Draws the stock's dimensions while it is selected.
+    void node_chosen(const std::optional<TreeNode>& node) override;
 
 private:
     void show_stock();
+    void show_dimensions();
 
     Document& document_;
     Viewport& viewport_;
     std::shared_ptr<Planner> planner_;
     BackgroundJob& job_;
     Messages& messages_;
+    std::optional<TreeNode> node_;
     StockShapePtr stock_mesh_; ///< as read with the part
 };
 

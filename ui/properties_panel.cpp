@@ -1,5 +1,6 @@
 #include "ui/properties_panel.h"
 
+#include "core/base/tolerances.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "core/strategy/lathe/lathe.h"
@@ -65,6 +66,78 @@ public:
 private:
     ParameterView<MachineChoice> machine_;
     ParameterView<ProgramSpec> programs_;
+};
+
+/// The size of a box that is stock: margins as what they come to.
+struct StockSize {
+    std::array<double, 3> size{0, 0, 0};
+};
+
+const ParameterTable<StockSize>& stock_size() {
+    static const auto table = [] {
+        ParameterTable<StockSize> t;
+        t.add(&StockSize::size, {.key = "size",
+                                 .label = "Size",
+                                 .help = "Of the stock in all, X, Y and Z: the part and its margins. Either "
+                                         "can be typed; the project keeps the margins.",
+                                 .kind = ParameterKind::triple,
+                                 .quantity = Quantity::length,
+                                 .minimum = 0,
+                                 .maximum = 3e6});
+        return t;
+    }();
+    return table;
+}
+
+/// Zero of what is no block or has no part yet.
+StockSize total_size(const StockSpec& stock, const std::shared_ptr<const PreparedPart>& part) {
+    StockSize total;
+    for (std::size_t k = 0; k < 3 && part && stock.kind == StockSpec::Kind::box; ++k)
+        total.size[k] = stock_box(stock, part->box).size()[int(k)];
+    return total;
+}
+
+/// Round the middle of the part in x and y, on its bottom. Throws Error(out_of_range) where the part is
+/// larger.
+std::array<double, 3> margins_for(const std::array<double, 3>& size, const Box3& part, LengthUnit unit) {
+    std::array<double, 3> margin{};
+    if (size == StockSize().size) return margin; // back to the default: as large as the part
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double own = part.size()[int(k)], more = size[k] - own;
+        if (more < -tolerance::figure_rounding * own)
+            throw Error(ErrorCode::out_of_range, "size", std::string("the part is larger along ") + "XYZ"[k],
+                        "write " + format_number(own / mm_per(unit), 6) + " or more");
+        margin[k] = std::max(0.0, k == 2 ? more : more / 2);
+    }
+    return margin;
+}
+
+/// What stands below the stock.
+class StockForm : public Parameterized {
+public:
+    StockForm(StockSpec& stock, StockSize& size)
+        : stock_(stock, stock_parameters()), size_(size, stock_size()) {}
+    std::vector<const ParameterInfo*> parameters() const override {
+        std::vector<const ParameterInfo*> all;
+        for (const ParameterInfo* info : stock_.parameters()) {
+            all.push_back(info);
+            if (info->key == "margin") all.push_back(size_.parameters().front());
+        }
+        return all;
+    }
+    ParameterValue get(std::string_view key) const override {
+        return size_.has(key) ? size_.get(key) : stock_.get(key);
+    }
+    void set(std::string_view key, const ParameterValue& value) override {
+        if (size_.has(key))
+            size_.set(key, value);
+        else
+            stock_.set(key, value);
+    }
+
+private:
+    ParameterView<StockSpec> stock_;
+    ParameterView<StockSize> size_;
 };
 
 const std::vector<std::string> axis_points{"axis_from", "axis_to"};
@@ -148,6 +221,9 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     });
     connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
+    connect(&document_, &Document::part_changed, this, [this] {
+        if (node_ && node_->kind == TreeNode::Kind::stock) refresh();
+    });
     refresh();
 }
 
@@ -175,7 +251,8 @@ QString PropertiesPanel::shape() const {
             shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
     }
     if (node_->kind == TreeNode::Kind::stock)
-        shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind));
+        shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
+                 + (document_.part() ? QStringLiteral("/sized") : QString());
     return shape;
 }
 
@@ -206,8 +283,10 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::stock) {
         title = tr("Stock");
         StockSpec copy = project.stock;
-        const ParameterView<StockSpec> view(copy, stock_parameters());
-        const auto& keys = stock_keys(copy.kind);
+        StockSize total = total_size(copy, document_.part());
+        const StockForm view(copy, total);
+        std::vector<std::string> keys = stock_keys(copy.kind);
+        if (total.size[0] > 0) keys.push_back("size");
         std::vector<std::string> hidden;
         for (const ParameterInfo* info : view.parameters())
             if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
@@ -317,6 +396,10 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
         document_.change(what, [&](Project& p) {
             if (node.kind == Kind::part)
                 ParameterView<PartSpec>(p.part, part_parameters()).set(key, value);
+            else if (node.kind == Kind::stock && key == "size")
+                ParameterView<StockSpec>(p.stock, stock_parameters())
+                    .set("margin",
+                         margins_for(std::get<std::array<double, 3>>(value), document_.part()->box, p.unit));
             else if (node.kind == Kind::stock)
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
             else if (node.kind == Kind::limits)

@@ -207,6 +207,7 @@ OverlayContent Scene::Impl::overlay_content() {
     }
     marks.add_to(content);
     zero.add_to(content);
+    stock.add_to(content);
     const Mat3 frame = camera.frame();
     for (int k = 0; k < 3; ++k)
         content.axis_directions[std::size_t(k)] = frame.col(k);

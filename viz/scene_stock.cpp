@@ -122,8 +122,34 @@ void SceneStock::apply_visibility(ShownSurface shown) {
         if (a) a->show(cut && !detailed);
     for (auto& a : detail_.actors)
         if (a) a->show(cut && detailed);
-    faces_.show(stage_.on(Layer::stock) && !cut);
-    lines_.show(stage_.on(Layer::stock) && !cut);
+    const bool on = (stage_.on(Layer::stock) || dimensioned()) && !cut;
+    faces_.show(on);
+    lines_.show(on);
+}
+
+/// At the middle of the box's edge along each axis that is lowest on the screen, or farthest left where that
+/// says nothing: not before the part.
+void SceneStock::add_to(OverlayContent& content) const {
+    if (box_.empty() || !lines_.shown()) return;
+    for (int k = 0; k < 3; ++k) {
+        const std::string& text = dimensions_[std::size_t(k)];
+        if (text.empty()) continue;
+        Vec2 best = Vec2::Zero();
+        double outermost = -infinity;
+        for (unsigned corner = 0; corner < 4; ++corner) {
+            Vec3 p = box_.center();
+            const int u = (k + 1) % 3, v = (k + 2) % 3;
+            p[u] = corner & 1 ? box_.hi[u] : box_.lo[u];
+            p[v] = corner & 2 ? box_.hi[v] : box_.lo[v];
+            const Vec2 at = stage_.camera.display_of(p) / stage_.ratio;
+            const double out = k == 2 ? -at.x() : at.y() + 1e-3 * at.x();
+            if (out <= outermost) continue;
+            outermost = out;
+            best = at;
+        }
+        // What stands farthest left begins there, or the window would cut it off.
+        content.notes.push_back({best, k == 2 ? -1 : 0, text, true, true});
+    }
 }
 
 bool SceneStock::has_preview() const {
@@ -131,7 +157,7 @@ bool SceneStock::has_preview() const {
 }
 
 void SceneStock::add_bounds(Box3& box) const {
-    if (!stage_.on(Layer::stock)) return;
+    if (!stage_.on(Layer::stock) && !dimensioned()) return;
     box.add(box_);
     if (!box_.empty()) return;
     for (const auto& patch : cut_.patches)
@@ -158,7 +184,7 @@ void SceneStock::add_legend(std::vector<LegendEntry>& entries, ShownSurface show
     const Colors& colors = colors_of(stage_.palette);
     if (shown == ShownSurface::cut_stock)
         entries.push_back({LegendEntry::Sample::surface, colors.cut_stock, 1, "Stock"});
-    else if (stage_.on(Layer::stock) && lines_.filled)
+    else if ((stage_.on(Layer::stock) || dimensioned()) && lines_.filled)
         entries.push_back({LegendEntry::Sample::box, colors.stock, 1, "Stock"});
 }
 

@@ -5,7 +5,12 @@
 #include "viz/scene_layer.h"
 #include "viz/stock_shape.h"
 
+#include <array>
+#include <string>
+
 namespace facetmill {
+
+struct OverlayContent; // overlay.h
 
 /// The surface of the stock in patches, as StockPlayback has them.
 using StockPatches = std::vector<std::shared_ptr<const StockPatch>>;
@@ -23,6 +28,12 @@ public:
     /// frames. `detail`, where not empty, is a finer surface of the same stock: drawn in full pictures, while
     /// `patches` serve when the view moves.
     void set_cut(const StockPatches& patches, const StockPatches& detail = {});
+
+    /// What is written at an edge along X, Y and Z; of what is not empty the uncut stock is shown whatever
+    /// the layers of the view are.
+    void set_dimensions(const std::array<std::string, 3>& texts) { dimensions_ = texts; }
+    const std::array<std::string, 3>& dimensions() const { return dimensions_; }
+    void add_to(OverlayContent& content) const;
 
     bool has_uncut() const { return !box_.empty(); }
     /// The cut stock is visible.
@@ -48,7 +59,10 @@ private:
     void rehearse(std::size_t k, SceneRehearsal& rehearsal) override;
     void swap(Surface& surface, const StockPatches& patches);
 
+    bool dimensioned() const { return dimensions_ != std::array<std::string, 3>(); }
+
     Box3 box_;
+    std::array<std::string, 3> dimensions_;
     StockShapePtr shape_; ///< behind the actors' data
     SceneActor faces_, lines_;
     Surface cut_, detail_;

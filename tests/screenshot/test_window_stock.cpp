@@ -129,6 +129,40 @@ private slots:
         QCOMPARE(stock_in_tree(w()), QStringLiteral("Stock: box"));
     }
 
+    /// Its size is told where it is selected, and can be typed as a whole.
+    void size_or_margins() {
+        const auto& stock = w().document().project().stock;
+        const auto& dimensions = [this]() -> const std::array<std::string, 3>& {
+            return w().viewport().scene().stock().dimensions();
+        };
+        const Vec3 part = w().document().part()->box.size();
+        const double x = (part.x() + 2 * stock.margin[0]) / mm_per_inch;
+        QVERIFY2(dimensions()[0] == format_number(x, 5) + "\u00a0in", dimensions()[0].c_str());
+        QVERIFY(field(w(), "size0"));
+        enter(w(), "size0", QString::number(part.x() / mm_per_inch + 1, 'g', 12));
+        QVERIFY2(std::abs(stock.margin[0] - 12.7) < 1e-9, qPrintable(error_under(w(), "size")));
+        action(w(), "undo")->trigger();
+        w().layers().set_shown(ui::ViewLayer::stock, false);
+        QVERIFY(wait_until_settled(w()));
+        const QImage with = view_picture(w());
+        shot(w(), QStringLiteral("stock-size"));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(dimensions() == (std::array<std::string, 3>()));
+        QVERIFY(changed_pixels(with, view_picture(w())) > 500);
+        w().tree().select({TreeNode::Kind::stock, 0});
+        auto* form = w().properties().form();
+        const std::array<double, 3> size{part.x() + 20, part.y() + 30, part.z() + 7};
+        emit form->edited("size", size);
+        QVERIFY(std::abs(stock.margin[0] - 10) < 1e-9 && std::abs(stock.margin[1] - 15) < 1e-9);
+        QVERIFY(std::abs(stock.margin[2] - 7) < 1e-9);
+        emit form->edited("size", std::array<double, 3>{part.x() - 1, part.y(), part.z()});
+        QVERIFY(error_under(w(), "size").contains(QStringLiteral("larger along X")));
+        QVERIFY(std::abs(stock.margin[0] - 10) < 1e-9);
+        action(w(), "undo")->trigger();
+        QVERIFY(std::abs(stock.margin[0] - 10) > 1e-3);
+    }
+
     void a_mesh_for_a_stock() {
         const QString folder = scratch_folder(QStringLiteral("stock"));
         const QString raw = write_block(folder + QStringLiteral("/raw.stl"), w().document().part()->box);
