@@ -100,7 +100,9 @@ DerivedMesh refined(const Mesh& mesh, const std::function<bool(const std::array<
             std::array<bool, 3> is_long;
             for (std::size_t k = 0; k < 3; ++k)
                 is_long[k] = (p[(k + 1) % 3] - p[k]).squaredNorm() > square && at[k] != at[(k + 1) % 3];
-            if ((!is_long[0] && !is_long[1] && !is_long[2]) || !wanted(p)) continue;
+            if (!is_long[0] && !is_long[1] && !is_long[2]) continue;
+            progress.check(); // what is wanted may take a millisecond to say
+            if (!wanted(p)) continue;
             for (std::size_t k = 0; k < 3; ++k)
                 if (is_long[k]) middles.make(at[k], at[(k + 1) % 3], 0.5);
         }

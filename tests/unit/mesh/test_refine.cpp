@@ -73,6 +73,19 @@ private slots:
                 == part.facets);
     }
 
+    void whoever_asks_slowly_can_be_cancelled() {
+        Job job;
+        int asked = 0;
+        const auto wanted = [&](const std::array<Vec3, 3>&) {
+            job.cancel();
+            return ++asked > 0;
+        };
+        const Mesh part = shapes().front().mesh;
+        QVERIFY(part.facet_count() > 1);
+        QVERIFY_EXCEPTION_THROWN(refined(part, wanted, 1e-3, 1'000'000, Progress(job)), Cancelled);
+        QCOMPARE(asked, 1);
+    }
+
     void a_circle_is_cut_out() {
         const Mesh plane =
             height_field([](double x, double) { return 0.2 * x; }, Vec2(-10, -10), Vec2(10, 10), 100, 100);
