@@ -72,8 +72,15 @@ double Standing::far_place(const Vec3& p, const Vec3& n, double length, double l
 double Standing::off_part(const Vec3& p, const Vec3& n, double value) const {
     const double top = std::min(value, sight_.first_hit(p, n));
     if (!(top > far_)) return top;
-    const double at_top = distance(p + top * n, top);
-    constexpr double enough = 0.98; // of what it can be at most
+    // Of what it can be at most. A facet that is hardly nearer than the line's beginning need not be found:
+    // over a hollow as wide as the line is high, that is nearly all of its facets.
+    constexpr double enough = 0.98;
+    const auto look = [&](double t, double most) {
+        const double cap = enough * most > far_ ? enough * most : most;
+        const double found = distance(p + t * n, cap);
+        return found >= cap * (1 - tolerance::figure_rounding) ? most : found;
+    };
+    const double at_top = look(top, top);
     if (at_top >= enough * top) return at_top;
     const double place = far_place(p, n, top, far_);
     if (place < 0) {
@@ -91,7 +98,7 @@ double Standing::off_part(const Vec3& p, const Vec3& n, double value) const {
     constexpr std::size_t looks = 16;
     std::array<Piece, looks + 2> pieces;
     std::size_t count = 0;
-    const double at_place = distance(p + place * n, place);
+    const double at_place = look(place, place);
     pieces[count++] = {0, place, 0, at_place};
     pieces[count++] = {place, top, at_place, at_top};
     double best = std::max({at_top, at_place, far_});
@@ -100,7 +107,7 @@ double Standing::off_part(const Vec3& p, const Vec3& n, double value) const {
                                          [](const Piece& a, const Piece& b) { return a.most() < b.most(); });
         if (enough * piece.most() <= best) break;
         const double middle = 0.5 * (piece.from + piece.to);
-        const double there = distance(p + middle * n, piece.most());
+        const double there = look(middle, piece.most());
         best = std::max(best, there);
         pieces[count++] = {middle, piece.to, there, piece.at_to};
         piece = {piece.from, middle, piece.at_from, there};

@@ -69,6 +69,7 @@ public:
     /// How deep in the ball the stretch from p to q lies where it lies deepest: what stands along it the
     /// cutter could remove with so much to spare. Not above 0: it cannot remove it.
     double deepest(const Vec3& p, const Vec3& q) const {
+        constexpr double accuracy = 0.002; // of the radius: a tenth of the tolerance that is asked for
         std::array<std::pair<double, Vec2>, 4> best;
         best.fill({-infinity, Vec2::Zero()});
         const Vec2 from = p.head<2>().cwiseMin(q.head<2>()) - Vec2::Constant(r_) - lo_,
@@ -88,11 +89,11 @@ public:
         LiftHint hint;
         for (auto [d, at] : best) {
             if (!(d > -r_)) continue;
-            for (double step = cell_; step > 0.0005 * r_;) {
+            for (double step = cell_; step > accuracy * r_;) {
                 const Vec2 middle = at;
                 bool better = false;
-                for (int k = 0; k < 12; ++k) {
-                    const double angle = 2 * pi * k / 12;
+                for (int k = 0; k < 8; ++k) {
+                    const double angle = 2 * pi * k / 8;
                     const Vec2 there = middle + step * Vec2(std::cos(angle), std::sin(angle));
                     const double e = depth(p, q, there, lift_.tip_z(there.x(), there.y(), hint));
                     if (!(e > d)) continue;
