@@ -81,7 +81,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         if (pass.cl.empty()) continue;
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
-        if (last && (start.tip - last->tip).head<2>().norm() <= options.link_distance) {
+        if (last && !pass.from_above && (start.tip - last->tip).head<2>().norm() <= options.link_distance) {
             for (const CutterLocation& c : on_surface(*last, start, lift, bodies, fine, progress.part(0, 0)))
                 result.motions.push_back({MotionKind::link, c, no_index, no_index});
             result.motions.back().pass = pass_index;

@@ -117,11 +117,19 @@ private slots:
 #endif
     }
 
-    /// A short tool whose shank runs into the stock: there is a sheet, and it says so.
+    /// A short tool whose shank runs into the stock, which five axes do not look at: there is a sheet, and it
+    /// says so. Three axes find no place for it.
     void the_setup_sheet_warns() {
         Sandbox s;
-        prepared_plate(s, {},
-                       QByteArray(plate_project).replace("\"flute_length\": 6", "\"flute_length\": 1"));
+        QByteArray text = QByteArray(plate_project).replace("\"flute_length\": 6", "\"flute_length\": 1");
+        prepared_plate(s, {}, text);
+        const CliRun none = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
+        QCOMPARE(none.status, 1);
+        QVERIFY2(none.err.contains("would come into the stock"), none.err.constData());
+        QVERIFY(!QFile::exists(s.path() + "/sheet.html"));
+        text.replace("\"kind\": \"finish3\"", "\"kind\": \"finish5\"")
+            .replace("\"tools\"", "\"machine\": \"trunnion-ac\", \"tools\"");
+        prepared_plate(s, {}, text);
         const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
         QCOMPARE(run.status, 1);
         QVERIFY(run.err.contains("not verified: "));

@@ -5,11 +5,13 @@
 #include "core/gouge/axial_lift.h"
 #include "core/link/link.h"
 #include "core/mesh/sample.h"
+#include "core/strategy/finish3/finish3.h"
 #include "core/strategy/rough/rough.h"
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/cancel_at.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -363,6 +365,67 @@ private slots:
         QVERIFY2(judged.passed(), qPrintable(QString("gouge %1, %2 collisions")
                                                  .arg(judged.figures.gouge_max)
                                                  .arg(judged.collisions.size())));
+    }
+
+    /// Flutes shorter than a wall that roughing left a skin on: the ball cuts that skin strip by strip, its
+    /// shank meets none of it, and most of the wall is cut all the same.
+    void the_shank_of_finishing_meets_no_skin() {
+        const Mesh part = turned(step(0, 16), 0.3);
+        Tool flat = flat_tool(6), ball = ball_tool(6);
+        flat.flute_length = 30;
+        ball.flute_length = 8;
+        ball.shank_diameter = 6;
+        ball.shank_length = 40;
+        RoughSettings r;
+        r.allowance = 0.3;
+        r.tolerance = 4;
+        r.depth = {2, {}};
+        Finish3Settings f;
+        f.tolerance = 0.1;
+        f.stepover = {0.8, ""};
+        f.direction = {0, "x"};
+        const auto known = [&](const Tool& tool) {
+            PlanContext c = raised(part, tool);
+            c.stock.box = c.stock_box;
+            return c;
+        };
+        const PlanContext first = known(flat);
+        PlanContext second = known(ball);
+        const Rough rough(r);
+        const Finish3 finish(f);
+        const auto before = std::make_shared<ToolMotions>(
+            link_operation(rough, rough.plan(first, Progress()), first, Progress()));
+        auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = flat.cutter();
+        earlier->no_nearer = r.allowance;
+        for (std::size_t i = 1; i < before->motions.size(); ++i)
+            if (before->motions[i].kind != MotionKind::rapid)
+                earlier->motions.push_back({before->motions[i - 1].to.tip, before->motions[i].to.tip});
+        second.earlier = {earlier};
+        const auto cut_of = [&](const PlanContext& context) {
+            return std::make_shared<ToolMotions>(
+                link_operation(finish, finish.plan(context, Progress()), context, Progress()));
+        };
+        VerifySettings v;
+        v.resolution = v.sample_spacing = 0.5;
+        v.tolerance = f.tolerance;
+        v.gouge_limit = 0.01;
+        const auto judged = [&](const std::shared_ptr<ToolMotions>& after) {
+            const VerifyProgram programs[] = {{"R", VerifyTool(flat), before, {}},
+                                              {"F", VerifyTool(ball), after, {}}};
+            return verify(part, first.stock, programs, v, Progress());
+        };
+        const Verification kept = judged(cut_of(second));
+        QVERIFY2(kept.collisions.empty(), qPrintable(QString::number(kept.collisions.size())));
+        QVERIFY(!kept.gouged());
+        // One that does not know the stock runs into the skin, and cuts hardly more.
+        PlanContext unknowing = context_of(part, ball);
+        unknowing.stock_box = second.stock_box;
+        const Verification blind = judged(cut_of(unknowing));
+        QVERIFY(!blind.collisions.empty());
+        QVERIFY2(
+            kept.figures.over_fraction <= blind.figures.over_fraction + 0.03,
+            qPrintable(QString("%1, %2").arg(kept.figures.over_fraction).arg(blind.figures.over_fraction)));
     }
 
     /// Two pockets far apart: one is cut to its floor before the other is begun, and no pass comes before one

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish_warnings.h"
 #include "core/strategy/finish3/left_out.h"
+#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/partial_lines.h"
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/travel_choice.h"
@@ -30,6 +31,11 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
 constexpr double rest_cell_share = 0.04;
 /// The same where only the raw material is asked.
 constexpr double raw_cell_share = 0.1;
+/// The cells in which shank and holder see what stands, in radii of the cutter, and in thicknesses of the
+/// thinnest skin that an operation before left on purpose, down to the least.
+constexpr double skin_cell_share = 0.04, skin_cells = 0.5, least_cell_share = 0.01;
+/// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
+constexpr double skin_share = 0.2;
 /// Pieces of passes between places that shank and holder cannot come to are at least so long, in radii.
 constexpr double shortest_piece = 0.25;
 /// Drive planes of a plan, at most: more come from a part in another unit.
@@ -66,6 +72,7 @@ private:
     void check_uncut(const Progress& progress);
     void leave_out_held_up(const Progress& progress);
     void leave_out_outside(const Progress& progress);
+    void leave_out_beside_stock(const Progress& progress);
     void leave_out_cut(const Progress& progress);
     void order_passes(const Progress& progress);
     Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
@@ -93,6 +100,7 @@ private:
     StrategyResult result_;
     UncutReport uncut_;
     HeldOut held_;
+    ClearOfStock beside_stock_;
     int unsatisfied_ = 0, lines_ = 0;
 };
 
@@ -163,7 +171,9 @@ StrategyResult Planner::run(double direction) {
     else
         leave_out_outside(still(1));
     order_passes(still(1));
-    const FinishWarnings warnings{settings_, context_, uncut_, held_, cusp_allowed_, unsatisfied_, lines_};
+    leave_out_beside_stock(still(1));
+    const FinishWarnings warnings{settings_,     context_,      uncut_,       held_,
+                                  beside_stock_, cusp_allowed_, unsatisfied_, lines_};
     add_finish_warnings(warnings, result_);
     return std::move(result_);
 }
@@ -404,6 +414,33 @@ void Planner::leave_out_cut(const Progress& progress) {
         throw Error(ErrorCode::empty_result, settings_.name,
                     "nowhere more than the tolerance stands of the stock",
                     "leave the operation out, or cut everywhere (rest_only)");
+}
+
+/// Where shank or holder would come into what stands above the flutes. Follows the passes in the order in
+/// which they are cut.
+void Planner::leave_out_beside_stock(const Progress& progress) {
+    // Nothing is known of a stock: nothing is asked.
+    if (context_.stock.box.empty() && context_.earlier.empty()) return;
+    double lowest = infinity, thinnest = infinity;
+    for (const Pass& p : result_.passes)
+        for (const CutterLocation& c : p.cl)
+            lowest = std::min(lowest, c.tip.z());
+    if (lowest + context_.tool.flute_length >= context_.stock_box.hi.z()) return;
+    for (const auto& earlier : context_.earlier)
+        if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
+    const double cell = std::max(std::min(skin_cell_share * cover_.radius(), skin_cells * thinnest),
+                                 least_cell_share * cover_.radius());
+    LeftStock stock(context_, cell, skin_share * settings_.tolerance, progress);
+    beside_stock_ = keep_clear_of_stock(std::move(result_.passes), stock, shortest_piece * cover_.radius(),
+                                        contact_at(), progress);
+    if (beside_stock_.kept.empty())
+        throw Error(ErrorCode::empty_result, settings_.name,
+                    "shank or holder would come into the stock wherever the cutter could cut",
+                    "rough before it, or use flutes that are " + text_(beside_stock_.lack) + " longer");
+    result_.passes = std::move(beside_stock_.kept);
+    if (beside_stock_.left.empty() || settings_.rest_only) return;
+    held_.left.insert(held_.left.end(), beside_stock_.left.begin(), beside_stock_.left.end());
+    check_uncut(progress);
 }
 
 /// Pieces that lie side by side one after another, instead of every plane from border to border.

@@ -22,8 +22,9 @@
 // above it is tau = tolerance - t_in - t_out. The cutter is kept off S12 + allowance, and cusps are held to
 // tau. That is 3.15 with the tolerances on the sides where Fig. 3-8 has them.
 //
-// Shank and holder keep out of the part: the cutter is not moved where they would come into it. What that
-// leaves is said, and how long a tool would reach it.
+// Shank and holder keep out of the part: the cutter is not moved where they would come into it, nor where
+// they would come into what stands of the stock above the flutes (left_stock.h). What that leaves is said,
+// and how long a tool would reach it.
 //
 // As a semi-finish it keeps an allowance. Asked to, it cuts only where more than the tolerance stands of the
 // stock, as raw material and earlier operations left it (stock_field.h): the passes are those of a plan over
@@ -68,7 +69,7 @@ public:
     std::string_view kind() const override { return "finish3"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
     bool three_axis() const override { return true; }
-    bool reads_stock() const override { return settings_.rest_only; }
+    bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 
     /// Throws Error(empty_result) when no facet faces up, Error(out_of_range) when the tessellation

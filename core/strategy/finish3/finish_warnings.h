@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/strategy/finish3/finish3.h"
-#include "core/strategy/finish3/left_out.h"
+#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/uncut.h"
 
 namespace facetmill {
@@ -12,6 +12,7 @@ struct FinishWarnings {
     const PlanContext& context;
     const UncutReport& uncut;
     const HeldOut& held;
+    const ClearOfStock& beside_stock;
     double cusp_allowed; ///< mm
     int unsatisfied;     ///< lines beside places that no step-over serves
     int lines;           ///< all of them

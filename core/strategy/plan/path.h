@@ -28,6 +28,9 @@ struct Pass {
     /// The descent into the material, a ramp or a helix that ends at the first CL; roughing only. Nothing
     /// stands above its first location or, where there is no entry, above the first CL.
     std::vector<CutterLocation> entry;
+    /// The tool comes to it from the clearance height, however near the pass before ends: something stands
+    /// beside the way along the surface. Finishing with three axes only.
+    bool from_above = false;
 };
 
 /// Where a cutter that comes in across the turning axis cannot go (lathe_reach.h). Angles are those of

@@ -324,6 +324,19 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
     return height;
 }
 
+void StockField::each_above(
+    const Vec2& p, double radius, double z,
+    const std::function<void(std::size_t cell, const Vec2& center, double middle)>& visit) const {
+    near_line(
+        *this, p, p, radius, z, [&](const Cell& cell) { return cell.middle > z; },
+        [&](const Cell& cell, double, double) {
+            const auto i = std::size_t(&cell - cells_.data());
+            const auto columns = std::size_t(columns_);
+            visit(i, center(int(i % columns), int(i / columns)), cell.middle);
+            return true;
+        });
+}
+
 std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a, const Vec3& b,
                                        double least) const {
     std::vector<Interval> all;

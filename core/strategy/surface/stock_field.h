@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace facetmill {
@@ -90,6 +91,11 @@ public:
     /// The highest top within `radius` of the line from a to b, if that is above `floor`; else any height not
     /// above it.
     double highest_near(const Vec2& a, const Vec2& b, double radius, double floor = -infinity) const;
+    /// Calls visit for the cells whose centre is within `radius` of p and whose middle is above z; `cell`
+    /// counts along rows.
+    void
+    each_above(const Vec2& p, double radius, double z,
+               const std::function<void(std::size_t cell, const Vec2& center, double middle)>& visit) const;
     /// Where on the line from a to b (shares 0 to 1 of it, level) the cutter takes away more than `least` of
     /// height. Cells beside the line count where the axis passes them.
     std::vector<Interval> work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;

@@ -418,6 +418,7 @@ private slots:
         QCOMPARE(plan->operations.size(), std::size_t(1));
         QVERIFY((work_of() == W{}));
         std::swap(p.operations[0], p.operations[1]);
+        QVERIFY((work_of() == W{0, 0, 0, 2, 2, 2})); // each asks what the one before it left
         QVERIFY((work_of() == W{}));
     }
 

@@ -1,0 +1,209 @@
+#include "core/strategy/finish3/left_stock.h"
+
+#include "core/strategy/surface/stock_before.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace facetmill {
+
+namespace {
+
+/// How often passes are tried that something stood in the way of: each time what the others cut since is
+/// gone, and mostly nothing is left for a third.
+constexpr int max_rounds = 4;
+
+/// Follows one pass; cuts what it keeps.
+class PassFollower {
+public:
+    /// `end`: where what was kept last ends.
+    PassFollower(const Pass& pass, LeftStock& stock, double shortest, std::optional<Vec3>& end,
+                 const Progress& progress)
+        : pass_(pass), stock_(stock), shortest_(shortest), end_(end), progress_(progress) {}
+
+    /// Ranges of its length on which nothing is touched.
+    std::vector<Interval> run(std::span<const double> arc) {
+        enter(pass_.cl.front().tip, 0);
+        for (std::size_t i = 1; i < pass_.cl.size(); ++i) {
+            progress_.check();
+            const Vec3 &a = pass_.cl[i - 1].tip, &b = pass_.cl[i].tip;
+            const bool is_free = std::min(a.z(), b.z()) >= stock_.free_height(a, b);
+            const auto n =
+                is_free ? std::size_t(1) : std::size_t(std::ceil((b - a).norm() / stock_.spacing())) + 1;
+            for (std::size_t k = 1; k <= n; ++k) {
+                const double t = double(k) / double(n);
+                const Vec3 tip = a + t * (b - a);
+                const double at = arc[i - 1] + t * (arc[i] - arc[i - 1]);
+                if (is_free && inside_)
+                    move(tip, at);
+                else
+                    enter(tip, at);
+            }
+        }
+        leave();
+        return std::move(ranges_);
+    }
+    /// Whether the tool comes to each of them from above.
+    const std::vector<bool>& from_above() const { return from_above_; }
+    double lack() const { return lack_; }
+
+private:
+    void enter(const Vec3& tip, double at) {
+        const double lack = stock_.lack(tip);
+        lack_ = std::max(lack_, lack);
+        if (lack > 0)
+            leave();
+        else if (inside_)
+            move(tip, at);
+        else {
+            inside_ = true;
+            ranges_.push_back({at, at});
+            from_above_.push_back(end_ && !link_is_free(*end_, tip));
+            pending_.push_back({tip, tip});
+            last_ = tip;
+        }
+    }
+    void move(const Vec3& tip, double at) {
+        ranges_.back().hi = at;
+        pending_.push_back({last_, tip});
+        last_ = tip;
+        // What is too short is not cut after all.
+        if (ranges_.back().length() >= shortest_) commit();
+    }
+    void leave() {
+        if (inside_ && ranges_.back().length() < shortest_) {
+            ranges_.pop_back();
+            from_above_.pop_back();
+        } else if (inside_)
+            end_ = last_;
+        pending_.clear();
+        inside_ = false;
+    }
+    /// Links on the surface are nowhere lower than the lower of their ends.
+    bool link_is_free(const Vec3& from, const Vec3& to) {
+        const double low = std::min(from.z(), to.z());
+        const Vec3 a(from.x(), from.y(), low), b(to.x(), to.y(), low);
+        if (low >= stock_.free_height(a, b)) return true;
+        const auto n = std::size_t(std::ceil((b - a).norm() / stock_.spacing())) + 1;
+        for (std::size_t k = 0; k <= n; ++k) {
+            progress_.check();
+            if (stock_.lack(a + double(k) / double(n) * (b - a)) > 0) return false;
+        }
+        return true;
+    }
+    void commit() {
+        for (const auto& [a, b] : pending_)
+            stock_.cut(a, b);
+        pending_.clear();
+    }
+
+    const Pass& pass_;
+    LeftStock& stock_;
+    double shortest_;
+    std::optional<Vec3>& end_;
+    const Progress& progress_;
+    std::vector<Interval> ranges_;
+    std::vector<bool> from_above_;
+    std::vector<std::pair<Vec3, Vec3>> pending_;
+    Vec3 last_ = Vec3::Zero();
+    bool inside_ = false;
+    double lack_ = 0;
+};
+
+std::vector<Interval> gaps_between(std::span<const Interval> kept, double length) {
+    std::vector<Interval> gaps;
+    double from = 0;
+    for (const Interval& r : kept) {
+        if (r.lo > from) gaps.push_back({from, r.lo});
+        from = r.hi;
+    }
+    if (from < length) gaps.push_back({from, length});
+    return gaps;
+}
+
+} // namespace
+
+LeftStock::LeftStock(const PlanContext& context, double cell, double skin, const Progress& progress)
+    : field_(stock_before(context, cell, progress)), cutter_(CutterProfile(context.tool.cutter())),
+      part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))), skin_(skin) {
+    const Tool& tool = context.tool;
+    double base = tool.flute_length;
+    lowest_base_ = infinity;
+    const auto add = [&](double diameter, double length) {
+        if (diameter > 0 && length > 0) {
+            bodies_.push_back({0.5 * diameter, base});
+            widest_ = std::max(widest_, 0.5 * diameter);
+            lowest_base_ = std::min(lowest_base_, base);
+        }
+        base += std::max(length, 0.0);
+    };
+    add(tool.shank_diameter, tool.shank_length);
+    for (const HolderSection& s : tool.holder)
+        add(s.diameter, s.length);
+    part_tops_.assign(std::size_t(field_.columns()) * std::size_t(field_.rows()),
+                      std::numeric_limits<double>::quiet_NaN());
+}
+
+double LeftStock::part_top(std::size_t cell, const Vec2& center) {
+    double& top = part_tops_[cell];
+    if (std::isnan(top)) top = part_.tip_z(center.x(), center.y());
+    return top;
+}
+
+double LeftStock::lack(const Vec3& tip) {
+    double lack = 0;
+    const double half_diagonal = std::sqrt(0.5) * field_.cell();
+    for (const Body& body : bodies_)
+        field_.each_above(tip.head<2>(), body.radius + half_diagonal, tip.z() + body.base + lack,
+                          [&](std::size_t cell, const Vec2& center, double middle) {
+                              const double over = middle - (tip.z() + body.base);
+                              if (over > lack && middle > part_top(cell, center) + skin_) lack = over;
+                          });
+    return lack;
+}
+
+double LeftStock::free_height(const Vec3& a, const Vec3& b) const {
+    const double floor = std::min(a.z(), b.z()) + lowest_base_;
+    return field_.highest_near(a.head<2>(), b.head<2>(), widest_, floor) - lowest_base_;
+}
+
+ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
+                                 const ContactAt& contact, const Progress& progress) {
+    ClearOfStock result;
+    std::optional<Vec3> end;
+    for (int round = 0; round < max_rounds && !passes.empty(); ++round) {
+        std::vector<Pass> held;
+        result.lack = 0;
+        const std::size_t kept_before = result.kept.size();
+        for (Pass& pass : passes) {
+            progress.check();
+            if (pass.cl.empty()) continue;
+            const std::vector<double> arc = arc_lengths(pass);
+            PassFollower follower(pass, stock, std::min(shortest, arc.back()), end, progress);
+            const std::vector<Interval> kept = follower.run(arc);
+            result.lack = std::max(result.lack, follower.lack());
+            if (kept.size() == 1 && kept[0].lo <= 0 && kept[0].hi >= arc.back()) {
+                pass.from_above = follower.from_above()[0];
+                result.kept.push_back(std::move(pass));
+                continue;
+            }
+            std::vector<Pass> pieces = pieces_of(pass, arc, kept, contact);
+            for (std::size_t k = 0; k < pieces.size(); ++k) {
+                pieces[k].from_above = follower.from_above()[k];
+                result.kept.push_back(std::move(pieces[k]));
+            }
+            for (Pass& piece : pieces_of(pass, arc, gaps_between(kept, arc.back()), contact))
+                held.push_back(std::move(piece));
+        }
+        passes = std::move(held);
+        if (result.kept.size() == kept_before) break;
+    }
+    for (const Pass& pass : passes)
+        if (!pass.cl.empty()) result.left_length += arc_lengths(pass).back();
+    result.left = std::move(passes);
+    return result;
+}
+
+} // namespace facetmill

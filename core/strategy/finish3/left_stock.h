@@ -1,0 +1,57 @@
+// What stands of the stock above the flutes: shank and holder must not come into it. Millimetres, part
+// coordinates, the tool's axis +Z.
+//
+// What roughing leaves on a wall may be higher than the flutes are long. A pass that runs down beside it cuts
+// its own strip, and the skin beside that strip meets the shank; once the passes beside it have been there
+// the tool may pass. So passes are followed one after the other through what stands, and what is held up is
+// tried again when all others have cut.
+#pragma once
+
+#include "core/strategy/finish3/left_out.h"
+#include "core/strategy/plan/operation.h"
+
+#include <vector>
+
+namespace facetmill {
+
+class LeftStock {
+public:
+    /// The stock as operations before left it, in cells of about `cell`. What stands no farther than `skin`
+    /// from the part, or above it, is not asked: HolderReach answers for the part itself.
+    LeftStock(const PlanContext& context, double cell, double skin, const Progress& progress);
+
+    /// How much higher a tip would have to be for shank and holder to touch nothing that was left; 0 where
+    /// they do not. Sees what is wider than a cell.
+    double lack(const Vec3& tip);
+    /// Below this height of the tip shank or holder are lower than something within their reach of a line.
+    double free_height(const Vec3& a, const Vec3& b) const;
+    void cut(const Vec3& a, const Vec3& b) { field_.cut(cutter_, a, b); }
+    double spacing() const { return field_.cell(); } ///< how often a motion is looked at, mm
+
+private:
+    struct Body {
+        double radius, base; ///< its lower face over the tip
+    };
+    double part_top(std::size_t cell, const Vec2& center);
+
+    StockField field_;
+    StockCutter cutter_;
+    AxialLift part_;
+    double skin_;
+    std::vector<Body> bodies_;
+    double widest_ = 0, lowest_base_ = 0;
+    std::vector<double> part_tops_; ///< of cells that were asked, else NaN
+};
+
+/// What shank and holder keep passes from because something stands there.
+struct ClearOfStock {
+    std::vector<Pass> kept, left;
+    double left_length = 0; ///< mm
+    double lack = 0;        ///< mm: flutes longer by this would reach all of it
+};
+
+/// Follows the passes in their order. Pieces shorter than `shortest` are left out.
+ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
+                                 const ContactAt& contact, const Progress& progress);
+
+} // namespace facetmill
