@@ -71,7 +71,7 @@ Choice choose(const Mesh& mesh, const std::string& on, double per, const Progres
 void run_place(const Arguments& arguments, Session& session) {
     const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
     const double per = mm_per(unit);
-    const std::string path = arguments.operand(0);
+    const std::string& path = arguments.operand(0);
     use_threads(arguments);
     const Progress progress = session.progress();
     const LoadedMesh loaded = load_mesh(path, unit, progress.part(0, 0.4, "Reading the part"));

@@ -272,8 +272,9 @@ void PlacePanel::want_zero() {
     std::array<double, 3> place{0, 0, 1.0 - zero_level_->currentIndex()};
     for (int i = 0; i < 9; ++i)
         if (zero_spots_[std::size_t(i)]->isChecked()) {
-            place[0] = i % 3 - 1;
-            place[1] = i / 3 - 1;
+            const int column = i % 3 - 1, row = i / 3 - 1;
+            place[0] = column;
+            place[1] = row;
         }
     emit zero_wanted(zero_of_->currentIndex() == 1, place);
 }
@@ -282,7 +283,8 @@ void PlacePanel::show_zero(const ShownZero& zero) {
     zero_text_->setText(zero.text);
     for (int i = 0; i < 9; ++i) {
         QToolButton* spot = zero_spots_[std::size_t(i)];
-        spot->setChecked(!zero.on_origin && zero.place[0] == i % 3 - 1 && zero.place[1] == i / 3 - 1);
+        const int column = i % 3 - 1, row = i / 3 - 1;
+        spot->setChecked(!zero.on_origin && zero.place[0] == column && zero.place[1] == row);
         spot->setText(spot->isChecked() ? QStringLiteral("●") : QString());
     }
     if (zero.on_origin) return;

@@ -26,7 +26,7 @@ void SceneSupport::set(const std::vector<Vec3>& outline) {
     triangles_.clear();
     segments_.clear();
     if (outline.size() < 3) return;
-    const Vec3 center = outline.front();
+    const Vec3& center = outline.front();
     const auto n = std::int32_t(outline.size());
     for (const Vec3& p : outline)
         for (int k = 0; k < 3; ++k)

@@ -17,7 +17,7 @@ Vec3 vector_of(const std::array<double, 3>& v) {
 } // namespace
 
 Vec3 work_zero(const ProgramSpec& spec, const Box3& part, const Box3& stock) {
-    const Vec3 typed = vector_of(spec.zero);
+    Vec3 typed = vector_of(spec.zero);
     if (spec.zero_from == From::origin) return typed;
     const Box3& box = spec.zero_from == From::stock ? stock : part;
     if (box.empty())

@@ -322,6 +322,7 @@ ConvexHull convex_hull(const std::vector<Vec3>& points, const Progress& progress
         hull.normal = normal;
         const Vec3 side = normal.cross(along);
         std::vector<Vec2> level;
+        level.reserve(points.size());
         for (const Vec3& p : points)
             level.emplace_back((p - origin).dot(along), (p - origin).dot(side));
         hull.outline = convex_outline(level);
@@ -330,11 +331,13 @@ ConvexHull convex_hull(const std::vector<Vec3>& points, const Progress& progress
     hull.dimension = 3;
     // The first four corners stay whatever is near them.
     std::vector<Vec3> ends;
+    ends.reserve(t.size() + points.size());
     for (const Index v : t)
         ends.push_back(points[v]);
     ends.insert(ends.end(), points.begin(), points.end());
     const std::vector<Index> kept = thinned(ends, box.lo, apart_share * box.diagonal());
     std::vector<Vec3> corners;
+    corners.reserve(kept.size());
     for (const Index v : kept)
         corners.push_back(ends[v]);
     hull.facets = Quickhull(corners, slack).run({0, 1, 2, 3}, progress);
