@@ -42,7 +42,7 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
 std::vector<std::string> three_axis_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (const auto op = k.make(); op->three_axis() && !op->reads_stock() && op->further_tools().empty())
+        if (const auto op = k.make(); op->linking() == Linking::upright && op->further_tools().empty())
             kinds.push_back(k.kind);
     return kinds;
 }

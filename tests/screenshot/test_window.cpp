@@ -144,7 +144,7 @@ private slots:
         enter(w(), "name", QStringLiteral("Second"));
         tree.up_action()->trigger();
         QCOMPARE(w().document().operation(0).common().name, std::string("Second"));
-        QCOMPARE(w().document().state(1), OperationState::planned); // the result moved with it
+        QCOMPARE(w().document().state(1), OperationState::stale); // something else stands before it
         tree.add_operation_menu()->actions().front()->trigger();
         QCOMPARE(w().document().operation_count(), std::size_t(3));
         QCOMPARE(tree.selected()->index, std::size_t(2));

@@ -160,7 +160,7 @@ private slots:
             p.operations.push_back(make_operation(kind));
         const std::string all = Document::fingerprint(p, 2);
         p.operations[0]->common().allowance = 1;
-        QCOMPARE(Document::fingerprint(p, 2), all); // it cuts everything, whatever stands
+        QVERIFY(Document::fingerprint(p, 2) != all); // shank and holder keep out of what stands
         p.operations[2]->set("rest_only", true);
         const std::string rest = Document::fingerprint(p, 2);
         p.operations[1]->common().tolerance = 0.5;

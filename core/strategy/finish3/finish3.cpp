@@ -33,7 +33,7 @@ constexpr double rest_cell_share = 0.04;
 constexpr double raw_cell_share = 0.1;
 /// The cells in which shank and holder see what stands, in radii of the cutter, and in thicknesses of the
 /// thinnest skin that an operation before left on purpose, down to the least.
-constexpr double skin_cell_share = 0.04, skin_cells = 0.5, least_cell_share = 0.01;
+constexpr double skin_cell_share = 0.04, skin_cells = 0.5, min_cell_share = 0.01;
 /// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
 constexpr double skin_share = 0.2;
 /// Pieces of passes between places that shank and holder cannot come to are at least so long, in radii.
@@ -429,7 +429,7 @@ void Planner::leave_out_beside_stock(const Progress& progress) {
     for (const auto& earlier : context_.earlier)
         if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
     const double cell = std::max(std::min(skin_cell_share * cover_.radius(), skin_cells * thinnest),
-                                 least_cell_share * cover_.radius());
+                                 min_cell_share * cover_.radius());
     LeftStock stock(context_, cell, skin_share * settings_.tolerance, progress);
     beside_stock_ = keep_clear_of_stock(std::move(result_.passes), stock, shortest_piece * cover_.radius(),
                                         contact_at(), progress);
