@@ -78,6 +78,17 @@ std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::
     return pieces;
 }
 
+std::vector<Interval> gaps_between(std::span<const Interval> ranges, double length) {
+    std::vector<Interval> gaps;
+    double from = 0;
+    for (const Interval& r : ranges) {
+        if (r.lo > from) gaps.push_back({from, r.lo});
+        from = r.hi;
+    }
+    if (from < length) gaps.push_back({from, length});
+    return gaps;
+}
+
 HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
                        const ContactAt& contact, const Progress& progress) {
     std::vector<HeldOut> parts(passes.size());
@@ -93,13 +104,7 @@ HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodie
             return;
         }
         std::erase_if(kept, [&](const Interval& r) { return r.length() < shortest; });
-        std::vector<Interval> left;
-        double from = 0;
-        for (const Interval& r : kept) {
-            if (r.lo > from) left.push_back({from, r.lo});
-            from = r.hi;
-        }
-        if (from < arc.back()) left.push_back({from, arc.back()});
+        const std::vector<Interval> left = gaps_between(kept, arc.back());
         for (const Interval& r : left)
             part.left_length += r.length();
         part.kept = pieces_of(pass, arc, kept, contact);

@@ -23,6 +23,9 @@ std::vector<double> arc_lengths(const Pass& pass);
 std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::span<const Interval> ranges,
                             const ContactAt& contact);
 
+/// What of a pass so long lies between ranges of its length, which are in order.
+std::vector<Interval> gaps_between(std::span<const Interval> ranges, double length);
+
 /// What shank and holder keep a path from.
 struct HeldOut {
     std::vector<Pass> kept, left;       ///< pieces of the passes

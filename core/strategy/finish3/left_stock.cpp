@@ -112,17 +112,6 @@ private:
     double lack_ = 0;
 };
 
-std::vector<Interval> gaps_between(std::span<const Interval> kept, double length) {
-    std::vector<Interval> gaps;
-    double from = 0;
-    for (const Interval& r : kept) {
-        if (r.lo > from) gaps.push_back({from, r.lo});
-        from = r.hi;
-    }
-    if (from < length) gaps.push_back({from, length});
-    return gaps;
-}
-
 } // namespace
 
 LeftStock::LeftStock(const PlanContext& context, double cell, double skin, const Progress& progress)
