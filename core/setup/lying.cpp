@@ -252,6 +252,14 @@ std::vector<LyingFace> stable_faces(const Mesh& mesh, double slack, std::vector<
     return faces;
 }
 
+/// The least turn about Z that lays a line along X, either way round; in (-pi/2, pi/2].
+double angle_to_x(const Vec2& line) {
+    double angle = -std::atan2(line.y(), line.x());
+    if (angle > 0.5 * pi) angle -= pi;
+    if (angle <= -0.5 * pi) angle += pi;
+    return angle;
+}
+
 } // namespace
 
 std::vector<LyingFace> lying_faces(const Mesh& mesh, LyingOrder order, const Progress& progress) {
@@ -294,10 +302,7 @@ Mat3 turn_along_x(const Vec3& edge) {
     if (!(level > even_sine * edge.norm()))
         throw Error(ErrorCode::out_of_range, "edge", "it stands upright: no turn about Z lays it along X",
                     "pick another edge, or lay the part first");
-    double angle = -std::atan2(edge.y(), edge.x());
-    if (angle > 0.5 * pi) angle -= pi;
-    if (angle <= -0.5 * pi) angle += pi;
-    return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    return Eigen::AngleAxisd(angle_to_x(edge.head<2>()), Vec3::UnitZ()).toRotationMatrix();
 }
 
 Vec3 down_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middle) {
@@ -334,9 +339,7 @@ Mat3 turn_to_square(const Mesh& mesh) {
             hi = hi.cwiseMax(at);
         }
         const Vec2 size = hi - lo, along = size.x() >= size.y() ? u : v;
-        double turn = -std::atan2(along.y(), along.x());
-        if (turn > 0.5 * pi) turn -= pi;
-        if (turn <= -0.5 * pi) turn += pi;
+        const double turn = angle_to_x(along);
         const double area = size.x() * size.y(), slack = tolerance::figure_rounding * area;
         if (area < best - slack || (area < best + slack && std::abs(turn) < std::abs(angle))) {
             best = std::min(area, best);
