@@ -16,6 +16,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -42,30 +44,34 @@ const ParameterTable<MachineChoice>& machine_choice() {
     return table;
 }
 
-/// What stands below the machine: two structs in one form.
-class MachineForm : public Parameterized {
+/// Two structs in one form: the second's parameters stand behind `after` of the first's, or behind all.
+template <class First, class Second>
+class JoinedView : public Parameterized {
 public:
-    MachineForm(MachineChoice& machine, ProgramSpec& programs)
-        : machine_(machine, machine_choice()), programs_(programs, program_parameters()) {}
+    JoinedView(ParameterView<First> first, ParameterView<Second> second, std::string_view after = {})
+        : first_(std::move(first)), second_(std::move(second)), after_(after) {}
     std::vector<const ParameterInfo*> parameters() const override {
-        std::vector<const ParameterInfo*> all = machine_.parameters();
-        const auto more = programs_.parameters();
-        all.insert(all.end(), more.begin(), more.end());
+        std::vector<const ParameterInfo*> all = first_.parameters();
+        const auto at = std::find_if(all.begin(), all.end(),
+                                     [&](const ParameterInfo* info) { return info->key == after_; });
+        const auto more = second_.parameters();
+        all.insert(at == all.end() ? at : at + 1, more.begin(), more.end());
         return all;
     }
     ParameterValue get(std::string_view key) const override {
-        return machine_.has(key) ? machine_.get(key) : programs_.get(key);
+        return first_.has(key) ? first_.get(key) : second_.get(key);
     }
     void set(std::string_view key, const ParameterValue& value) override {
-        if (machine_.has(key))
-            machine_.set(key, value);
+        if (first_.has(key))
+            first_.set(key, value);
         else
-            programs_.set(key, value);
+            second_.set(key, value);
     }
 
 private:
-    ParameterView<MachineChoice> machine_;
-    ParameterView<ProgramSpec> programs_;
+    ParameterView<First> first_;
+    ParameterView<Second> second_;
+    std::string_view after_;
 };
 
 /// The size of a box that is stock: margins as what they come to.
@@ -112,33 +118,9 @@ std::array<double, 3> margins_for(const std::array<double, 3>& size, const Box3&
     return margin;
 }
 
-/// What stands below the stock.
-class StockForm : public Parameterized {
-public:
-    StockForm(StockSpec& stock, StockSize& size)
-        : stock_(stock, stock_parameters()), size_(size, stock_size()) {}
-    std::vector<const ParameterInfo*> parameters() const override {
-        std::vector<const ParameterInfo*> all;
-        for (const ParameterInfo* info : stock_.parameters()) {
-            all.push_back(info);
-            if (info->key == "margin") all.push_back(size_.parameters().front());
-        }
-        return all;
-    }
-    ParameterValue get(std::string_view key) const override {
-        return size_.has(key) ? size_.get(key) : stock_.get(key);
-    }
-    void set(std::string_view key, const ParameterValue& value) override {
-        if (size_.has(key))
-            size_.set(key, value);
-        else
-            stock_.set(key, value);
-    }
-
-private:
-    ParameterView<StockSpec> stock_;
-    ParameterView<StockSize> size_;
-};
+JoinedView<StockSpec, StockSize> stock_view(StockSpec& stock, StockSize& size) {
+    return {{stock, stock_parameters()}, {size, stock_size()}, "margin"};
+}
 
 const std::vector<std::string> axis_points{"axis_from", "axis_to"};
 
@@ -284,7 +266,7 @@ void PropertiesPanel::refresh() {
         title = tr("Stock");
         StockSpec copy = project.stock;
         StockSize total = total_size(copy, document_.part());
-        const StockForm view(copy, total);
+        const auto view = stock_view(copy, total);
         std::vector<std::string> keys = stock_keys(copy.kind);
         if (total.size[0] > 0) keys.push_back("size");
         std::vector<std::string> hidden;
@@ -309,7 +291,9 @@ void PropertiesPanel::refresh() {
             controls.push_back({text(project.programs.post), project.programs.post});
         MachineChoice machine{project.machine};
         ProgramSpec programs = project.programs;
-        show(MachineForm(machine, programs), {{"machine", choices}, {"post", controls}});
+        show(JoinedView(ParameterView(machine, machine_choice()),
+                        ParameterView(programs, program_parameters())),
+             {{"machine", choices}, {"post", controls}});
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
         const Tool& t = project.tools[node_->index];
         title = tr("T%1  %2").arg(t.number).arg(text(t.name));
