@@ -58,8 +58,8 @@ public:
     Theme theme() const { return theme_; }
     void set_unit(LengthUnit unit);
 
-    /// True while a job runs or a picture is due.
     void show_place(); ///< the panel that lays the part
+    /// True while a job runs or a picture is due.
     bool busy() const;
     /// The last thing that failed, until something succeeds.
     const QString& last_failure() const;
