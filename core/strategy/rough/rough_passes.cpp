@@ -37,6 +37,7 @@ std::vector<RoughRoute> RoughPasses::clear_parts(RoughRoute route) {
     std::vector<RoughRoute> parts;
     RoughRoute part = route;
     part.points.clear();
+    part.closed = false; // a part of a closed route may not begin anywhere: from its end no way leads on
     const auto end = [&] {
         if (part.points.size() < 2) {
             part.points.clear();
@@ -45,7 +46,6 @@ std::vector<RoughRoute> RoughPasses::clear_parts(RoughRoute route) {
         part.after = part.points.back();
         parts.push_back(part);
         part.points.clear();
-        part.closed = false;
     };
     bool whole = true;
     for (std::size_t i = 1; i < route.points.size(); ++i) {
