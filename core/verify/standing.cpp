@@ -1,6 +1,7 @@
 #include "core/verify/standing.h"
 
 #include "core/base/golden_section.h"
+#include "core/base/tolerances.h"
 #include "core/mesh/triangle_distance.h"
 
 #include <algorithm>
