@@ -172,6 +172,9 @@ void read_numbers(PostReader& file, Post& post) {
     r.integer("vector_decimals", 4, 9, post.vector_decimals);
     r.integer("feed_decimals", 0, 4, post.feed_decimals);
     r.boolean("trailing_zeros", post.trailing_zeros);
+    // An inch is 25 mm, and its feeds have as many digits fewer.
+    post.inch_feed_decimals = post.feed_decimals + 1;
+    r.integer("inch_feed_decimals", 0, 6, post.inch_feed_decimals);
     r.boolean("point", post.point);
     r.boolean("plus", post.plus);
     r.number("inch_feed", 0.001, 1000, post.inch_feed);

@@ -101,7 +101,8 @@ struct Post {
     std::size_t max_block = 255; ///< characters
     std::string comment_open = "(", comment_close = ")";
     std::size_t max_comment = 60;
-    int mm_decimals = 4, inch_decimals = 5, angle_decimals = 4, vector_decimals = 7, feed_decimals = 2;
+    int mm_decimals = 4, inch_decimals = 5, angle_decimals = 4, vector_decimals = 7, feed_decimals = 2,
+        inch_feed_decimals = 3;
     bool trailing_zeros = false, point = true, plus = false; ///< "1.500", "1.", "+1"
     double inch_feed = 1;                                    ///< inches that a feed of 1 is
     bool numbers_blocks = false;
@@ -140,6 +141,9 @@ struct Post {
     const std::string& code(NcCode what) const;
     bool has_planes() const { return !plane_on.empty(); }
     bool has(NcCode what) const { return !code(what).empty(); }
+    int feed_digits(LengthUnit unit) const {
+        return unit == LengthUnit::inch ? inch_feed_decimals : feed_decimals;
+    }
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
     /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.
     NcWord centre_word(int axis) const;

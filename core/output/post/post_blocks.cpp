@@ -18,7 +18,7 @@ PostBlocks::PostBlocks(const Post& post, LengthUnit unit, double rapid_mm_per_mi
       straight_(post.code(NcCode::straight)), straight_vectors_(post.code(NcCode::straight_vectors)),
       rapid_block_(post.code(NcCode::rapid_block)), rapid_mm_per_min_(rapid_mm_per_min),
       feed_scale_(unit == LengthUnit::inch ? 1 / (mm_per_inch * post.inch_feed) : 1),
-      number_(post.block_first) {
+      feed_digits_(post.feed_digits(unit)), number_(post.block_first) {
     for (std::size_t i = 0; i < nc_words; ++i) {
         Slot& s = slots_[i];
         const NcWord w = NcWord(i);
@@ -230,14 +230,14 @@ void PostBlocks::arc(const PlaneArc& arc, double mm_per_min) {
 }
 
 void PostBlocks::feed_word(double mm_per_min) {
-    const std::int64_t feed = nc_digits(mm_per_min * feed_scale_, post_.feed_decimals);
+    const std::int64_t feed = nc_digits(mm_per_min * feed_scale_, feed_digits_);
     if (feed < 1)
         throw Error(ErrorCode::out_of_range, "post '" + printable(post_.name) + "'",
                     "a feed of " + format_number(mm_per_min) + " mm/min has no digits left",
                     "raise the feed, or feed_decimals of the post");
     if (feed_ != feed || !post_.modal) {
         block_ += post_.separator + post_.word(NcWord::feed);
-        append_number(block_, feed, post_.feed_decimals, post_);
+        append_number(block_, feed, feed_digits_, post_);
     }
     feed_ = feed;
 }

@@ -76,6 +76,7 @@ private:
     std::optional<std::int64_t> feed_;
     bool inverse_ = false, mode_known_ = false;
     double feed_scale_ = 1;
+    int feed_digits_ = 2;
     long number_;
     std::size_t blocks_ = 0, lines_ = 0;
 };

@@ -225,8 +225,9 @@ TemplateValues PostWriter::values(const ClSection& s) const {
     append_number(v["blend"], std::max<std::int64_t>(1, nc_digits(setup_.tip_tolerance / per, decimals)),
                   decimals, post_);
     append_number(v["safe"], nc_digits(safe_height(s) / per, decimals), decimals, post_);
-    append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup_.machine) / per, post_.feed_decimals),
-                  post_.feed_decimals, post_);
+    const int feed_digits = post_.feed_digits(program_.unit);
+    append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup_.machine) / per, feed_digits), feed_digits,
+                  post_);
     return v;
 }
 
