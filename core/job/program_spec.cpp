@@ -18,8 +18,8 @@ const ParameterTable<ProgramSpec>& program_parameters() {
         t.add(&ProgramSpec::wcs,
               {.key = "wcs",
                .label = "Work coordinates",
-               .help = "The control's work coordinate system that programs are told in: `G54`. "
-                       "Default: the control's first.",
+               .help = "The control's work coordinate system that programs are told in: `G54`, or the "
+                       "number of a preset. Default: the control's first, or what is active in it.",
                .kind = K::text,
                .stage = Stage::output});
         t.add_choice(&ProgramSpec::zero_from,

@@ -247,7 +247,7 @@ void Sheet::posted_programs() {
     try {
         const Post post = project_post(project_, project_.programs.post);
         std::string wcs = project_.programs.wcs;
-        if (wcs.empty() && !post.wcs.empty()) wcs = post.wcs.front();
+        if (wcs.empty()) wcs = post.default_wcs();
         const std::vector<PostedFile> files = post_plan(project_, plan_, {});
         begin_facts();
         fact("Control", post.label);

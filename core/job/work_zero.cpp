@@ -37,7 +37,7 @@ std::string work_zero_name(const Project& project) {
     if (project.programs.post.empty()) return "zero";
     try {
         const Post post = project_post(project, project.programs.post);
-        if (!post.wcs.empty()) return post.wcs.front();
+        if (const std::string wcs = post.default_wcs(); !wcs.empty()) return wcs;
     } catch (const Error&) {
         // Told where programs are posted.
     }

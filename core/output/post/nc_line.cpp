@@ -54,6 +54,15 @@ NcLineReader::NcLineReader(const Post& post)
                      line.substr(second + word)};
     }
     plane_off_ = post.plane_off;
+    for (std::string line : post.wcs_lines) {
+        constexpr std::string_view word = "{wcs}";
+        line.erase(0, line.find_first_not_of(' '));
+        const std::size_t at = line.find(word);
+        if (at == std::string::npos)
+            wcs_lines_.push_back({line, "", false});
+        else
+            wcs_lines_.push_back({line.substr(0, at), line.substr(at + word.size()), true});
+    }
     for (const auto& [text, meaning] : post.codes) {
         if (text.size() == 1 || is_letter(text[1])) {
             named_[text] = {meaning, &text};
@@ -77,9 +86,33 @@ std::string_view NcLineReader::behind_number(std::string_view line) const {
 
 /// Lines that are understood as a whole: what they hold is no letter with a number, as in CYCLE800(...).
 bool NcLineReader::whole_line(std::string_view text, NcLine& into) const {
-    if (plane_off_.empty()) return false;
     while (!text.empty() && text.back() == ' ')
         text.remove_suffix(1);
+    return plane_line(text, into) || wcs_line(text, into);
+}
+
+bool NcLineReader::wcs_line(std::string_view text, NcLine& into) const {
+    for (std::size_t i = 0; i < wcs_lines_.size(); ++i) {
+        const WcsLine& line = wcs_lines_[i];
+        std::string_view rest = text;
+        if (!rest.starts_with(line.before)) continue;
+        rest.remove_prefix(line.before.size());
+        long number = 0;
+        if (line.tells) {
+            const auto read = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+            if (read.ec != std::errc()) continue;
+            rest.remove_prefix(std::size_t(read.ptr - rest.data()));
+        }
+        if (rest != line.behind) continue;
+        into.wcs_line = int(i);
+        if (line.tells) into.wcs_number = number;
+        return true;
+    }
+    return false;
+}
+
+bool NcLineReader::plane_line(std::string_view text, NcLine& into) const {
+    if (plane_off_.empty()) return false;
     if (std::find(plane_off_.begin(), plane_off_.end(), text) != plane_off_.end()) {
         into.plane_off = true;
         return true;
@@ -221,9 +254,11 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
     Cursor c{line, 0, file, number};
     into.plane.reset();
     into.plane_off = false;
+    into.wcs_line = -1;
+    into.wcs_number.reset();
     while (bare_numbers_ && c.at < line.size() && is_figure(line[c.at]))
         ++c.at;
-    if (!plane_off_.empty() && whole_line(behind_number(line), into)) return;
+    if ((!plane_off_.empty() || !wcs_lines_.empty()) && whole_line(behind_number(line), into)) return;
     while (c.at < line.size()) {
         const char ch = line[c.at];
         if (ch == ' ' || ch == '\t') {

@@ -20,6 +20,9 @@ struct NcLine {
     /// A tilted plane begins: turned about Z, then about the new X; degrees.
     std::optional<std::array<double, 2>> plane;
     bool plane_off = false;
+    /// Of the lines that choose work coordinates by their number; -1: none of them.
+    int wcs_line = -1;
+    std::optional<long> wcs_number;
     bool has(NcWord w) const { return given >> unsigned(w) & 1u; }
     double operator[](NcWord w) const { return value[std::size_t(w)]; }
     bool has_code(NcCode c) const;
@@ -46,6 +49,8 @@ private:
     [[noreturn]] static void fail(const Cursor& c, const std::string& what, const std::string& remedy);
     std::string_view behind_number(std::string_view line) const;
     bool whole_line(std::string_view text, NcLine& into) const;
+    bool plane_line(std::string_view text, NcLine& into) const;
+    bool wcs_line(std::string_view text, NcLine& into) const;
     void token(Cursor& c, NcLine& into) const;
     /// A comment that tells the tool, where the control has no word for it: "tool 3 ...".
     void comment(std::string_view text, NcLine& into) const;
@@ -66,6 +71,12 @@ private:
     std::array<std::string, 3> plane_on_;
     bool z_first_ = true;
     std::vector<std::string> plane_off_;
+    /// The lines that choose work coordinates: what stands before the number and behind it.
+    struct WcsLine {
+        std::string before, behind;
+        bool tells = false;
+    };
+    std::vector<WcsLine> wcs_lines_;
 };
 
 } // namespace facetmill

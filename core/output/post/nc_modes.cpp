@@ -8,7 +8,7 @@ namespace facetmill {
 
 NcModes::NcModes(const std::string& file, const Post& post, const std::string& wcs)
     : file_(file), post_(post), wanted_wcs_(wcs) {
-    if (wanted_wcs_.empty() && !post.wcs.empty()) wanted_wcs_ = post.wcs.front();
+    if (wanted_wcs_.empty()) wanted_wcs_ = post.default_wcs();
     absolute_ = !post.has(NcCode::absolute);
     inverse_known_ = !post.has(NcCode::inverse_time);
     spindle_ = !post.has(NcCode::spindle_on);
@@ -196,12 +196,29 @@ void NcModes::codes(const NcLine& line) {
                ErrorCode::missing_key);
     if (rapid_now_ && motion_ != NcCode::feed) refuse("an arc is no rapid", "give it a feed");
     if (rapid_now_) motion_ = NcCode::rapid;
-    if (line.wcs.empty()) return;
-    if (line.wcs != wanted_wcs_)
-        refuse("the work coordinate system is " + printable(line.wcs) + ", and the part stands in "
+    if (!line.wcs.empty()) choose_wcs(line.wcs);
+}
+
+void NcModes::choose_wcs(std::string_view name) {
+    if (wanted_wcs_.empty())
+        refuse("the work coordinate system is " + printable(name) + ", and the project names none",
+               "name it in the project, as `wcs`");
+    if (name != wanted_wcs_)
+        refuse("the work coordinate system is " + printable(name) + ", and the part stands in "
                    + printable(wanted_wcs_),
                "choose the setup's");
     wcs_ = true;
+}
+
+/// Lines that choose work coordinates together stand one below the other.
+void NcModes::wcs_lines(const NcLine& line) {
+    if (line.wcs_line != next_wcs_line_ && (line.wcs_line >= 0 || next_wcs_line_ > 0))
+        refuse("the choice of a work coordinate system is not whole", "write all of its lines",
+               ErrorCode::missing_key);
+    if (line.wcs_line < 0) return;
+    if (line.wcs_number) named_wcs_ = std::to_string(*line.wcs_number);
+    next_wcs_line_ = (next_wcs_line_ + 1) % int(post_.wcs_lines.size());
+    if (next_wcs_line_ == 0) choose_wcs(named_wcs_);
 }
 
 /// A tilted plane that begins or ends.
@@ -256,7 +273,7 @@ void NcModes::check_motion() const {
     if (!absolute_ || incremental_)
         refuse("places are not told from the origin",
                "write " + post_.code(NcCode::absolute) + " at the start", ErrorCode::missing_key);
-    if (!post_.wcs.empty() && !wcs_)
+    if (!wanted_wcs_.empty() && !wcs_)
         refuse("no work coordinate system is chosen", "write " + wanted_wcs_, ErrorCode::missing_key);
     if (plane_ && !turned_)
         refuse("a plane is tilted, and the rotary axes have not turned to it",
@@ -287,6 +304,7 @@ void NcModes::block(const NcLine& line, long number) {
     turns_ = NcCode::none;
     turn_now_ = false;
     planes(line);
+    wcs_lines(line);
     // "T1 M6": the number belongs to the change in the same block.
     const bool values_first = line.has(NcWord::tool);
     if (values_first) values(line);

@@ -17,7 +17,7 @@ class NcModes {
 public:
     enum class Tcp { off, axes, vectors, plane };
 
-    /// `wcs`: the only one that may be chosen; empty: the post's first.
+    /// `wcs`: the only one that may be chosen; empty: the post's own, or none where it needs none.
     NcModes(const std::string& file, const Post& post, const std::string& wcs);
 
     /// Takes over what a block says. Throws Error for what contradicts itself, within "file:line".
@@ -53,6 +53,8 @@ private:
     void one_code(NcCode code, const NcLine& line);
     void call_length(NcCode code, const NcLine& line);
     void planes(const NcLine& line);
+    void choose_wcs(std::string_view name);
+    void wcs_lines(const NcLine& line);
     void values(const NcLine& line);
     void change_tool();
 
@@ -60,6 +62,8 @@ private:
     const Post& post_;
     std::string wanted_wcs_;
     long line_ = 0;
+    int next_wcs_line_ = 0; ///< of those that choose work coordinates together
+    std::string named_wcs_;
     double unit_ = 0; ///< mm; 0: not yet said
     bool absolute_ = false, incremental_ = false, inverse_ = false, inverse_known_ = false, wcs_ = false;
     bool spindle_ = false, length_ = false, counts_length_ = false, ended_ = false, home_now_ = false;

@@ -8,6 +8,7 @@
 #include "core/output/post/post_files.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace facetmill {
@@ -171,10 +172,10 @@ void read_numbers(PostReader& file, Post& post) {
     r.integer("angle_decimals", 1, 7, post.angle_decimals);
     r.integer("vector_decimals", 4, 9, post.vector_decimals);
     r.integer("feed_decimals", 0, 4, post.feed_decimals);
-    r.boolean("trailing_zeros", post.trailing_zeros);
     // An inch is 25 mm, and its feeds have as many digits fewer.
     post.inch_feed_decimals = post.feed_decimals + 1;
     r.integer("inch_feed_decimals", 0, 6, post.inch_feed_decimals);
+    r.boolean("trailing_zeros", post.trailing_zeros);
     r.boolean("point", post.point);
     r.boolean("plus", post.plus);
     r.number("inch_feed", 0.001, 1000, post.inch_feed);
@@ -264,13 +265,6 @@ void read_codes(PostReader& file, Post& post) {
         if (!post.has(c))
             throw Error(ErrorCode::missing_key, "codes", "no code means '" + known[std::size_t(c)] + "'",
                         "write it");
-    post.wcs = file.list("wcs");
-    for (std::size_t i = 0; i < post.wcs.size(); ++i) {
-        if (!is_nc_code(post.wcs[i]) || post.codes.contains(post.wcs[i]))
-            throw Error(ErrorCode::out_of_range, element("wcs", i),
-                        "this is no code, or it has another meaning", "write it as G54");
-        post.codes[post.wcs[i]] = NcCode::wcs;
-    }
 }
 
 void read_lines(PostReader& object, const char* key, const std::string& place, std::vector<std::string>& to) {
@@ -278,6 +272,37 @@ void read_lines(PostReader& object, const char* key, const std::string& place, s
     if (to.size() > max_lines) object.refuse(key, "there are too many lines", "leave some out");
     for (std::size_t i = 0; i < to.size(); ++i)
         check_template(to[i], element(place, i));
+}
+
+/// Work coordinates that have numbers.
+void read_wcs_lines(const Json& object, Post& post) {
+    PostReader r(object, "wcs");
+    read_lines(r, "on", "wcs.on", post.wcs_lines);
+    post.wcs_last = 1;
+    r.integer("first", 0L, 99999999L, post.wcs_first);
+    r.integer("last", post.wcs_first, 99999999L, post.wcs_last);
+    r.finish();
+    const auto tells = [](const std::string& line) { return line.find("{wcs}") != std::string::npos; };
+    if (std::count_if(post.wcs_lines.begin(), post.wcs_lines.end(), tells) != 1)
+        r.refuse("on", "not one line has the word {wcs}", "write it once");
+    for (std::size_t i = 0; i < post.wcs_lines.size(); ++i)
+        if (std::count(post.wcs_lines.begin(), post.wcs_lines.end(), post.wcs_lines[i]) > 1
+            || post.wcs_lines[i].find('{') != post.wcs_lines[i].find("{wcs}"))
+            throw Error(ErrorCode::out_of_range, element("wcs.on", i),
+                        "the line occurs twice, or has other words than {wcs}", "change it");
+}
+
+void read_wcs(PostReader& file, Post& post) {
+    file.boolean("wcs_optional", post.wcs_optional);
+    if (const Json* numbers = file.find("wcs"); numbers && numbers->is_object())
+        return read_wcs_lines(*numbers, post);
+    post.wcs = file.list("wcs");
+    for (std::size_t i = 0; i < post.wcs.size(); ++i) {
+        if (!is_nc_code(post.wcs[i]) || post.codes.contains(post.wcs[i]))
+            throw Error(ErrorCode::out_of_range, element("wcs", i),
+                        "this is no code, or it has another meaning", "write it as G54");
+        post.codes[post.wcs[i]] = NcCode::wcs;
+    }
 }
 
 void read_planes(PostReader& file, Post& post) {
@@ -452,6 +477,7 @@ Post read_post(const Json& json, std::string_view text) {
     read_block_numbers(file, post);
     read_words(file, post);
     read_codes(file, post);
+    read_wcs(file, post);
     post.changes_tools = post.has(NcCode::tool_change);
     file.boolean("changes_tools", post.changes_tools);
     read_templates(file, post);
@@ -477,7 +503,22 @@ NcWord Post::centre_word(int axis) const {
 }
 
 bool Post::knows_wcs(std::string_view wanted) const {
-    return std::find(wcs.begin(), wcs.end(), wanted) != wcs.end();
+    if (wcs_lines.empty()) return std::find(wcs.begin(), wcs.end(), wanted) != wcs.end();
+    long number = 0;
+    const auto read = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    return read.ec == std::errc() && number >= wcs_first && number <= wcs_last
+           && std::to_string(number) == wanted;
+}
+
+std::string Post::default_wcs() const {
+    if (wcs_optional) return {};
+    if (!wcs_lines.empty()) return std::to_string(wcs_first);
+    return wcs.empty() ? std::string() : wcs.front();
+}
+
+std::string Post::known_wcs() const {
+    if (wcs_lines.empty()) return listed(wcs);
+    return "the numbers from " + std::to_string(wcs_first) + " to " + std::to_string(wcs_last);
 }
 
 const std::vector<std::string>& post_template_words() {

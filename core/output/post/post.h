@@ -111,7 +111,11 @@ struct Post {
     std::array<std::string, nc_words> words; ///< "X", or "A3="; empty where the control has none
     std::vector<std::string> ignored_words;  ///< of templates: read over
     std::map<std::string, NcCode> codes;
-    std::vector<std::string> wcs;       ///< what a project may ask for; the first unless it asks
+    std::vector<std::string> wcs; ///< codes that a project may ask for; the first unless it asks
+    /// Where work coordinates have numbers: the lines that choose one, and the numbers there are.
+    std::vector<std::string> wcs_lines;
+    long wcs_first = 0, wcs_last = 0;
+    bool wcs_optional = false;          ///< unless a project asks, none is chosen
     std::array<std::string, 4> coolant; ///< by Coolant
     MultiAxis multi_axis = MultiAxis::none;
     Arcs arcs = Arcs::none;
@@ -137,17 +141,20 @@ struct Post {
     std::string approach, tcp_approach, plane_approach;
     std::string source; ///< text of the file
 
+    int feed_digits(LengthUnit unit) const {
+        return unit == LengthUnit::inch ? inch_feed_decimals : feed_decimals;
+    }
     /// The first code that does this; empty where the control has none.
     const std::string& code(NcCode what) const;
     bool has_planes() const { return !plane_on.empty(); }
     bool has(NcCode what) const { return !code(what).empty(); }
-    int feed_digits(LengthUnit unit) const {
-        return unit == LengthUnit::inch ? inch_feed_decimals : feed_decimals;
-    }
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
     /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.
     NcWord centre_word(int axis) const;
     bool knows_wcs(std::string_view name) const;
+    /// What programs are told in unless a project asks; empty: those that are active in the control.
+    std::string default_wcs() const;
+    std::string known_wcs() const; ///< "G54, G55", "the numbers from 0 to 99"; empty where there are none
 };
 
 /// Words that lines of a post may hold in braces: "program", "tool", "wcs" ...

@@ -53,10 +53,11 @@ std::string PostBlocks::filled(const std::string& line, const TemplateValues& va
 
 void PostBlocks::line(const std::string& body) {
     std::string number;
-    // Ends of the tape and the number of the program stand before all blocks.
-    const bool before_blocks =
-        body == "%" || (body.size() > 1 && body[0] == 'O' && body[1] >= '0' && body[1] <= '9');
-    if (post_.numbers_blocks && !before_blocks) {
+    // Ends of the tape and the number of the program stand before all blocks; what begins with a blank goes
+    // on with the block before.
+    const bool no_block = body == "%" || body[0] == ' '
+                          || (body.size() > 1 && body[0] == 'O' && body[1] >= '0' && body[1] <= '9');
+    if (post_.numbers_blocks && !no_block) {
         number = post_.block_letter + std::to_string(number_)
                  + (post_.block_letter.empty() ? " " : post_.separator);
         number_ =
@@ -234,7 +235,7 @@ void PostBlocks::feed_word(double mm_per_min) {
     if (feed < 1)
         throw Error(ErrorCode::out_of_range, "post '" + printable(post_.name) + "'",
                     "a feed of " + format_number(mm_per_min) + " mm/min has no digits left",
-                    "raise the feed, or feed_decimals of the post");
+                    "raise the feed, or the feed's decimals in the post");
     if (feed_ != feed || !post_.modal) {
         block_ += post_.separator + post_.word(NcWord::feed);
         append_number(block_, feed, feed_digits_, post_);

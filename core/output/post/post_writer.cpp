@@ -111,7 +111,7 @@ public:
     PostWriter(const ClProgram& program, const Post& post, const PostSetup& setup)
         : program_(program), post_(post), setup_(setup), wcs_(setup.wcs),
           blocks_(post, program.unit, rapid_mm_per_min(setup.machine)) {
-        if (wcs_.empty() && !post.wcs.empty()) wcs_ = post.wcs.front();
+        if (wcs_.empty()) wcs_ = post.default_wcs();
     }
 
     PostedProgram run(const Progress& progress);
@@ -495,6 +495,7 @@ void PostWriter::section(const ClSection& s, bool first, bool change, const Prog
     for (const RotaryAxis& axis : setup_.machine.rotary)
         if (const NcWord word = rotary_word(axis); !post_.word(word).empty()) rotary_.push_back(word);
     if (first) blocks_.lines(post_.start, v);
+    if (first && !wcs_.empty()) blocks_.lines(post_.wcs_lines, v);
     posted_.first_lines.push_back(blocks_.lines_written() + 1);
     blocks_.lines(post_.retract, v);
     if (change) {
@@ -536,9 +537,7 @@ PostedProgram PostWriter::run(const Progress& progress) {
 
 void check_wcs(const Post& post, const std::string& wcs) {
     if (wcs.empty() || post.knows_wcs(wcs)) return;
-    std::string known;
-    for (const auto& w : post.wcs)
-        known += (known.empty() ? "" : ", ") + w;
+    const std::string known = post.known_wcs();
     refuse(post, "the control has no work coordinate system '" + printable(wcs) + "'",
            known.empty() ? "leave `wcs` out" : "use one of: " + known);
 }

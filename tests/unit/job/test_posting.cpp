@@ -460,7 +460,11 @@ private slots:
         QVERIFY(message(R"("post": "grbl", "program_number": 100000)").find("100000") != std::string::npos);
         QVERIFY(message(R"("post": "grbl")", big).find("tool 300") != std::string::npos);
         QVERIFY(message(R"("post": "grblhal", "programs": "one")", big).empty());
-        QVERIFY(message(R"("post": "marlin", "wcs": "G54")").find("G54") != std::string::npos);
+        QVERIFY(message(R"("post": "marlin", "wcs": "G54")").empty());
+        QVERIFY(message(R"("post": "marlin", "wcs": "G60")").find("G59.3") != std::string::npos);
+        QVERIFY(message(R"("post": "heidenhain", "wcs": "12")").empty());
+        QVERIFY(message(R"("post": "heidenhain", "wcs": "G54")").find("numbers from 0 to 65535")
+                != std::string::npos);
         QVERIFY(message(R"("post": "nowhere.json")").find("nowhere.json") != std::string::npos);
         const std::string flat = R"(, { "kind": "finish3", "name": "More", "tool": 3 })";
         QVERIFY(message(R"("post": "grbl", "programs": "one")", flat).find("change tools")

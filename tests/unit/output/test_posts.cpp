@@ -77,6 +77,16 @@ private slots:
         row("no code", linuxcnc_with("\"G0\": \"rapid\", ", ""), "missing_key", "rapid");
         row("two meanings", linuxcnc_with("\"y\": \"Y\"", "\"y\": \"X\""), "out_of_range", "words.y");
         row("wcs", linuxcnc_with("\"G59.3\"", "\"G90\""), "out_of_range", "wcs[8]");
+        const auto preset = [&](const char* name, const char* from, const char* to, const char* code,
+                                const char* says) {
+            row(name, changed_text(find_post("heidenhain").source, from, to), code, says);
+        };
+        preset("preset: no number", "Q339=+{wcs}", "Q339=+1", "out_of_range", "wcs.on");
+        preset("preset: other words", "SETTING ~", "{tool} ~", "out_of_range", "wcs.on[0]");
+        preset("preset: last", "\"last\": 65535", "\"last\": -1", "out_of_range", "wcs.last");
+        preset("preset: key", "\"first\": 0, \"last\": 65535", "\"from\": 0", "unknown_key", "wcs.from");
+        preset("preset: type", "\"first\": 0, \"last\": 65535", "\"first\": \"0\"", "wrong_type",
+               "wcs.first");
         row("version", linuxcnc_with("\"facetmill_post\": 1", "\"facetmill_post\": 2"), "newer_version",
             "newer");
         row("no G93", linuxcnc_with("\"G93\": \"inverse_time\", ", ""), "out_of_range", "inverse_time");
@@ -140,10 +150,78 @@ private slots:
                  qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
     }
 
+    void work_coordinates_are_chosen_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<std::string>("wcs");
+        QTest::addColumn<std::string>("says");
+        const auto row = [](const char* post, const char* wcs, const char* says) {
+            QTest::addRow("%s %s", post, wcs) << post << std::string(wcs) << std::string(says);
+        };
+        row("fanuc", "G57", "G57");
+        row("siemens", "G55", "G55");
+        row("linuxcnc", "G59.3", "G59.3");
+        row("marlin", "G59.1", "\nG59.1\n");
+        for (const char* post : {"heidenhain", "heidenhain-vectors"}) {
+            row(post, "0", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+0 ;DATUM NUMBER\r\n3 ");
+            row(post, "407", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+407 ;DATUM NUMBER\r\n3 ");
+        }
+    }
+    /// Told once, and no other program is read as one for them.
+    void work_coordinates_are_chosen() {
+        QFETCH(QString, post);
+        QFETCH(std::string, wcs);
+        QFETCH(std::string, says);
+        const Post& control = find_post(post.toStdString());
+        const ClProgram program = joined_program({upright_section("One", 1)});
+        PostSetup setup = setup_for(program, "generic-3-axis");
+        setup.wcs = wcs;
+        const std::string text = post_program(program, control, setup, {}).text;
+        QVERIFY2(text.find(says) != std::string::npos, text.substr(0, 300).c_str());
+        NcSetup read = reading(program, setup);
+        const auto refusal = [&](const std::string& of, const std::string& wanted) {
+            std::string message;
+            read.wcs = wanted;
+            const std::string code = code_of([&] { read_nc(of, "p", control, read, {}); }, &message);
+            return code == "none" ? code : message;
+        };
+        QCOMPARE(refusal(text, wcs), std::string("none"));
+        QVERIFY(refusal(text, "G54").find("the part stands in G54") != std::string::npos);
+        setup.wcs.clear();
+        const std::string plain = post_program(program, control, setup, {}).text;
+        QCOMPARE(refusal(plain, ""), std::string("none"));
+        QCOMPARE(plain.find("CYCL DEF 247"), std::string::npos);
+        const std::string none =
+            control.wcs_optional ? "no work coordinate system is chosen" : "stands in " + wcs;
+        QVERIFY2(refusal(plain, wcs).find(none) != std::string::npos, refusal(plain, wcs).c_str());
+        if (control.wcs_optional)
+            QVERIFY(refusal(text, "").find("the project names none") != std::string::npos);
+        if (control.wcs_lines.empty()) return;
+        const std::string half = changed_text(text, "    Q339=+" + wcs + " ;DATUM NUMBER\r\n", "");
+        QVERIFY(refusal(half, wcs).find("not whole") != std::string::npos);
+        const std::string second = changed_text(text, "CYCL DEF 247 DATUM SETTING ~", "M9");
+        QVERIFY(refusal(second, wcs).find("not whole") != std::string::npos);
+    }
+
+    void work_coordinates_that_are_not_there() {
+        const auto refusal = [](const char* post, const char* wcs) {
+            std::string message;
+            const std::string code = code_of([&] { check_wcs(find_post(post), wcs); }, &message);
+            return code == "none" ? std::string() : message;
+        };
+        for (const char* wcs : {"65536", "-1", "07", "7 ", "G54", "1.5", "99999999999999999999"})
+            QVERIFY2(refusal("heidenhain", wcs).find("the numbers from 0 to 65535") != std::string::npos,
+                     wcs);
+        QVERIFY(refusal("marlin", "G59.4").find("G59.3") != std::string::npos);
+        QVERIFY(refusal("fanuc", "G54.1").find("G54, G55") != std::string::npos);
+        for (const char* wcs : {"", "0", "65535"})
+            QVERIFY(refusal("heidenhain", wcs).empty());
+    }
+
     void several_axes_keep_to_the_route_data() {
         QTest::addColumn<QString>("post");
         QTest::addColumn<QString>("machine");
         QTest::addColumn<double>("lean");
+        QTest::addColumn<bool>("inch");
         for (const Post& p : posts())
             for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-b-table-c", "tarus-tpi-2000"})
                 for (const double lean : {0.2, 0.02})
@@ -159,6 +237,7 @@ private slots:
         QFETCH(QString, post);
         QFETCH(QString, machine);
         QFETCH(double, lean);
+        QFETCH(bool, inch);
         const Post& control = find_post(post.toStdString());
         const ClProgram program =
             joined_program({leaning_section("Lean", 1, lean)}, inch ? LengthUnit::inch : LengthUnit::mm);
@@ -224,7 +303,6 @@ private slots:
                         QVERIFY(off < 1e-9);
                     }
             }
-        QTest::addColumn<bool>("inch");
         }
     }
 
@@ -238,7 +316,6 @@ private slots:
                         << QString::fromStdString(p.name) << QString(machine);
     }
     /// Two operations that lean one way each, and one that does not: every place where it was, to the last
-        QFETCH(bool, inch);
     /// digit, with its axis; a vector or an angle nowhere but on the way there.
     void inclined_planes_are_tilted() {
         QFETCH(QString, post);
