@@ -69,7 +69,8 @@ const ParameterTable<ProgramSpec>& program_parameters() {
                    "Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands "
                    "for "
                    "three motions or more: every end of a motion within a quarter of the chord tolerance of "
-                   "the arc, and the arc within half of it of the motions. Never where the tool is inclined.",
+                   "the arc, and the arc within half of it of the motions. Where the tool leans, in tilted "
+                   "planes alone.",
                .kind = K::boolean,
                .stage = Stage::output});
         return t;

@@ -73,9 +73,25 @@ void check_turns(const Joints& from, const Joints& to, const NcSetup& setup, con
     }
 }
 
+/// Where the rotary axes hold a tool axis, if they stand there already but for the last digit.
+std::optional<Joints> held_here(const Kinematics& kinematics, const Vec3& axis, const Joints& at) {
+    const Kinematics::Solutions solutions = kinematics.inverse({Vec3::Zero(), axis}, at);
+    for (int k = 0; k < solutions.count; ++k) {
+        Joints to = at;
+        double farthest = 0;
+        for (std::size_t r = 0; r < std::size_t(kinematics.rotary_axes()); ++r) {
+            const double by = std::remainder(solutions.at[std::size_t(k)].rotary[r] - at.rotary[r], 2 * pi);
+            to.rotary[r] += by;
+            farthest = std::max(farthest, std::abs(by));
+        }
+        if (farthest <= plane_slack) return to;
+    }
+    return std::nullopt;
+}
+
 using Pole = std::array<std::optional<double>, 3>;
 
-/// The arc of a block, in the joints of the machine.
+/// The arc of a block, in the joints of the machine, or in a tilted plane.
 PlaneArc arc_of(const NcLine& line, const NcModes& modes, const Post& post, const Pole& pole,
                 const Vec3& from, const Vec3& to) {
     const bool clockwise = modes.motion() == NcCode::arc_clockwise;
@@ -107,6 +123,16 @@ PlaneArc arc_of(const NcLine& line, const NcModes& modes, const Post& post, cons
     return *arc;
 }
 
+void check_radius(const PlaneArc& arc, const NcModes& modes) {
+    const double radius = arc.radius();
+    if (!(radius > tolerance::smallest_chord))
+        modes.refuse("an arc has no radius", "write a straight motion");
+    if (std::abs(radius - arc.radius_at_end()) > radius_slack)
+        modes.refuse("an arc begins " + format_number(radius, 6) + " mm from its centre and ends "
+                         + format_number(arc.radius_at_end(), 6) + " mm from it",
+                     "check its end and its centre");
+}
+
 class NcRun {
 public:
     NcRun(const std::string& file, const Post& post, const NcSetup& setup)
@@ -135,7 +161,7 @@ private:
     void motion(const NcLine& line);
     void turn_to_plane();
     void arc(const NcLine& line, const Joints& to);
-    void run_arc(const PlaneArc& arc);
+    void run_arc(const PlaneArc& arc, const Mat3& frame);
     void take_centre(const NcLine& line);
     Joints joint_target(const NcLine& line) const;
     Joints tcp_target(const NcLine& line) const;
@@ -166,7 +192,7 @@ private:
     bool up_ = false;               ///< Z is at the top of its travel
     std::vector<Joints> up_places_; ///< places up there since the last one below
     std::optional<Joints> left_;    ///< where the tool went up from
-    Pole pole_;                     ///< of arcs whose centre has a block of its own; joints
+    Pole pole_;                     ///< of arcs whose centre has a block of its own; as places are told
     double arc_share_ = 1;          ///< of a block's time, that its piece of an arc takes
     bool by_joints_ = false;        ///< on the way up or down: whoever leads the tip elsewhere
 
@@ -209,22 +235,12 @@ void NcRun::turn_to_plane() {
     if (!rotary_known_[0] || !rotary_known_[1])
         refuse("the control chooses how to hold the tilted plane",
                "bring the rotary axes to where it is held before it", ErrorCode::missing_key);
-    const Kinematics::Solutions solutions = kinematics_.inverse({Vec3::Zero(), modes_.plane().axis()}, at_);
-    for (int k = 0; k < solutions.count; ++k) {
-        Joints to = at_;
-        double farthest = 0;
-        for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r) {
-            const double by = std::remainder(solutions.at[std::size_t(k)].rotary[r] - at_.rotary[r], 2 * pi);
-            to.rotary[r] += by;
-            farthest = std::max(farthest, std::abs(by));
-        }
-        if (farthest > plane_slack) continue;
-        at_ = to;
-        up_places_.push_back(to);
-        return;
-    }
-    refuse("the rotary axes do not stand where the tilted plane is held",
-           "bring them there before it, so that the control has nothing to choose");
+    const auto held = held_here(kinematics_, modes_.plane().axis(), at_);
+    if (!held)
+        refuse("the rotary axes do not stand where the tilted plane is held",
+               "bring them there before it, so that the control has nothing to choose");
+    at_ = *held;
+    up_places_.push_back(at_);
 }
 
 /// Axes to the end of their travel: Z up; X and Y are not known there.
@@ -393,11 +409,11 @@ void NcRun::come_down(const Joints& to) {
 /// A block that gives the centre of arcs, in the words of places.
 void NcRun::take_centre(const NcLine& line) {
     for (std::size_t k = 0; k < 3; ++k)
-        if (line.has(NcWord(k))) pole_[k] = modes_.length(line.value[k]) + setup_.part_origin[int(k)];
+        if (line.has(NcWord(k))) pole_[k] = modes_.length(line.value[k]);
 }
 
-/// The arc in straight pieces that are as near to it as places are told.
-void NcRun::run_arc(const PlaneArc& arc) {
+/// The arc in straight pieces that are as near to it as places are told; of a tilted plane in its frame.
+void NcRun::run_arc(const PlaneArc& arc, const Mat3& frame) {
     const double radius = std::max(arc.radius(), arc.radius_at_end());
     const double flat = std::min(1.0, setup_.tip_tolerance / radius);
     const double pieces =
@@ -405,6 +421,7 @@ void NcRun::run_arc(const PlaneArc& arc) {
     Joints place = at_;
     for (double k = 1; k <= pieces; ++k) {
         place.linear = arc.at(k / pieces);
+        if (tcp() == Tcp::plane) place.linear = kinematics_.linear(frame * place.linear, at_);
         check_travel(place);
         arc_share_ = 1 / pieces;
         trace(place, false);
@@ -416,16 +433,25 @@ void NcRun::run_arc(const PlaneArc& arc) {
 void NcRun::arc(const NcLine& line, const Joints& to) {
     for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r)
         if (line.has(rotary(r))) refuse("an arc turns a rotary axis", "turn it in a block of its own");
-    if (tcp() != Tcp::off) refuse("the tip is led on an arc", "write straight motions");
+    const bool in_plane = tcp() == Tcp::plane;
+    if (tcp() != Tcp::off && !in_plane) refuse("the tip is led on an arc", "write straight motions");
     if (up_ || !linear_known_[2]) refuse("the tool comes down on an arc", "come down straight");
-    const PlaneArc arc = arc_of(line, modes_, post_, pole_, at_.linear, to.linear);
-    const double radius = arc.radius();
-    if (!(radius > tolerance::smallest_chord)) refuse("an arc has no radius", "write a straight motion");
-    if (std::abs(radius - arc.radius_at_end()) > radius_slack)
-        refuse("an arc begins " + format_number(radius, 6) + " mm from its centre and ends "
-                   + format_number(arc.radius_at_end(), 6) + " mm from it",
-               "check its end and its centre");
-    run_arc(arc);
+    const Mat3 frame = in_plane ? modes_.plane().frame() : Mat3(Mat3::Identity());
+    Vec3 begin = at_.linear, end = to.linear;
+    Pole pole = pole_;
+    if (in_plane) {
+        begin = frame.transpose() * kinematics_.forward(at_).tip;
+        end = frame.transpose() * kinematics_.forward(to).tip;
+        // A whole turn ends where it began.
+        for (int k = 0; k < 3; ++k)
+            if (std::abs(end[k] - begin[k]) < tolerance::smallest_chord) end[k] = begin[k];
+    } else {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (pole[k]) *pole[k] += setup_.part_origin[int(k)];
+    }
+    const PlaneArc arc = arc_of(line, modes_, post_, pole, begin, end);
+    check_radius(arc, modes_);
+    run_arc(arc, frame);
 }
 
 void NcRun::motion(const NcLine& line) {

@@ -28,10 +28,10 @@ double rapid_mm_per_min(const Machine& machine) {
     return 60 * machine.rapid_mm_per_s.minCoeff();
 }
 
-/// Arcs for runs of motions of one feed, through places as they are printed: each at the first motion that it
-/// stands for. Empty where there are to be none at all.
-std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Post& post, const PostSetup& setup,
-                                              const PostBlocks& blocks) {
+/// Arcs for runs of motions of one feed, through places as they are printed in a frame: each at the first
+/// motion that it stands for. Empty where there are to be none at all.
+std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Mat3& frame, const Post& post,
+                                              const PostSetup& setup, const PostBlocks& blocks) {
     const auto& motions = s.motions.motions;
     std::vector<std::optional<ArcRun>> arcs;
     if (!setup.arcs || post.arcs == Post::Arcs::none) return arcs;
@@ -52,7 +52,7 @@ std::vector<std::optional<ArcRun>> found_arcs(const ClSection& s, const Post& po
                && end - i < longest_run)
             ++end;
         for (std::size_t k = i - 1; k < end; ++k) {
-            Vec3 p = motions[k].to.tip;
+            Vec3 p = frame.transpose() * motions[k].to.tip;
             for (std::size_t w = 0; w < 3; ++w)
                 p[int(w)] = blocks.printed(linear_words[w], p[int(w)]);
             points.push_back(p);
@@ -106,6 +106,43 @@ std::optional<TiltedPlane> plane_of(const ClSection& s, const MachineMotion& fou
     return plane;
 }
 
+/// What the words of templates stand for in a section.
+TemplateValues template_values(const ClSection& s, const ClProgram& program, const Post& post,
+                               const PostSetup& setup, const std::string& wcs,
+                               const std::optional<TiltedPlane>& plane) {
+    TemplateValues v;
+    if (plane) {
+        const auto angle = [&](double radians) {
+            std::string text;
+            const std::int64_t digits = nc_digits(degrees(radians), post.angle_decimals);
+            if (post.plus && digits >= 0) text += '+';
+            append_number(text, digits, post.angle_decimals, post);
+            return text;
+        };
+        v["plane_z"] = angle(plane->about_z);
+        v["plane_x"] = angle(plane->about_x);
+    }
+    v["part"] = nc_text(program.part_name, post.max_comment);
+    v["operation"] = nc_text(s.operation_name, post.max_comment);
+    v["tool_name"] = nc_text(s.tool_name, post.max_comment);
+    v["program"] = std::to_string(setup.program_number);
+    v["tool"] = std::to_string(s.tool_number);
+    v["speed"] = std::to_string(std::llround(std::max(s.spindle_rpm, 1.0)));
+    v["wcs"] = wcs;
+    v["coolant"] = post.coolant[std::size_t(s.coolant)];
+    const bool inch = program.unit == LengthUnit::inch;
+    v["units"] = post.code(inch ? NcCode::inch : NcCode::mm);
+    const int decimals = inch ? post.inch_decimals : post.mm_decimals;
+    const double per = mm_per(program.unit);
+    append_number(v["blend"], std::max<std::int64_t>(1, nc_digits(setup.tip_tolerance / per, decimals)),
+                  decimals, post);
+    append_number(v["safe"], nc_digits(safe_height(s) / per, decimals), decimals, post);
+    const int feed_digits = post.feed_digits(program.unit);
+    append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup.machine) / per, feed_digits), feed_digits,
+                  post);
+    return v;
+}
+
 class PostWriter {
 public:
     PostWriter(const ClProgram& program, const Post& post, const PostSetup& setup)
@@ -126,9 +163,12 @@ private:
     }
     void check() const;
     void check_section(const ClSection& s) const;
-    TemplateValues values(const ClSection& s) const;
+    TemplateValues values(const ClSection& s) const {
+        return template_values(s, program_, post_, setup_, wcs_, plane_);
+    }
     void section(const ClSection& s, bool first, bool change, const Progress& progress);
     void upright(const ClSection& s, const Progress& progress);
+    void arc(const ClSection& s, const ArcRun& run, const Joints& at, std::size_t last);
     void several_axes(const ClSection& s, const Progress& progress);
     void check_findings(const ClSection& s, const MachineMotion& found) const;
     void pieces(const ClSection& s, const Kinematics& kinematics, const MachineMotion& found, std::size_t i);
@@ -155,8 +195,6 @@ private:
     Joints now_;
     std::optional<Joints> before_; ///< where the section before ended, with the same tool
     std::vector<RoutePlace> places_;
-    std::vector<std::optional<ArcRun>>
-        arcs_; ///< by the first motion that each stands for; empty: none at all
 };
 
 void PostWriter::check() const {
@@ -195,40 +233,6 @@ void PostWriter::check_section(const ClSection& s) const {
     for (const RotaryAxis& axis : setup_.machine.rotary)
         if (post_.word(rotary_word(axis)).empty())
             refuse("the control has no word for the axis " + axis.name, "add it to the words of the post");
-}
-
-TemplateValues PostWriter::values(const ClSection& s) const {
-    TemplateValues v;
-    if (plane_) {
-        const auto angle = [&](double radians) {
-            std::string text;
-            const std::int64_t digits = nc_digits(degrees(radians), post_.angle_decimals);
-            if (post_.plus && digits >= 0) text += '+';
-            append_number(text, digits, post_.angle_decimals, post_);
-            return text;
-        };
-        v["plane_z"] = angle(plane_->about_z);
-        v["plane_x"] = angle(plane_->about_x);
-    }
-    v["part"] = nc_text(program_.part_name, post_.max_comment);
-    v["operation"] = nc_text(s.operation_name, post_.max_comment);
-    v["tool_name"] = nc_text(s.tool_name, post_.max_comment);
-    v["program"] = std::to_string(setup_.program_number);
-    v["tool"] = std::to_string(s.tool_number);
-    v["speed"] = std::to_string(std::llround(std::max(s.spindle_rpm, 1.0)));
-    v["wcs"] = wcs_;
-    v["coolant"] = post_.coolant[std::size_t(s.coolant)];
-    const bool inch = program_.unit == LengthUnit::inch;
-    v["units"] = post_.code(inch ? NcCode::inch : NcCode::mm);
-    const int decimals = inch ? post_.inch_decimals : post_.mm_decimals;
-    const double per = mm_per(program_.unit);
-    append_number(v["blend"], std::max<std::int64_t>(1, nc_digits(setup_.tip_tolerance / per, decimals)),
-                  decimals, post_);
-    append_number(v["safe"], nc_digits(safe_height(s) / per, decimals), decimals, post_);
-    const int feed_digits = post_.feed_digits(program_.unit);
-    append_number(v["rapid"], nc_digits(rapid_mm_per_min(setup_.machine) / per, feed_digits), feed_digits,
-                  post_);
-    return v;
 }
 
 /// A rapid as it is printed: does it have to be told as a motion at feed?
@@ -297,6 +301,14 @@ void PostWriter::start(const ClSection& s, const Joints& at, const CutterLocatio
     blocks_.before_next("", {});
 }
 
+/// An arc in place of the motions up to `last`.
+void PostWriter::arc(const ClSection& s, const ArcRun& run, const Joints& at, std::size_t last) {
+    place(s, at, s.motions.motions[last].to);
+    blocks_.arc(run.arc, s.feed(last));
+    posted_.seconds += 60 * run.arc.length() / s.feed(last);
+    ++posted_.arcs;
+}
+
 void PostWriter::upright(const ClSection& s, const Progress& progress) {
     const auto& motions = s.motions.motions;
     const Machine& machine = setup_.machine;
@@ -320,17 +332,14 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
     at.linear = motions.front().to.tip + zero_;
     if (before_) posted_.seconds += seconds_above(s, *before_, at, post_, setup_);
     start(s, at, motions.front().to);
-    const auto arcs = found_arcs(s, post_, setup_, blocks_);
+    const auto arcs = found_arcs(s, Mat3::Identity(), post_, setup_, blocks_);
     for (std::size_t i = 1; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) progress.part(0.3, 1).set(double(i) / double(motions.size()));
         if (i < arcs.size() && arcs[i]) {
             const ArcRun& run = *arcs[i];
             i += run.motions - 1;
             at.linear = motions[i].to.tip + zero_;
-            place(s, at, motions[i].to);
-            blocks_.arc(run.arc, s.feed(i));
-            posted_.seconds += 60 * run.arc.length() / s.feed(i);
-            ++posted_.arcs;
+            arc(s, run, at, i);
             continue;
         }
         const Motion& m = motions[i];
@@ -476,10 +485,20 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
     start(s, now_, motions.front().to);
     if (!told_as_joints(s)) blocks_.feed_mode(false);
     const Progress rest = progress.part(0.6, 1);
+    std::vector<std::optional<ArcRun>> arcs;
+    if (plane_) arcs = found_arcs(s, plane_->frame(), post_, setup_, blocks_);
     for (std::size_t i = 1; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) rest.set(double(i) / double(motions.size()));
+        if (i < arcs.size() && arcs[i]) {
+            const ArcRun& run = *arcs[i];
+            i += run.motions - 1;
+            now_ = found.motions[i].at;
+            arc(s, run, now_, i);
+            continue;
+        }
         pieces(s, kinematics, found, i);
     }
+    blocks_.usual_plane();
     if (!told_as_joints(s)) stop_leading(s);
     joints_ = true;
     blocks_.feed_mode(false);

@@ -33,8 +33,8 @@ struct PostSetup {
     /// How far the tip may stray from the verified route between two blocks, and how far a control may round
     /// its corners; mm.
     double tip_tolerance = 0.002;
-    /// Runs of motions of three axes are told as arcs where the control has them: the ends of the motions
-    /// within tip_tolerance of the arc, and it within `arc_bulge` of the motions; mm.
+    /// Runs of motions of three axes, and in tilted planes, are told as arcs where the control has them: the
+    /// ends of the motions within tip_tolerance of the arc, and it within `arc_bulge` of the motions; mm.
     bool arcs = false;
     double arc_bulge = 0.004;
     /// Part and stock, and how far away from them the tool may turn over; mm.

@@ -67,14 +67,17 @@ inline ClSection leaning_section(const std::string& name, long tool, double lean
     return s;
 }
 
-/// Rows across one axis, as work on an inclined face has them.
-inline ClSection indexed_section(const std::string& name, long tool, const Vec3& axis) {
-    ClSection s = plain_section(name, tool, true);
-    const ClSection upright = upright_section(name, tool);
+/// The same motions across an axis instead of +Z.
+inline ClSection tilted_section(const ClSection& upright, const Vec3& axis, double scale = 1) {
+    ClSection s = plain_section(upright.operation_name, upright.tool_number, true);
     const Vec3 z = axis.normalized(), x = Vec3(z.y(), -z.x(), 0).normalized(), y = z.cross(x);
     for (const Motion& m : upright.motions.motions)
-        add_motion(s, m.kind, 0.7 * (m.to.tip.x() * x + m.to.tip.y() * y + m.to.tip.z() * z), axis);
+        add_motion(s, m.kind, scale * (m.to.tip.x() * x + m.to.tip.y() * y + m.to.tip.z() * z), axis);
     return s;
+}
+/// Rows across one axis, as work on an inclined face has them.
+inline ClSection indexed_section(const std::string& name, long tool, const Vec3& axis) {
+    return tilted_section(upright_section(name, tool), axis, 0.7);
 }
 
 /// Whole circles both ways round, a helix, arcs in all three planes, a wave and straight rows, in steps of a
