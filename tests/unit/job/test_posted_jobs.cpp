@@ -1,17 +1,24 @@
 // Jobs, machines and controls, one with another: LinuxCNC's interpreter accepts what is posted, and every
-// place of the program is where the joints are.
+// place of the program is where the joints are. With FACETMILL_POSTS_TABLE=1 each is judged as well, and the
+// table of core/output/README.md is printed.
 #include "core/base/file.h"
 #include "core/job/posting.h"
+#include "core/job/stock_solid.h"
+#include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
+#include "core/output/motion_time.h"
+#include "core/output/post/tilted_plane.h"
 #include "tests/support/rs274.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
 #include <QTest>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <regex>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -48,6 +55,21 @@ public:
         project_ = load_project(data_path(job));
         project_.path = folder / "job.facetmill";
     }
+    /// A face of 40 x 30 mm that leans by 25 degrees, in inches.
+    struct Face {};
+    explicit MachinedJob(Face) {
+        const fs::path folder = dir_.path().toStdString();
+        std::ofstream(folder / "part.stl") << face();
+        project_ = parse_project(
+            R"({ "facetmill": 1, "units": "in", "part": { "file": "part.stl", "units": "mm" },
+  "stock": { "kind": "box", "margin": [0.1, 0.1, 0.1] }, "tools": [ { "number": 1, "name": "Ball", "diameter": 0.3,
+      "corner_radius": 0.15, "flute_length": 1.2, "shank_diameter": 0.3, "shank_length": 1.2,
+      "holder": [ { "diameter": 1, "length": 1 } ] } ],
+  "operations": [ { "kind": "finish5", "name": "Face", "tool": 1, "tolerance": 0.02, "direction": "x", "posture": "cm2", "grid_degrees": 15,
+                    "clearance": 0.3, "feed": 40 } ] })",
+            "p");
+        project_.path = folder / "p.facetmill";
+    }
     const Project& project(const std::string& machine, const std::string& post, bool one, bool arcs) {
         project_.machine = machine;
         project_.programs.post = post;
@@ -62,6 +84,19 @@ public:
     }
 
 private:
+    static std::string face() {
+        const auto corner = [](double x, double y) {
+            return " vertex " + std::to_string(x) + " " + std::to_string(y) + " "
+                   + std::to_string(y * std::tan(radians(25)));
+        };
+        std::string text = "solid face\n";
+        for (const bool far : {false, true})
+            text += "facet normal 0 0 0 outer loop" + corner(-20, -15)
+                    + (far ? corner(20, 15) + corner(-20, 15) : corner(20, -15) + corner(20, 15))
+                    + " endloop endfacet\n";
+        return text + "endsolid face\n";
+    }
+
     QTemporaryDir dir_;
     Project project_;
     Planner planner_;
@@ -79,7 +114,60 @@ MachinedJob& job_named(const std::string& name) {
       "operations": [ { "kind": "finish5", "name": "Lean", "tool": 1, "tolerance": 1, "posture": "cm2", "grid_degrees": 15,
                         "clearance": 6 } ])",
                                0.15);
-    return name == "convex" ? convex : name == "rough" ? rough : name == "lathe" ? lathe : surface;
+    static MachinedJob face(MachinedJob::Face{});
+    return name == "convex"  ? convex
+           : name == "rough" ? rough
+           : name == "lathe" ? lathe
+           : name == "face"  ? face
+                             : surface;
+}
+
+/// A row of the table of core/output/README.md.
+void print_row(const QString& job, const QString& machine, const Project& project,
+               const std::shared_ptr<const PlanResult>& plan, const std::vector<PostedFile>& files,
+               const NcFilePrograms& read) {
+    const auto judge = [&](const std::vector<VerifyProgram>& programs) {
+        return verify(*plan->part->mesh, stock_solid(project.stock, *plan->part), programs,
+                      verify_settings(project, plan.get()), {});
+    };
+    const Verification planned = judge(verify_programs(project, plan)), posted = judge(read.programs);
+    double seconds = 0;
+    std::string blocks;
+    for (const PostedFile& f : files) {
+        seconds += f.program.seconds;
+        blocks += (blocks.empty() ? "" : " + ") + std::to_string(f.program.blocks);
+    }
+    const double unit = mm_per(project.unit);
+    std::printf("| %s, %s | %s | `%s`%s | %s | yes | equal | %s, %s | %.5f, %.5f | %.4f, %.4f | %+.3f |\n",
+                qPrintable(job), project.unit == LengthUnit::inch ? "in" : "mm", qPrintable(machine),
+                project.programs.post.c_str(), project.programs.arcs ? ", arcs" : "", blocks.c_str(),
+                verdict_name(planned.verdict()).c_str(), verdict_name(posted.verdict()).c_str(),
+                planned.figures.gouge_max / unit, posted.figures.gouge_max / unit,
+                planned.figures.excess_max / unit, posted.figures.excess_max / unit,
+                100 * (read.seconds / seconds - 1));
+    std::fflush(stdout);
+}
+
+Mat3 turned(double degrees, const Vec3& line) {
+    return Eigen::AngleAxisd(radians(degrees), line).toRotationMatrix();
+}
+
+/// The plane that a control makes of a posted line, as its manual puts the turns together.
+Mat3 told_plane(const std::string& post, const std::string& text) {
+    const std::string number = "([-+0-9.]+)";
+    const std::string line =
+        post.starts_with("fanuc") ? "G68\\.2 X0\\. Y0\\. Z0\\. I" + number + " J" + number + " K" + number
+        : post == "haas"    ? "G268 X0\\. Y0\\. Z0\\. I" + number + " J" + number + " K" + number + " Q123"
+        : post == "siemens" ? "CYCLE800\\(0,\"\",100000,27,0,0,0," + number + "," + number + "," + number
+                            : "PLANE SPATIAL SPA" + number + " SPB" + number + " SPC" + number;
+    std::smatch found;
+    if (!std::regex_search(text, found, std::regex(line))) qFatal("no tilted plane: %s", post.c_str());
+    const double a = std::stod(found[1]), b = std::stod(found[2]), c = std::stod(found[3]);
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+    // Euler's angles Z, X, Z; Z, then Y and X as they came; X, Y, Z that stay.
+    if (post.starts_with("fanuc")) return turned(a, z) * turned(b, x) * turned(c, z);
+    if (post == "siemens") return turned(a, z) * turned(b, y) * turned(c, x);
+    return turned(c, z) * turned(b, y) * turned(a, x);
 }
 
 } // namespace
@@ -116,8 +204,9 @@ private slots:
         for (const char* machine : {"generic-3-axis", "trunnion-ac"})
             for (const char* post : {"linuxcnc", "grbl"})
                 row("rough", machine, post);
-        for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
-            row("surface", machine, "linuxcnc");
+        for (const char* job : {"surface", "face"})
+            for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
+                row(job, machine, "linuxcnc");
         row("lathe", "lathe-mill", "linuxcnc");
     }
     void jobs_are_accepted() {
@@ -131,7 +220,9 @@ private slots:
         const auto plan = asked.plan();
         const PostSetup setup = post_setup(project, *plan);
         const Post control = project_post(project, post.toStdString());
-        for (const PostedFile& file : post_plan(project, *plan, {})) {
+        const std::vector<PostedFile> files = post_plan(project, *plan, {});
+        NcFilePrograms all;
+        for (const PostedFile& file : files) {
             ClProgram program;
             program.unit = project.unit;
             for (const std::size_t i : file.programs)
@@ -142,10 +233,49 @@ private slots:
             QCOMPARE(seen.arcs, file.program.arcs);
             QCOMPARE(file.program.arcs > 0, arcs);
             QVERIFY2(arcs || all_places_seen(program, setup, control, seen), "a place is missing");
-            if (qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE"))
-                std::printf("| %s | %s | %s | %zu | %zu |\n", qPrintable(job), qPrintable(machine),
-                            qPrintable(post), file.program.blocks, seen.places.size());
+            // The file's time is that of the machine's model.
+            NcFilePrograms read =
+                parse_posted(project, *plan->part, control, file.program.text, file.name, {});
+            QVERIFY2(std::abs(read.seconds - file.program.seconds) < 1e-3 * file.program.seconds,
+                     qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(file.program.seconds)));
+            std::move(read.programs.begin(), read.programs.end(), std::back_inserter(all.programs));
+            all.seconds += read.seconds;
         }
+        if (qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE"))
+            print_row(job, machine, project, plan, files, all);
+    }
+
+    void a_leaning_face_is_cut_in_a_tilted_plane_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<QString>("machine");
+        for (const Post& p : posts())
+            for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
+                if (p.has_planes())
+                    QTest::addRow("%s, %s", p.name.c_str(), machine)
+                        << QString::fromStdString(p.name) << QString(machine);
+    }
+    /// The plane is that which the machine's axes hold: as it is, to 1e-9, and as it is printed, to its
+    /// digits.
+    void a_leaning_face_is_cut_in_a_tilted_plane() {
+        QFETCH(QString, post);
+        QFETCH(QString, machine);
+        MachinedJob& asked = job_named("face");
+        const Project& project = asked.project(machine.toStdString(), post.toStdString(), true, true);
+        const auto plan = asked.plan();
+        const PostSetup setup = post_setup(project, *plan);
+        const ClSection& section = plan->operations.front()->program;
+        const MachineMotion found =
+            machine_motion(section, setup.machine, {.part_origin = setup.part_origin});
+        const Kinematics kinematics(setup.machine, section.gauge_length, setup.part_origin);
+        const TiltedPlane plane = plane_across(section.motions.motions.front().to.axis);
+        QVERIFY(plane.about_x > radians(20));
+        for (const MotionJoints& m : found.motions)
+            QVERIFY((kinematics.forward(m.at).axis - plane.axis()).norm() < 1e-9);
+        const auto files = post_plan(project, *plan, {});
+        QCOMPARE(files.front().program.planes, std::size_t(1));
+        const Mat3 told = told_plane(post.toStdString(), files.front().program.text);
+        QVERIFY((told - plane.frame()).norm() < 3e-6);
+        QVERIFY((told.col(2) - kinematics.forward(found.motions.front().at).axis).norm() < 3e-6);
     }
 };
 

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <regex>
 
 using namespace facetmill;
 using facetmill::test::code_of;
@@ -115,6 +116,15 @@ PostedJob& leaning_job() {
     static PostedJob job("trunnion-ac", leaning_rows);
     return job;
 }
+/// The tool leans one way all along.
+PostedJob& face_job() {
+    static PostedJob job(
+        "trunnion-ac",
+        R"({ "kind": "finish5", "name": "Face", "tool": 1, "tolerance": 0.1, "posture": "cm2", "grid_degrees": 15,
+                              "direction": "x", "clearance": 4 })",
+        sheet_text([](double, double y) { return 0.4 * y; }, 24, 16));
+    return job;
+}
 PostedJob& head_job() {
     static PostedJob job("tarus-tpi-2000", leaning_rows);
     return job;
@@ -211,6 +221,8 @@ private slots:
         for (const char* post : {"linuxcnc", "fanuc", "fanuc-vectors", "siemens"})
             QTest::addRow("%s, trunnion", post) << post << 1 << false;
         QTest::addRow("linuxcnc, head") << "linuxcnc" << 2 << false;
+        for (const char* post : {"fanuc", "haas", "heidenhain", "siemens"})
+            QTest::addRow("%s, tilted plane", post) << post << 4 << false;
     }
     void a_posted_program_is_judged_as_the_plan() {
         QFETCH(QString, post);
@@ -219,8 +231,10 @@ private slots:
         PostedJob& planned = job == 0   ? upright_job()
                              : job == 1 ? leaning_job()
                              : job == 2 ? head_job()
-                                        : trough_job();
+                             : job == 3 ? trough_job()
+                                        : face_job();
         const std::string text = planned.posted(post.toStdString(), arcs);
+        if (job == 4) QVERIFY(std::regex_search(text, std::regex("G68.2|G268|PLANE SPATIAL|CYCLE800")));
         QCOMPARE(text.find("G3 ") != std::string::npos, arcs);
         const Verification seen = planned.judge_text(text);
         const Verification& wanted = planned.planned;
