@@ -163,12 +163,16 @@ void check_posting(const Project& project) {
     check_wcs(post, spec.wcs);
     const bool one = spec.files == ProgramSpec::Files::one;
     check_program_number(post, spec.number + (one ? 0 : long(project.operations.size()) - 1));
+    const Machine machine = project_machine(project);
     std::optional<long> only;
     for (const auto& operation : project.operations) {
+        const OperationCommon& common = operation->common();
+        if (!operation->three_axis()) check_inclined(post, common.name);
+        check_feed(post, machine, common.feed, common.name);
         std::vector<long> numbers = operation->further_tools();
         numbers.insert(numbers.begin(), operation->common().tool);
         for (const long number : numbers)
-            check_tool_number(post, number, operation->common().name);
+            check_tool_number(post, number, common.name);
         if (one && !post.changes_tools && only && *only != numbers.front())
             throw Error(ErrorCode::out_of_range, "programs",
                         "'" + printable(post.label)

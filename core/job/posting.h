@@ -18,8 +18,9 @@ namespace facetmill {
 Post project_post(const Project& project, const std::string& name);
 
 /// What can be told before anything is planned: a post that is not there, work coordinates, program and tool
-/// numbers that the control does not have, one program with several tools for a control that cannot change
-/// them. Throws Error(out_of_range) and what project_post does.
+/// numbers that the control does not have, tools that lean where it has three axes, feeds above the
+/// machine's, one program with several tools for a control that cannot change them. Throws
+/// Error(out_of_range) and what project_post does.
 void check_posting(const Project& project);
 
 /// What a project's programs are posted for, but for the tolerance, which is each program's own. The work

@@ -241,6 +241,54 @@ private slots:
                  2);
     }
 
+    void what_no_control_could_run_data() {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const QByteArray& from, const QByteArray& to,
+                            const char* says) { QTest::newRow(name) << from << to << QByteArray(says); };
+        row("unknown key", "\"grbl\"", "\"unknown.json\"", "[unknown_key] unknown.json: largest_tol: ");
+        row("wrong type", "\"grbl\"", "\"type.json\"", "[wrong_type] type.json: largest_tool: ");
+        row("template word", "\"grbl\"", "\"word.json\"", "there is no word {toolname}");
+        row("no file", "\"grbl\"", "\"none.json\"", "none.json: no such file");
+        row("several axes", "finish3", "finish5", "inclines the tool, and the control has three axes");
+        row("travel", "\"post\"", "\"machine\": \"small.json\", \"post\"", "X ends ");
+        row("feed", "\"tolerance\"", "\"feed\": 80000, \"tolerance\"", "a feed of 80000 mm/min");
+        row("work coordinates", "\"G54\"", "\"G60\"", "no work coordinate system 'G60'");
+        row("preset", "\"grbl\", \"wcs\": \"G54\"", "\"heidenhain\", \"wcs\": \"70000\"",
+            "the numbers from 0 to 65535");
+        row("tool number", "\"number\": 1,", "\"number\": 300,", "tool 300");
+        row("program number", "\"wcs\"", "\"program_number\": 1000000, \"wcs\"", "program number 1000000");
+    }
+    /// One line that says what, exit status 1, and not a file more than before.
+    void what_no_control_could_run() {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QByteArray, says);
+        QByteArray text = plate_project;
+        text.replace("\"flute_length\": 6", "\"flute_length\": 20")
+            .replace("\"units\": \"mm\",", "\"units\": \"mm\", \"post\": \"grbl\", \"wcs\": \"G54\",")
+            .replace("\"stepover\": \"adaptive\"", "\"stepover\": 2");
+        QVERIFY(text.contains(from));
+        const bool renumbered = to.contains("300");
+        text.replace(from, to);
+        if (renumbered) text.replace("\"tool\": 1", "\"tool\": 300");
+        Sandbox s;
+        prepared_plate(s, {}, text);
+        const QByteArray post = file(QString(FACETMILL_SOURCE) + "/resources/posts/grbl.json"),
+                         machine = file(QString(FACETMILL_SOURCE) + "/resources/machines/trunnion-ac.json");
+        s.write("unknown.json", QByteArray(post).replace("largest_tool", "largest_tol"));
+        s.write("type.json", QByteArray(post).replace("\"largest_tool\": 255", "\"largest_tool\": \"many\""));
+        s.write("word.json", QByteArray(post).replace("{tool_name}", "{toolname}"));
+        s.write("small.json", QByteArray(machine).replace("[-350, 350]", "[-5, 5]"));
+        const QStringList before = s.files();
+        const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out"}, s.path());
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.err.contains(says), run.err.constData());
+        QCOMPARE(run.err.count("error ["), 1);
+        QCOMPARE(s.files(), before);
+    }
+
     void a_planted_gouge() {
         Sandbox s;
         const int at = 1 + 29 * 10 + 15; // row 9, in the middle

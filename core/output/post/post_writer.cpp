@@ -216,14 +216,9 @@ void PostWriter::check_section(const ClSection& s) const {
     double most = s.motion_feeds.empty() ? s.feed_mm_per_min : 0;
     for (const double f : s.motion_feeds)
         most = std::max(most, f);
-    const double limit = post_.max_feed > 0 ? post_.max_feed : 60 * setup_.machine.rapid_mm_per_s.maxCoeff();
-    if (most > limit * (1 + tolerance::figure_rounding))
-        refuse(name + " has a feed of " + format_number(most) + " mm/min, and the machine goes "
-                   + format_number(limit) + " at most",
-               "lower the feed");
+    check_feed(post_, setup_.machine, most, s.operation_name);
     if (!s.multi_axis) return;
-    if (post_.multi_axis == Post::MultiAxis::none)
-        refuse(name + " inclines the tool, and the control has three axes", "choose another post");
+    check_inclined(post_, s.operation_name);
     if (setup_.machine.rotary.empty())
         refuse(name + " inclines the tool, and the machine '" + printable(setup_.machine.label)
                    + "' has no rotary axis",
@@ -575,6 +570,22 @@ void check_tool_number(const Post& post, long number, const std::string& operati
                "operation '" + printable(operation) + "' has tool " + std::to_string(number)
                    + ", and the control numbers them to " + std::to_string(post.max_tool),
                "give the tool a smaller number");
+}
+
+void check_inclined(const Post& post, const std::string& operation) {
+    if (post.multi_axis == Post::MultiAxis::none)
+        refuse(post,
+               "operation '" + printable(operation) + "' inclines the tool, and the control has three axes",
+               "choose another post");
+}
+
+void check_feed(const Post& post, const Machine& machine, double mm_per_min, const std::string& operation) {
+    const double limit = post.max_feed > 0 ? post.max_feed : 60 * machine.rapid_mm_per_s.maxCoeff();
+    if (mm_per_min > limit * (1 + tolerance::figure_rounding))
+        refuse(post,
+               "operation '" + printable(operation) + "' has a feed of " + format_number(mm_per_min)
+                   + " mm/min, and the machine goes " + format_number(limit) + " at most",
+               "lower the feed");
 }
 
 PostedProgram post_program(const ClProgram& program, const Post& post, const PostSetup& setup,

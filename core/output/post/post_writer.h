@@ -61,6 +61,9 @@ struct PostedProgram {
 void check_wcs(const Post& post, const std::string& wcs);
 void check_program_number(const Post& post, long number);
 void check_tool_number(const Post& post, long number, const std::string& operation);
+/// An operation that inclines the tool.
+void check_inclined(const Post& post, const std::string& operation);
+void check_feed(const Post& post, const Machine& machine, double mm_per_min, const std::string& operation);
 
 /// Throws what check_writable throws and Error(out_of_range, missing_reference, limit_exceeded) for what the
 /// control or the machine cannot do: a program of several axes for a control of three, a place out of travel,

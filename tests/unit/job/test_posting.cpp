@@ -480,6 +480,13 @@ private slots:
         QVERIFY(message(R"("post": "heidenhain", "wcs": "G54")").find("numbers from 0 to 65535")
                 != std::string::npos);
         QVERIFY(message(R"("post": "nowhere.json")").find("nowhere.json") != std::string::npos);
+        QVERIFY(message(R"("post": "grbl")", R"(, { "kind": "finish5", "name": "Lean", "tool": 2 })")
+                    .find("'Lean' inclines the tool, and the control has three axes")
+                != std::string::npos);
+        QVERIFY(message(R"("post": "grbl")",
+                        R"(, { "kind": "finish3", "name": "Fast", "tool": 2, "feed": 99000 })")
+                    .find("'Fast' has a feed of 99000 mm/min")
+                != std::string::npos);
         const std::string flat = R"(, { "kind": "finish3", "name": "More", "tool": 3 })";
         QVERIFY(message(R"("post": "grbl", "programs": "one")", flat).find("change tools")
                 != std::string::npos);
