@@ -20,6 +20,11 @@ constexpr std::size_t longest_run = 4096;
 constexpr double largest_angle_by_radius = 0.9 * pi;
 /// Less inclined, the digits of a plane's angles say little of where it leans; radians.
 constexpr double min_tilt = 0.02;
+/// What axes may differ that lean one way: a mesh in single precision has no flatter face. A micrometre on
+/// 100 mm of tool; the tip is told as it is. Radians.
+constexpr double one_way = 1e-5;
+/// What its axes turn meanwhile is no other way to stand; radians.
+constexpr double same_stand = 0.01;
 constexpr std::array<NcWord, 3> linear_words = {NcWord::x, NcWord::y, NcWord::z};
 constexpr std::array<NcWord, 3> vector_words = {NcWord::i, NcWord::j, NcWord::k};
 
@@ -97,8 +102,9 @@ std::optional<TiltedPlane> plane_of(const ClSection& s, const MachineMotion& fou
     const Vec3& axis = s.motions.motions.front().to.axis;
     if (plane_across(axis).about_x < min_tilt) return std::nullopt;
     for (std::size_t i = 0; i < found.motions.size(); ++i)
-        if ((s.motions.motions[i].to.axis - axis).norm() > tolerance::level_angle
-            || found.motions[i].at.rotary != found.motions.front().at.rotary)
+        if ((s.motions.motions[i].to.axis - axis).norm() > one_way
+            || std::abs(found.motions[i].at.rotary[0] - found.motions.front().at.rotary[0]) > same_stand
+            || std::abs(found.motions[i].at.rotary[1] - found.motions.front().at.rotary[1]) > same_stand)
             return std::nullopt;
     TiltedPlane plane = plane_across(axis);
     for (double* angle : {&plane.about_z, &plane.about_x})

@@ -321,9 +321,13 @@ private slots:
         QFETCH(QString, post);
         QFETCH(QString, machine);
         const Post& control = find_post(post.toStdString());
-        const ClProgram program =
-            joined_program({indexed_section("Left", 1, Vec3(-0.4, 0.3, 1)),
-                            indexed_section("Right", 2, Vec3(0.2, 0.6, 1)), leaning_section("Lean", 3)});
+        ClSection left = indexed_section("Left", 1, Vec3(-0.4, 0.3, 1));
+        // As a face of a mesh in single precision leans.
+        for (std::size_t i = 0; i < left.motions.motions.size(); ++i)
+            left.motions.motions[i].to.axis =
+                (left.motions.motions[i].to.axis + 2e-7 * Vec3(double(i % 7), double(i % 5), 0)).normalized();
+        const ClProgram program = joined_program(
+            {left, indexed_section("Right", 2, Vec3(0.2, 0.6, 1)), leaning_section("Lean", 3)});
         const PostSetup setup = setup_for(program, machine.toStdString());
         const PostedProgram posted = post_program(program, control, setup, {});
         QCOMPARE(posted.planes, std::size_t(2));
@@ -335,7 +339,7 @@ private slots:
             for (const Motion& m : program.sections[i]->motions.motions) {
                 while (at < motions.size()
                        && !((motions[at].to.tip - m.to.tip).cwiseAbs().maxCoeff() < 0.0001
-                            && (motions[at].to.axis - m.to.axis).norm() < 3e-6))
+                            && (motions[at].to.axis - m.to.axis).norm() < 5e-6))
                     ++at;
                 QVERIFY2(at < motions.size(), "a place is missing");
             }
