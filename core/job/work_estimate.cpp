@@ -14,7 +14,16 @@ constexpr double max_points = 2e7, max_bytes = 4e9, max_seconds = 4 * 3600, nota
 /// What a point of a path takes from the first look to the last file, measured on the samples: 20 million
 /// points of a lathe path take 6.5 GB.
 constexpr double bytes_per_point = 320;
-constexpr double seconds_upright = 2e-5, seconds_turning = 1e-5, seconds_tilted = 3e-4;
+constexpr double seconds_upright = 2e-5, seconds_turning = 1e-5;
+/// A point of a roughing path cuts the stock as well; one of clean-up is looked for beside valleys first.
+constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4;
+/// A node of a point's grid of postures, and a place at which strips are measured for an adaptive step-over:
+/// as many radii apart, and looked at for about as many planes before one is taken.
+constexpr double seconds_a_posture = 2e-6, seconds_a_strip = 3e-4, strip_radii = 0.25, planes_tried = 8;
+/// Points of a layer of roughing for each radius of its lines: ends of lines, and borders.
+constexpr double points_a_radius = 0.3;
+/// Of the part's surface, what clean-up comes by.
+constexpr double cleanup_share = 0.3;
 
 /// The step on a level plane that leaves this cusp.
 double level_step(const CutterProfile& cutter, double cusp) {
@@ -39,6 +48,39 @@ double area_of(const Mesh& mesh) {
     for (std::size_t f = 0; f < mesh.facet_count(); ++f)
         sum += 0.5 * mesh.facet_cross(f).norm();
     return sum;
+}
+
+/// Nodes of the grid of postures that is asked at every point.
+double postures_of(const Operation& operation) {
+    const double step = std::max(number_or(operation, "grid_degrees", radians(3)), 1e-9);
+    const auto nodes = [&](const char* key, double otherwise) {
+        if (!operation.has(key)) return otherwise / step + 1;
+        const ParameterValue value = operation.get(key);
+        const auto* limits = std::get_if<std::array<double, 2>>(&value);
+        return (limits ? (*limits)[1] - (*limits)[0] : otherwise) / step + 1;
+    };
+    return nodes("lead_limits", radians(45)) * nodes("yaw_limits", radians(90));
+}
+
+/// Layers and lines as Lu's tolerance asks for them (rough_setup.h); the part's box stands for the stock.
+double points_of_layers(const Operation& operation, const Project& project, const PreparedPart& part,
+                        const CutterProfile& cutter) {
+    const Vec3 size = part.box.size();
+    const double radius = cutter.max_radius(), tolerance = operation.common().tolerance;
+    const double step = std::max(number_or(operation, "stepover", 1.9 * radius), 1e-300);
+    const double height = size.z() + project.stock.margin[2];
+    double layers = height / std::max(number_or(operation, "depth", infinity), 1e-300);
+    if (!(layers > 0)) { // from the tolerance: what lines between others cost layers save
+        constexpr int most = 64;
+        double least = infinity;
+        for (int m = 1; m <= most; ++m) {
+            const double depth =
+                std::min(tolerance - cutter.height_at(std::min(0.5 * step / m, radius)), 2 * radius);
+            if (depth > 0) least = std::min(least, height / depth + (m > 1 ? m : 0));
+        }
+        layers = std::isfinite(least) ? std::max(least, 1.0) : 1;
+    }
+    return layers * size.x() * size.y() / step * points_a_radius / radius;
 }
 
 double points_about_axis(const LatheCommon& lathe, const Operation& operation, const PreparedPart& part,
@@ -79,26 +121,34 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
     for (const auto& operation : project.operations) {
         const OperationCommon& common = operation->common();
         if (!only_operation.empty() && common.name != only_operation) continue;
-        // Roughing knows its own bounds; the others follow a surface.
-        if (operation->linking() == Linking::over_stock || !(common.tolerance > 0)) continue;
+        if (!(common.tolerance > 0)) continue;
         const CutterProfile cutter(project.tool_of(*operation).cutter());
+        const double radius = cutter.max_radius();
         const double asked = number_or(*operation, "chord_tolerance", 0);
         const double chord = chord_budget({asked, asked > 0 ? "" : "auto"}, common.tolerance);
+        const double along = std::sqrt(8 * chord * radius), usual_step = level_step(cutter, common.tolerance);
+        const double step = std::max(number_or(*operation, "stepover", usual_step), 1e-300);
         WorkEstimate e;
         e.what = "operation '" + printable(common.name) + "'";
         if (const LatheCommon* lathe = operation->turning()) {
             e.points = points_about_axis(*lathe, *operation, part, cutter, chord);
             e.seconds = e.points * seconds_turning;
-        } else if (operation->has("stepover")) {
+        } else if (operation->linking() == Linking::over_stock) {
+            e.points = points_of_layers(*operation, project, part, cutter);
+            e.seconds = e.points * seconds_roughing;
+        } else if (!operation->has("stepover")) { // clean-up: passes beside valleys
+            e.points = cleanup_share * area_of(*part.mesh) / (step * along);
+            e.seconds = e.points * seconds_cleaning_up;
+        } else if (operation->three_axis()) {
             const Vec3 size = part.box.size();
-            const bool upright = operation->three_axis();
-            const double area = upright ? size.x() * size.y() : area_of(*part.mesh);
-            const double step = number_or(*operation, "stepover", level_step(cutter, common.tolerance));
-            const double along = std::sqrt(8 * chord * cutter.max_radius());
-            e.points = area / (std::max(step, 1e-300) * along);
-            e.seconds = e.points * (upright ? seconds_upright : seconds_tilted);
+            e.points = size.x() * size.y() / (step * along);
+            e.seconds = e.points * seconds_upright;
         } else {
-            continue;
+            const double area = area_of(*part.mesh);
+            e.points = area / (step * along);
+            e.seconds = e.points * postures_of(*operation) * seconds_a_posture;
+            if (number_or(*operation, "stepover", 0) == 0)
+                e.seconds += area / (step * strip_radii * radius) * planes_tried * seconds_a_strip;
         }
         e.bytes = e.points * bytes_per_point;
         all.push_back(std::move(e));

@@ -21,8 +21,7 @@ struct WorkEstimate {
     std::string text() const;
 };
 
-/// For every operation whose points follow from a tolerance or a number of points, or for the one named. The
-/// project has been checked (check_project).
+/// For every operation, or for the one named. The project has been checked (check_project).
 std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPart& part,
                                         const std::string& only_operation);
 

@@ -48,7 +48,15 @@ private slots:
         row(R"("kind": "lathe_finish", "tolerance": 0.05)", false);
         row(R"("kind": "lathe_finish", "tolerance": 0.05, "points_per_turn": 3600)", false);
         row(R"("kind": "lathe_finish", "tolerance": 0.05, "points_per_turn": 1000000)", true);
-        row(R"("kind": "rough", "tolerance": 0.05)", false);
+        // A grid of 65 000 postures at each of 200 000 points.
+        row(R"("kind": "finish5", "tolerance": 0.005)", false);
+        row(R"("kind": "finish5", "tolerance": 0.005, "grid_degrees": 0.25)", true);
+        row(R"("kind": "global_local", "tolerance": 0.05, "rework_tool": 1)", false);
+        row(R"("kind": "rough", "tolerance": 1)", false);
+        row(R"("kind": "rough", "tolerance": 1, "stepover": 1e-5)", true);
+        row(R"("kind": "rough", "tolerance": 1, "depth": 1e-5)", true);
+        row(R"("kind": "cleanup", "tolerance": 0.05, "previous_tool": 1)", false);
+        row(R"("kind": "cleanup", "tolerance": 1e-8, "previous_tool": 1)", true);
     }
     void slips_are_large() {
         QFETCH(QString, operation);
@@ -59,6 +67,7 @@ private slots:
             std::any_of(estimates.begin(), estimates.end(), [](const WorkEstimate& e) { return e.large(); }),
             large);
         QVERIFY(estimate_plan(project, plate(), "Another").empty());
+        QCOMPARE(estimates.size(), project.operations.size()); // none goes without
         for (const WorkEstimate& e : estimates)
             QVERIFY(e.points > 0 && e.bytes > e.points && e.text().find(" GB") != std::string::npos);
     }
