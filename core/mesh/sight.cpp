@@ -36,8 +36,8 @@ double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
     return nearest;
 }
 
-double MeshSight::distance(const Vec3& p, double most) const {
-    double square = most * most;
+double MeshSight::distance(const Vec3& p, double most, double share, double least) const {
+    double found = most * most, square = found; // nearer than `square` is worth finding
     tree_.each(
         [&](const Box3& box) { return (p - p.cwiseMax(box.lo).cwiseMin(box.hi)).squaredNorm() < square; },
         [&](std::size_t f) {
@@ -46,9 +46,13 @@ double MeshSight::distance(const Vec3& p, double most) const {
             const Vec3 n = (b - a).cross(c - a);
             const double off = (p - a).dot(n);
             if (off * off > square * n.squaredNorm()) return;
-            square = std::min(square, squared_distance(p, a, b, c));
+            const double here = squared_distance(p, a, b, c);
+            if (!(here < square)) return;
+            found = here;
+            const double nearer = share < 1 ? least + share * std::max(0.0, std::sqrt(here) - least) : 0;
+            square = share < 1 ? std::min(here, nearer * nearer) : here;
         });
-    return std::sqrt(square);
+    return std::sqrt(found);
 }
 
 void MeshSight::each_near(const Vec3& p, const Vec3& d, double length, double r,

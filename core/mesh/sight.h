@@ -21,8 +21,9 @@ public:
     /// How far it is along such a ray to the first facet; infinity where there is none.
     double first_hit(const Vec3& p, const Vec3& d) const;
 
-    /// How far p is from the nearest facet; `most` where that is farther.
-    double distance(const Vec3& p, double most) const;
+    /// How far p is from the nearest facet; `most` where that is farther. What it is beyond `least` may be
+    /// told by 1/share too large, which spares most of the search where many facets are about as near.
+    double distance(const Vec3& p, double most, double share = 1, double least = 0) const;
     /// The facets whose boxes come within `r` of p + t d, t in [0, length], and maybe some more.
     void each_near(const Vec3& p, const Vec3& d, double length, double r,
                    const std::function<void(std::size_t facet)>& visit) const;

@@ -75,10 +75,10 @@ double Standing::off_part(const Vec3& p, const Vec3& n, double value) const {
     if (!(top > far_)) return top;
     // Of what it can be at most. A facet that is hardly nearer than the line's beginning need not be found:
     // over a hollow as wide as the line is high, that is nearly all of its facets.
-    constexpr double enough = 0.98;
+    constexpr double enough = 0.985;
     const auto look = [&](double t, double most) {
         const double cap = enough * most > far_ ? enough * most : most;
-        const double found = distance(p + t * n, cap);
+        const double found = distance(p + t * n, cap, enough);
         return found >= cap * (1 - tolerance::figure_rounding) ? most : found;
     };
     const double at_top = look(top, top);

@@ -24,8 +24,8 @@ public:
     double off_part(const Vec3& p, const Vec3& n, double value) const;
 
 private:
-    double distance(const Vec3& q, double most) const {
-        return std::max(0.0, sight_.distance(q, most + allowance_) - allowance_);
+    double distance(const Vec3& q, double most, double share) const {
+        return std::max(0.0, sight_.distance(q, most + allowance_, share, allowance_) - allowance_);
     }
     double far_place(const Vec3& p, const Vec3& n, double length, double limit) const;
 
