@@ -158,11 +158,22 @@ bool comes_in(const Seen& a, const Seen& b, const CutterProfile& cutter, double 
         return a.z + t * (b.z - a.z) - cutter.height_at((a.beside + t * move).norm());
     };
     // The cutter is convex: on a straight path the depth rises, then falls.
-    if (depth(from) >= slack || depth(to) >= slack) return true;
+    double at_from = depth(from), at_to = depth(to);
+    if (at_from >= slack || at_to >= slack) return true;
     for (int round = 0; round < deepest_rounds; ++round) {
         const double third = (to - from) / 3, first = depth(from + third), second = depth(to - third);
         if (first >= slack || second >= slack) return true;
-        (first < second ? from : to) += first < second ? third : -third;
+        // No chord of such a curve, made longer, runs below it.
+        const double between =
+            std::min(std::max(first, 2 * first - at_from), std::max(second, 2 * second - at_to));
+        if (std::max({between, 2 * first - second, 2 * second - first}) < slack) return false;
+        if (first < second) {
+            from += third;
+            at_from = first;
+        } else {
+            to -= third;
+            at_to = second;
+        }
     }
     return false;
 }
