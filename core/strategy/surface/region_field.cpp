@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/box_tree.h"
 #include "core/strategy/surface/point_grid.h"
 #include "core/strategy/surface/up_side.h"
 
@@ -72,6 +73,10 @@ struct Known {
     }
 };
 
+double square_from(const Box3& box, const Vec3& p) {
+    return (p - p.cwiseMax(box.lo).cwiseMin(box.hi)).squaredNorm();
+}
+
 class Builder {
 public:
     Builder(const RegionInput& input, std::span<const UncutPlace> uncut, const Progress& progress)
@@ -93,10 +98,10 @@ public:
         for (const BoundaryDrag& d : in_.drags)
             max_grow = std::max(max_grow, (vec(d.to) - vec(d.from)).norm());
         far_ = 4 * in_.spacing + in_.offset + max_grow;
-        std::vector<Vec3> points;
-        for (const auto& u : uncut_)
-            points.push_back(u.point);
-        grid_.emplace(std::move(points), std::max(0.5 * far_, in_.spacing));
+        std::vector<Box3> places(uncut_.size());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i].add(uncut_[i].point);
+        tree_ = BoxTree(places, progress_);
         refine();
         measure();
         smooth();
@@ -131,9 +136,8 @@ private:
                 reach = std::max(reach, (c - middle).norm());
             reach += far_;
             bool found = false;
-            grid_->near(middle, reach, [&](std::size_t i) {
-                found = found || (grid_->points()[i] - middle).squaredNorm() <= reach * reach;
-            });
+            tree_.each([&](const Box3& box) { return !found && square_from(box, middle) <= reach * reach; },
+                       [&](std::size_t) { found = true; });
             return found;
         };
         fine_ = fine_.derived(
@@ -146,23 +150,24 @@ private:
         const std::size_t n = fine_.mesh.vertices.size();
         field_.assign(n, far_);
         nearest_.assign(n, no_index);
-        parallel_blocks(n, vertices_per_block, progress_.part(0.3, 0.7),
-                        [&](std::size_t begin, std::size_t end) {
-                            for (std::size_t v = begin; v < end; ++v) {
-                                const Vec3 &p = fine_.mesh.vertices[v], normal = towards(Index(v));
-                                double least = far_ * far_;
-                                grid_->near(p, far_, [&](std::size_t i) {
-                                    // The other side of a thin wall is another surface.
-                                    if (uncut_[i].normal.dot(normal) < 0) return;
-                                    const double square = (grid_->points()[i] - p).squaredNorm();
-                                    if (square < least || (square == least && Index(i) < nearest_[v])) {
-                                        least = square;
-                                        nearest_[v] = Index(i);
-                                    }
-                                });
-                                field_[v] = std::sqrt(least);
-                            }
-                        });
+        parallel_blocks(
+            n, vertices_per_block, progress_.part(0.3, 0.7), [&](std::size_t begin, std::size_t end) {
+                for (std::size_t v = begin; v < end; ++v) {
+                    const Vec3 &p = fine_.mesh.vertices[v], normal = towards(Index(v));
+                    double least = far_ * far_;
+                    tree_.each([&](const Box3& box) { return square_from(box, p) <= least; },
+                               [&](std::size_t i) {
+                                   // The other side of a thin wall is another surface.
+                                   if (uncut_[i].normal.dot(normal) < 0) return;
+                                   const double square = (uncut_[i].point - p).squaredNorm();
+                                   if (square < least || (square == least && Index(i) < nearest_[v])) {
+                                       least = square;
+                                       nearest_[v] = Index(i);
+                                   }
+                               });
+                    field_[v] = std::sqrt(least);
+                }
+            });
     }
 
     void smooth() {
@@ -371,7 +376,7 @@ private:
     const Progress& progress_;
     UpSide up_;
     Known fine_;
-    std::optional<PointGrid> grid_; ///< holds the uncut places
+    BoxTree tree_; ///< of the uncut places
     double far_ = 0, level_ = 0;
     std::vector<double> field_;  ///< smoothed distance, per vertex; `far_` and more is one
     std::vector<Index> nearest_; ///< uncut place
