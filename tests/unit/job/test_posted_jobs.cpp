@@ -122,6 +122,27 @@ MachinedJob& job_named(const std::string& name) {
                              : surface;
 }
 
+/// How far any planned place is from where the interpreter runs, arcs included; of three axes, mm.
+double farthest_from_run(const ClProgram& program, const Interpreted& seen) {
+    const double unit = mm_per(program.unit);
+    std::vector<Vec3> run;
+    for (const Place& p : seen.places)
+        run.push_back(unit * Vec3(p[0], p[1], p[2]));
+    double farthest = 0;
+    for (const auto& s : program.sections)
+        for (const Motion& m : s->motions.motions) {
+            double least = infinity;
+            for (std::size_t i = 1; i < run.size() && least > 1e-8; ++i) {
+                const Vec3 step = run[i] - run[i - 1], off = m.to.tip - run[i - 1];
+                const double square = step.squaredNorm();
+                const double t = square > 0 ? std::clamp(off.dot(step) / square, 0.0, 1.0) : 0;
+                least = std::min(least, (off - t * step).squaredNorm());
+            }
+            farthest = std::max(farthest, std::sqrt(least));
+        }
+    return farthest;
+}
+
 /// A row of the table of core/output/README.md.
 void print_row(const QString& job, const QString& machine, const Project& project,
                const std::shared_ptr<const PlanResult>& plan, const std::vector<PostedFile>& files,
@@ -138,9 +159,10 @@ void print_row(const QString& job, const QString& machine, const Project& projec
         blocks += (blocks.empty() ? "" : " + ") + std::to_string(f.program.blocks);
     }
     const double unit = mm_per(project.unit);
-    std::printf("| %s, %s | %s | `%s`%s | %s | yes | equal | %s, %s | %.5f, %.5f | %.4f, %.4f | %+.3f |\n",
+    std::printf("| %s, %s | %s | `%s`%s | %s | yes | %s | %s, %s | %.5f, %.5f | %.4f, %.4f | %+.3f |\n",
                 qPrintable(job), project.unit == LengthUnit::inch ? "in" : "mm", qPrintable(machine),
                 project.programs.post.c_str(), project.programs.arcs ? ", arcs" : "", blocks.c_str(),
+                project.programs.arcs ? "arcs within a quarter of the chord" : "equal",
                 verdict_name(planned.verdict()).c_str(), verdict_name(posted.verdict()).c_str(),
                 planned.figures.gouge_max / unit, posted.figures.gouge_max / unit,
                 planned.figures.excess_max / unit, posted.figures.excess_max / unit,
@@ -229,10 +251,19 @@ private slots:
                 program.sections.emplace_back(plan->operations[i], &plan->operations[i]->program);
             const Interpreted seen = interpret(file.program.text, program);
             QVERIFY2(seen.status == 0, seen.message.constData());
-            // What an arc stands for is not told place by place (test_post_arcs).
             QCOMPARE(seen.arcs, file.program.arcs);
             QCOMPARE(file.program.arcs > 0, arcs);
             QVERIFY2(arcs || all_places_seen(program, setup, control, seen), "a place is missing");
+            if (arcs) {
+                // A quarter of the chord tolerance, the digits here and there, and the points on an arc.
+                double chord = infinity;
+                for (const std::size_t i : file.programs)
+                    chord = std::min(chord, plan->operations[i]->path.chord_tolerance);
+                const double digit = mm_per(project.unit) * std::pow(10, -control.inch_decimals);
+                const double off = farthest_from_run(program, seen);
+                QVERIFY2(off < 0.25 * chord + digit + 0.003,
+                         qPrintable(QString("%1 mm, chord %2 mm").arg(off).arg(chord)));
+            }
             // The file's time is that of the machine's model.
             NcFilePrograms read =
                 parse_posted(project, *plan->part, control, file.program.text, file.name, {});
