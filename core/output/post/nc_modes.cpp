@@ -9,6 +9,7 @@ namespace facetmill {
 NcModes::NcModes(const std::string& file, const Post& post, const std::string& wcs)
     : file_(file), post_(post), wanted_wcs_(wcs) {
     if (wanted_wcs_.empty()) wanted_wcs_ = post.default_wcs();
+    blocks_say_ = post.has(NcCode::straight);
     absolute_ = !post.has(NcCode::absolute);
     inverse_known_ = !post.has(NcCode::inverse_time);
     spindle_ = !post.has(NcCode::spindle_on);
@@ -169,7 +170,7 @@ bool NcModes::motion_code(NcCode code) {
 
 void NcModes::codes(const NcLine& line) {
     bool moves = false;
-    if (post_.has(NcCode::straight)) motion_ = NcCode::none;
+    if (blocks_say_) motion_ = NcCode::none;
     for (const NcCode code : line.codes) {
         if (!motion_code(code)) {
             one_code(code, line);
