@@ -1,6 +1,7 @@
 #include "ui/properties_panel.h"
 
 #include "core/base/tolerances.h"
+#include "core/job/work_estimate.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "core/strategy/lathe/lathe.h"
@@ -128,6 +129,28 @@ bool through_points(const LatheCommon& turning) {
     return turning.axis == LatheCommon::Axis::points;
 }
 
+/// Whatever says otherwise where the turning axis runs.
+std::vector<std::string> hidden_keys(const Operation& operation) {
+    const LatheCommon* turning = operation.turning();
+    if (!turning) return {};
+    return through_points(*turning) ? std::vector<std::string>{"axis_through"} : axis_points;
+}
+
+/// What planning an operation takes, where that is a minute or more; empty where it is less, or where the
+/// project says by other means that it cannot be planned.
+QString work_hint(const Project& project, const std::shared_ptr<const PreparedPart>& part,
+                  const Operation& operation) {
+    if (!part) return {};
+    try {
+        check_project(project);
+        for (const WorkEstimate& e : estimate_plan(project, *part, operation.common().name))
+            if (e.notable()) return PropertiesPanel::tr("Planning it takes %1.").arg(text(e.text()));
+    } catch (const Error&) {
+        return {};
+    }
+    return {};
+}
+
 } // namespace
 
 std::vector<FormChoice> tool_choices(const Project& project, bool none) {
@@ -150,6 +173,7 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     title_->setFont(bold);
     title_->setIndent(8);
     hint_ = new QLabel(content);
+    hint_->setObjectName(QStringLiteral("properties_hint"));
     hint_->setWordWrap(true);
     hint_->setMargin(8);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -204,7 +228,9 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::part_changed, this, [this] {
-        if (node_ && node_->kind == TreeNode::Kind::stock) refresh();
+        // The stock's size and what planning takes follow from the part.
+        if (node_ && (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::operation))
+            refresh();
     });
     refresh();
 }
@@ -303,20 +329,13 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
-        // Whatever says where the turning axis runs.
-        std::vector<std::string> hidden;
-        if (const LatheCommon* turning = operation.turning()) {
-            if (through_points(*turning))
-                hidden = {"axis_through"};
-            else
-                hidden = axis_points;
-        }
+        hint = work_hint(project, document_.part(), operation);
         form_->set_pickable(axis_points);
         show(operation,
              {{"tool", tool_choices(project, false)},
               {"previous_tool", tool_choices(project, false)},
               {"rework_tool", tool_choices(project, true)}},
-             hidden);
+             hidden_keys(operation));
         regions = operation.rework() != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));

@@ -12,6 +12,7 @@
 #include <QDragEnterEvent>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -53,6 +54,24 @@ private slots:
         QCOMPARE(w().document().state(0), OperationState::not_planned);
         QVERIFY(!w().document().result(0)); // nothing of the old plan arrives
         QVERIFY(w().last_failure().isEmpty());
+    }
+
+    /// A tolerance with some zeros too many: the form says what planning would take, and planning asks first.
+    void a_slip_by_some_zeros() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        auto* hint = w().findChild<QLabel*>(QStringLiteral("properties_hint"));
+        QVERIFY(hint && !hint->isVisible());
+        enter(w(), "tolerance", QStringLiteral("0.00000001"));
+        QVERIFY2(hint->isVisible() && hint->text().contains(QStringLiteral("million points")),
+                 qPrintable(hint->text()));
+        bool asked = false;
+        answer_next(QMessageBox::Cancel, asked);
+        w().plan();
+        QVERIFY(asked && !w().job().running());
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        enter(w(), "tolerance", QStringLiteral("0.02"));
+        QVERIFY(!hint->isVisible());
     }
 
     void a_bad_file_while_planning() {
