@@ -51,12 +51,13 @@ bool same_rotary(const Joints& a, const Joints& b) {
 }
 
 /// How far, at most of three places, the tool axis is from the great circle between its ends while the joints
-/// move evenly; a distance of unit vectors.
+/// move evenly; a distance of unit vectors. From `enough` on it is not looked at closer.
 double strays_by(const Kinematics& kinematics, const Joints& from, const Joints& to, const Vec3& a,
-                 const Vec3& b) {
+                 const Vec3& b, double enough) {
     const double angle = angle_between(a, b), sine = std::sin(angle);
     double off = 0;
-    for (const double t : {0.25, 0.5, 0.75}) {
+    for (const double t : {0.5, 0.25, 0.75}) {
+        if (off > enough) break;
         Joints at;
         for (std::size_t r = 0; r < 2; ++r)
             at.rotary[r] = from.rotary[r] + t * (to.rotary[r] - from.rotary[r]);
@@ -177,7 +178,7 @@ private:
         for (std::size_t k = 0; k < last_.size(); ++k) {
             const auto& [seconds, from] = routes[k];
             if (seconds >= to.cost) return;
-            const double cost = seconds + strayed(i, last_[from].at, to.at);
+            const double cost = seconds + strayed(i, last_[from].at, to.at, to.cost - seconds);
             if (cost < to.cost) {
                 to.cost = cost;
                 to.from = from;
@@ -185,8 +186,9 @@ private:
         }
     }
 
-    /// What it costs that the tool is not on its path during a motion.
-    double strayed(std::size_t i, const Joints& from, const Joints& to) const {
+    /// What it costs that the tool is not on its path during a motion; where it is more than `enough`, that
+    /// it is.
+    double strayed(std::size_t i, const Joints& from, const Joints& to, double enough) const {
         if (!found_.held[i - 1]) return 0;
         // All of the joints' way is the most that the tool can be off.
         const double turned =
@@ -195,7 +197,9 @@ private:
         const bool beside_part = !rapid(i - 1) || (i + 1 < motions_.size() && !rapid(i + 1));
         if (rapid(i) && (!beside_part || turned <= largest_swing_)) return 0;
         const Vec3 &a = motions_[i - 1].to.axis, &b = motions_[i].to.axis;
-        const double off = strays_by(kinematics_, from, to, a, b);
+        const double too_far = enough * (1 + tolerance::figure_rounding) / stray_seconds;
+        const double off = strays_by(kinematics_, from, to, a, b, rapid(i) ? infinity : too_far);
+        if (!rapid(i) && off > too_far) return infinity;
         if (rapid(i)) return off > largest_swing_ || turns_over(from, to) ? beside_part_seconds : 0;
         const bool swings = off > look_for_swing * largest_swing_
                             && swing_between(kinematics_, from, to, a, b, largest_swing_) > largest_swing_;

@@ -13,11 +13,13 @@ namespace {
 
 constexpr double turn = 2 * pi;
 
-Vec3 turned(const Vec3& v, const Vec3& line, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+Vec3 turned(const Vec3& v, const Vec3& line, double cosine, double sine) {
     // The part along the line stays as it is, to the last bit.
     const Vec3 along = line * line.dot(v), across = v - along;
-    return along + c * across + s * line.cross(across);
+    return along + cosine * across + sine * line.cross(across);
+}
+Vec3 turned(const Vec3& v, const Vec3& line, double angle) {
+    return turned(v, line, std::cos(angle), std::sin(angle));
 }
 
 /// Angle about `line` from `a` to `b`.
@@ -117,17 +119,18 @@ Vec3 Kinematics::linear_for(const Vec3& tip, const Joints& joints) const {
 ToolPose Kinematics::forward(const Joints& joints) const {
     ToolPose pose{Vec3(0, 0, -tool_length_), Vec3::UnitZ()};
     const auto& rotary = machine_.rotary;
+    const auto turn = [&](const RotaryAxis& r, double angle) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        pose.tip = r.point + turned(pose.tip - r.point, r.direction, c, s);
+        pose.axis = turned(pose.axis, r.direction, c, s);
+    };
     for (std::size_t i = rotary.size(); i-- > 0;)
-        if (const RotaryAxis& r = rotary[i]; r.carries == RotaryAxis::Carries::tool) {
-            pose.tip = r.point + turned(pose.tip - r.point, r.direction, r.sign * joints.rotary[i]);
-            pose.axis = turned(pose.axis, r.direction, r.sign * joints.rotary[i]);
-        }
+        if (const RotaryAxis& r = rotary[i]; r.carries == RotaryAxis::Carries::tool)
+            turn(r, r.sign * joints.rotary[i]);
     pose.tip += joints.linear;
     for (std::size_t i = 0; i < rotary.size(); ++i)
-        if (const RotaryAxis& r = rotary[i]; r.carries == RotaryAxis::Carries::table) {
-            pose.tip = r.point + turned(pose.tip - r.point, r.direction, -r.sign * joints.rotary[i]);
-            pose.axis = turned(pose.axis, r.direction, -r.sign * joints.rotary[i]);
-        }
+        if (const RotaryAxis& r = rotary[i]; r.carries == RotaryAxis::Carries::table)
+            turn(r, -r.sign * joints.rotary[i]);
     pose.tip -= part_origin_;
     pose.axis.normalize();
     return pose;
