@@ -128,6 +128,7 @@ private slots:
         QVERIFY2(none.err.contains("would come into the stock"), none.err.constData());
         QVERIFY(!QFile::exists(s.path() + "/sheet.html"));
         text.replace("\"kind\": \"finish3\"", "\"kind\": \"finish5\"")
+            .replace("0.05, \"stepover\": \"adaptive\"", "0.6, \"stepover\": 4, \"grid_degrees\": 15")
             .replace("\"tools\"", "\"machine\": \"trunnion-ac\", \"tools\"");
         prepared_plate(s, {}, text);
         const CliRun run = run_cli({"report", "job.facetmill", "-o", "sheet.html"}, s.path());
