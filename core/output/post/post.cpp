@@ -470,6 +470,7 @@ Post read_post(const Json& json, std::string_view text) {
     file.boolean("straight_rapids", post.straight_rapids);
     file.boolean("rapid_feed", post.rapid_feed);
     file.number("largest_feed", 0, 1e6, post.max_feed);
+    file.number("largest_inverse_time", 0, 1e9, post.max_inverse_time);
     file.integer("largest_tool", 1L, 99999999L, post.max_tool);
     file.integer("largest_program", 1L, 99999999L, post.max_program);
     read_numbers(file, post);

@@ -128,6 +128,7 @@ struct Post {
     bool modal = true;           ///< words that did not change are left out
     double axis_tolerance = 0;   ///< how far the tool axis may stray between the blocks of joint programs
     double max_feed = 0;         ///< mm/min; 0: as the machine
+    double max_inverse_time = 0; ///< of blocks with their own time, 1/min; 0: any
     long max_tool = 99, max_program = 9999;
     /// Lines with words in braces, see post_template_words.
     std::vector<std::string> start, tool_change, operation, retract, tcp_on, tcp_off, end;

@@ -185,7 +185,7 @@ private:
     void place(const ClSection& s, const Joints& at, const CutterLocation& location);
     void start(const ClSection& s, const Joints& at, const CutterLocation& location);
     bool as_feed(double descent) const;
-    void go(bool rapid, double descent, double seconds, double length, double turned, double feed);
+    double go(bool rapid, double descent, double seconds, double length, double turned, double feed);
 
     const ClProgram& program_;
     const Post& post_;
@@ -244,24 +244,28 @@ bool PostWriter::as_feed(double descent) const {
     return changes > 1 && (descent > 0 || !post_.straight_rapids);
 }
 
-/// Writes the words that were set. `length` is the tip's, `turned` what rotary axes turn.
-void PostWriter::go(bool rapid, double descent, double seconds, double length, double turned, double feed) {
+/// Writes the words that were set. `length` is the tip's, `turned` what rotary axes turn. The seconds that it
+/// takes, which a control may make longer.
+double PostWriter::go(bool rapid, double descent, double seconds, double length, double turned, double feed) {
     if (!blocks_.moves()) {
         if (!rapid) pending_ += seconds;
-        return;
+        return seconds;
     }
     if (rapid && !as_feed(descent)) {
         blocks_.rapid();
-        return;
+        return seconds;
     }
     if (inverse_) {
-        blocks_.feed_for(std::max(seconds + pending_, 1e-6));
+        const double shortest = post_.max_inverse_time > 0 ? 60 / post_.max_inverse_time : 1e-6;
+        const double told = std::max(seconds + pending_, shortest), before = pending_;
+        blocks_.feed_for(told);
         pending_ = 0;
-        return;
+        return std::max(seconds, told - before);
     }
     // What moves no tip counts by its angle.
     if (!(length > tolerance::smallest_chord)) length = degrees(turned) * mm_per(program_.unit);
     blocks_.feed_per_minute(rapid && seconds > 0 ? 60 * length / seconds : feed);
+    return seconds;
 }
 
 void PostWriter::place(const ClSection& s, const Joints& at, const CutterLocation& location) {
@@ -347,8 +351,7 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
         const Vec3 step = m.to.tip - motions[i - 1].to.tip;
         at.linear = m.to.tip + zero_;
         place(s, at, m.to);
-        go(m.kind == MotionKind::rapid, -step.z(), seconds[i], step.norm(), 0, s.feed(i));
-        posted_.seconds += seconds[i];
+        posted_.seconds += go(m.kind == MotionKind::rapid, -step.z(), seconds[i], step.norm(), 0, s.feed(i));
     }
     blocks_.usual_plane();
     before_ = at;
@@ -386,8 +389,8 @@ void PostWriter::pieces(const ClSection& s, const Kinematics& kinematics, const 
         place(s, p.at, p.location);
         const double turned =
             std::abs(p.at.rotary[0] - last.rotary[0]) + std::abs(p.at.rotary[1] - last.rotary[1]);
-        go(rapid, last.linear.z() - p.at.linear.z(), seconds, share * step.norm(), turned, s.feed(i));
-        posted_.seconds += seconds;
+        posted_.seconds +=
+            go(rapid, last.linear.z() - p.at.linear.z(), seconds, share * step.norm(), turned, s.feed(i));
         last = p.at;
         t = p.t;
     }
@@ -455,8 +458,7 @@ void PostWriter::rewind(const ClSection& s, const Kinematics& kinematics, const 
     const auto feed = [&](const Joints& from, const Joints& to, const CutterLocation& at, double length) {
         place(s, to, at);
         const double seconds = std::max(length / s.feed(i) * 60, kinematics.time(from, to));
-        go(false, 0, seconds, length, 0, s.feed(i));
-        posted_.seconds += seconds;
+        posted_.seconds += go(false, 0, seconds, length, 0, s.feed(i));
     };
     feed(motion.from_joints, *clear_before, clear, out);
     come_again(s, *clear_before, *clear_again, clear);

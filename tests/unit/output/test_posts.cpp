@@ -275,6 +275,28 @@ private slots:
                  qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(model)));
     }
 
+    /// A control that knows no shorter blocks is given longer ones, and the time says so.
+    void blocks_of_their_own_time_are_not_too_short() {
+        const Post control = parse_post(
+            linuxcnc_with("\"largest_tool\"", "\"largest_inverse_time\": 150, \"largest_tool\""), "own.json");
+        const ClProgram program = joined_program({leaning_section("Lean", 1)});
+        const PostSetup setup = setup_for(program, "trunnion-ac");
+        const PostedProgram usual = post_program(program, find_post("linuxcnc"), setup, {}),
+                            posted = post_program(program, control, setup, {});
+        const auto largest = [](const std::string& text) {
+            double most = 0;
+            for (std::size_t at = 0; (at = text.find(" F", at)) != std::string::npos; ++at)
+                most = std::max(most, std::atof(text.c_str() + at + 2));
+            return most;
+        };
+        QVERIFY(largest(usual.text) > 200);
+        QVERIFY(std::abs(largest(posted.text) - 150) < 1e-9);
+        QVERIFY(posted.seconds > usual.seconds);
+        const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QVERIFY2(std::abs(read.seconds - posted.seconds) < 1e-3 * posted.seconds,
+                 qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
+    }
+
     /// Two angles hold any axis, and a machine that is asked to hold the plane stands as it does for the
     /// axis; where a table's C and A do it, they are the angles themselves.
     void planes_are_what_the_machine_holds() {
