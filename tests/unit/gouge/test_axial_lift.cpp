@@ -243,13 +243,33 @@ private slots:
         }
     }
 
+    /// Whichever of its edges says so, a corner that stands highest is what is touched.
+    void a_highest_corner_is_a_vertex() {
+        for (std::size_t highest = 0; highest < 3; ++highest) {
+            Mesh mesh;
+            mesh.vertices = {Vec3(0, 0, 0), Vec3(12, 0, 0), Vec3(0, 10, 0)};
+            mesh.facets = {{0, 1, 2}};
+            mesh.vertices[highest].z() = 5;
+            const Vec3 corner = mesh.vertices[highest];
+            const auto index =
+                std::make_shared<ContactIndex>(std::make_shared<const Mesh>(std::move(mesh)), Progress());
+            // A point would touch the plane there as well.
+            for (const AptCutter& cutter : {AptCutter::flat(6, 20), AptCutter::ball(6, 20)}) {
+                const AxialContact c =
+                    AxialLift(index, CutterProfile(cutter)).contact(corner.x(), corner.y());
+                QCOMPARE(c.feature, AxialContact::Feature::vertex);
+                QVERIFY((c.point - corner).norm() == 0);
+            }
+        }
+    }
+
     void batches_and_threads_give_the_same_bits() {
         const auto all = meshes();
         for (const NamedMesh& named : all) {
             const auto index = std::make_shared<ContactIndex>(named.mesh, Progress());
             for (const AptCutter& cutter : cutters()) {
                 Random rng(4);
-                const AxialLift lift(index, CutterProfile(cutter));
+                const AxialLift lift(index, CutterProfile(cutter), 0.3);
                 std::vector<Vec2> points = grid_points(rng, named.size, trials(60, 2));
                 std::vector<double> heights(points.size()), other(points.size());
                 lift.tip_z(points, heights, Progress());
