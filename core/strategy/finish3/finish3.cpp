@@ -430,7 +430,7 @@ void Planner::leave_out_beside_stock(const Progress& progress) {
         if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
     const double cell = std::max(std::min(skin_cell_share * cover_.radius(), skin_cells * thinnest),
                                  min_cell_share * cover_.radius());
-    LeftStock stock(context_, cell, skin_share * settings_.tolerance, progress);
+    LeftStock stock(context_, cell, skin_share * settings_.tolerance, lowest, progress);
     beside_stock_ = keep_clear_of_stock(std::move(result_.passes), stock, shortest_piece * cover_.radius(),
                                         contact_at(), progress);
     if (beside_stock_.kept.empty())

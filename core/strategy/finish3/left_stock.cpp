@@ -114,23 +114,27 @@ private:
 
 } // namespace
 
-LeftStock::LeftStock(const PlanContext& context, double cell, double skin, const Progress& progress)
-    : field_(stock_before(context, cell, progress)), cutter_(CutterProfile(context.tool.cutter())),
-      part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))), skin_(skin) {
-    const Tool& tool = context.tool;
+std::vector<LeftStock::Body> LeftStock::bodies_of(const Tool& tool) {
+    std::vector<Body> bodies;
     double base = tool.flute_length;
-    lowest_base_ = infinity;
     const auto add = [&](double diameter, double length) {
-        if (diameter > 0 && length > 0) {
-            bodies_.push_back({0.5 * diameter, base});
-            widest_ = std::max(widest_, 0.5 * diameter);
-            lowest_base_ = std::min(lowest_base_, base);
-        }
+        if (diameter > 0 && length > 0) bodies.push_back({0.5 * diameter, base});
         base += std::max(length, 0.0);
     };
     add(tool.shank_diameter, tool.shank_length);
     for (const HolderSection& s : tool.holder)
         add(s.diameter, s.length);
+    return bodies;
+}
+
+LeftStock::LeftStock(const PlanContext& context, double cell, double skin, double lowest_tip,
+                     const Progress& progress)
+    : bodies_(bodies_of(context.tool)), lowest_base_(bodies_.empty() ? infinity : bodies_.front().base),
+      field_(stock_before(context, cell, progress, lowest_tip + lowest_base_)),
+      cutter_(CutterProfile(context.tool.cutter())),
+      part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))), skin_(skin) {
+    for (const Body& body : bodies_)
+        widest_ = std::max(widest_, body.radius);
     part_tops_.assign(std::size_t(field_.columns()) * std::size_t(field_.rows()),
                       std::numeric_limits<double>::quiet_NaN());
 }
@@ -154,6 +158,7 @@ double LeftStock::lack(const Vec3& tip) {
 }
 
 double LeftStock::free_height(const Vec3& a, const Vec3& b) const {
+    if (bodies_.empty()) return -infinity;
     const double floor = std::min(a.z(), b.z()) + lowest_base_;
     return field_.highest_near(a.head<2>(), b.head<2>(), widest_, floor) - lowest_base_;
 }

@@ -17,8 +17,10 @@ namespace facetmill {
 class LeftStock {
 public:
     /// The stock as operations before left it, in cells of about `cell`. What stands no farther than `skin`
-    /// from the part, or above it, is not asked: HolderReach answers for the part itself.
-    LeftStock(const PlanContext& context, double cell, double skin, const Progress& progress);
+    /// from the part, or above it, is not asked: HolderReach answers for the part itself. No tip that is
+    /// asked about is lower than `lowest_tip`.
+    LeftStock(const PlanContext& context, double cell, double skin, double lowest_tip,
+              const Progress& progress);
 
     /// How much higher a tip would have to be for shank and holder to touch nothing that was left; 0 where
     /// they do not. Sees what is wider than a cell.
@@ -34,12 +36,15 @@ private:
     };
     double part_top(std::size_t cell, const Vec2& center);
 
+    static std::vector<Body> bodies_of(const Tool& tool); ///< from below
+
+    std::vector<Body> bodies_;
+    double lowest_base_;
     StockField field_;
     StockCutter cutter_;
     AxialLift part_;
     double skin_;
-    std::vector<Body> bodies_;
-    double widest_ = 0, lowest_base_ = 0;
+    double widest_ = 0;
     std::vector<double> part_tops_; ///< of cells that were asked, else NaN
 };
 

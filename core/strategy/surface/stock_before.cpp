@@ -2,7 +2,7 @@
 
 namespace facetmill {
 
-StockField stock_before(const PlanContext& context, double cell, const Progress& progress) {
+StockField stock_before(const PlanContext& context, double cell, const Progress& progress, double from) {
     StockSolid solid = context.stock;
     if (solid.box.empty()) {
         solid = StockSolid();
@@ -12,10 +12,11 @@ StockField stock_before(const PlanContext& context, double cell, const Progress&
     for (const auto& earlier : context.earlier) {
         const StockCutter cutter{CutterProfile(earlier->cutter)};
         std::size_t done = 0;
-        for (const auto& [from, to] : earlier->motions) {
+        for (const auto& [a, b] : earlier->motions) {
             if (++done % 64 == 0) progress.check();
-            field.cut(cutter, from, to);
+            field.cut(cutter, a, b);
         }
+        if (from > -infinity) field.forget_below(from);
     }
     progress.set(1);
     return field;

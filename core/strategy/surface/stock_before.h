@@ -7,7 +7,9 @@
 
 namespace facetmill {
 
-/// The stock as it stands before an operation, in cells of `cell` mm. Throws what StockField does.
-StockField stock_before(const PlanContext& context, double cell, const Progress& progress);
+/// The stock as it stands before an operation, in cells of `cell` mm; cells without anything above `from` are
+/// forgotten (StockField::forget_below). Throws what StockField does.
+StockField stock_before(const PlanContext& context, double cell, const Progress& progress,
+                        double from = -infinity);
 
 } // namespace facetmill

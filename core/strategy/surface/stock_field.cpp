@@ -136,6 +136,12 @@ void StockField::find_run_tops() {
         }
 }
 
+void StockField::forget_below(double z) {
+    for (Cell& cell : cells_)
+        if (cell.middle <= z) cell = {-infinity, -infinity};
+    find_run_tops();
+}
+
 template <class Field, class Wanted, class Visit>
 void StockField::near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
                            Wanted&& wanted, Visit&& visit) {

@@ -81,6 +81,9 @@ public:
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
     double highest() const; ///< top of all
+    /// Cells over whose centre nothing stands higher than z are as if without material: whoever asks only
+    /// what is higher spends no time on them.
+    void forget_below(double z);
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
     /// The lowest tip height at which the cutter, moved level and straight from a to b, touches nothing; -inf
