@@ -105,7 +105,8 @@ void PlacePanel::build_list(QVBoxLayout* column) {
     list_->header()->setSectionsMovable(false);
     list_->header()->setStretchLastSection(false);
     list_->header()->setMinimumSectionSize(30);
-    list_->setFixedHeight((rows_seen + 1) * (list_->fontMetrics().height() + 7) + 4);
+    list_->setFixedHeight((rows_seen + 2) * (list_->fontMetrics().height() + 7)
+                          + 4); // the header has two lines
     column->addWidget(list_);
     note_ = new QLabel(this);
     note_->setObjectName(QStringLiteral("place_note"));
@@ -130,6 +131,7 @@ void PlacePanel::build_picks(QVBoxLayout* column) {
     column->addWidget(section(tr("Pick in the view"), this));
     auto* flow = new QWidget(this);
     auto* row = new FlowLayout(flow, 4);
+    row->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](PlacePick what, Icon which, const QString& label, const QString& tip,
                          const char* name) {
         QToolButton* b = button(flow, which, label, tip, name);
@@ -179,6 +181,7 @@ void PlacePanel::build_moves(QVBoxLayout* column) {
     column->addWidget(section(tr("Straighten, move, mirror"), this));
     auto* flow = new QWidget(this);
     auto* row = new FlowLayout(flow, 4);
+    row->setContentsMargins(0, 0, 0, 0);
     const auto add = [&](Icon which, const QString& label, const QString& tip, const char* name,
                          const auto& wanted) {
         QToolButton* b = button(flow, which, label, tip, name);
@@ -250,6 +253,7 @@ void PlacePanel::build_zero(QVBoxLayout* column) {
     column->addLayout(row);
     auto* flow = new QWidget(this);
     auto* buttons = new FlowLayout(flow, 4);
+    buttons->setContentsMargins(0, 0, 0, 0);
     QToolButton* pick =
         button(flow, Icon::pick, tr("At a point"),
                tr("Click a point of the part for the zero; a corner nearby is taken exactly"), "zero_pick");
@@ -327,8 +331,8 @@ void PlacePanel::fill(const std::vector<LyingFace>& faces, LengthUnit unit, cons
         const QSignalBlocker quiet(list_);
         list_->clear();
         const QString length = text(unit_name(unit));
-        list_->setHeaderLabels({tr("Lies, %1").arg(length + QStringLiteral("²")), tr("Down"),
-                                tr("High, %1").arg(length), tr("Falls at")});
+        list_->setHeaderLabels({tr("Lies,\n%1").arg(length + QStringLiteral("²")), tr("Down"),
+                                tr("High,\n%1").arg(length), tr("Falls at")});
         const auto number = [](double v, int digits) { return text(format_number(v, digits)); };
         const double per = mm_per(unit);
         for (const LyingFace& f : faces) {
