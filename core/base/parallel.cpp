@@ -9,6 +9,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <thread>
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -21,6 +22,16 @@ namespace {
 std::atomic<int> configured_threads{0};
 thread_local bool low_priority = false;
 
+#ifdef __SANITIZE_THREAD__
+/// TBB's library is not made for the thread sanitizer, which does not see what it orders, and would take
+/// every loop for a race. Threads of the loop's own, which it sees, take the same blocks.
+void run_on_threads(int threads, const std::function<void()>& body) {
+    std::vector<std::jthread> others;
+    for (int k = 1; k < threads; ++k)
+        others.emplace_back(body);
+    body();
+}
+#else
 /// Arenas that no loop uses now. A worker lingers in the arena of its last loop, giving way again and again,
 /// before it looks for another; where cores are short that takes longer than many a loop. So a loop takes the
 /// arena that was used last, and its workers are there already. Loops within loops, and beside others, have
@@ -54,6 +65,18 @@ SpareArenas& spare_arenas() {
     static auto& arenas = *new SpareArenas;
     return arenas;
 }
+
+/// Calls the body once for each of so many threads, on as many as there are.
+void run_on_threads(int threads, const std::function<void()>& body) {
+    auto arena = spare_arenas().take(threads);
+    arena->execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<int>(0, threads, 1), [&](const tbb::blocked_range<int>&) { body(); },
+            tbb::simple_partitioner());
+    });
+    spare_arenas().give_back(std::move(arena));
+}
+#endif
 } // namespace
 
 void set_thread_count(int threads) {
@@ -91,28 +114,21 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& body
     std::mutex first_mutex;
     std::atomic<bool> stop{false};
     const bool lower = low_priority;
-    auto arena = spare_arenas().take(threads);
-    arena->execute([&] {
-        // As many loops as threads, each of which takes the next block that nobody has: blocks are begun in
-        // order.
-        std::atomic<std::size_t> next{0};
-        tbb::parallel_for(
-            tbb::blocked_range<int>(0, threads, 1),
-            [&](const tbb::blocked_range<int>&) {
-                if (lower) lower_thread_priority();
-                for (std::size_t b = next++; b < blocks && !stop; b = next++) {
-                    try {
-                        body(b);
-                    } catch (...) {
-                        std::lock_guard lock(first_mutex);
-                        if (!first) first = std::current_exception();
-                        stop = true;
-                    }
-                }
-            },
-            tbb::simple_partitioner());
+    // As many loops as threads, each of which takes the next block that nobody has: blocks are begun in
+    // order.
+    std::atomic<std::size_t> next{0};
+    run_on_threads(threads, [&] {
+        if (lower) lower_thread_priority();
+        for (std::size_t b = next++; b < blocks && !stop; b = next++) {
+            try {
+                body(b);
+            } catch (...) {
+                std::lock_guard lock(first_mutex);
+                if (!first) first = std::current_exception();
+                stop = true;
+            }
+        }
     });
-    spare_arenas().give_back(std::move(arena));
     if (first) std::rethrow_exception(first);
 }
 
