@@ -34,8 +34,10 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 /// Joins the passes of a 3-axis path: on the surface (by the lift of the whole tool along the straight line,
 /// so never into the part) where the next pass is near, else by retract, rapid at clearance height, approach.
 /// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
-/// tips that do not gouge. `allowance` is the operation's; the part's inner tessellation tolerance is added
-/// as the strategy does. Throws Error(out_of_range).
+/// tips that do not gouge. An operation that knows its stock goes straight down in a rapid to the clearance,
+/// or half the cutter's radius where that is less, over what stands at that moment, and as far above the pass
+/// it goes up in one. `allowance` is the operation's; the part's inner tessellation tolerance is added as the
+/// strategy does. Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 

@@ -1,7 +1,11 @@
 #include "core/base/tolerances.h"
 #include "core/link/link.h"
+#include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/lift_line.h"
+#include "core/strategy/surface/stock_before.h"
+
+#include <optional>
 
 namespace facetmill {
 
@@ -30,6 +34,50 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
     route.push_back(to);
     return route;
 }
+
+/// What stands at each moment, where the operation knows its stock: down to the clearance over it a tool goes
+/// in a rapid.
+class DescentOver {
+public:
+    DescentOver(const PlanContext& context, const LinkOptions& options, const Progress& progress)
+        : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
+          clearance_(std::min(options.clearance, near_share * profile_.max_radius())) {
+        if (context.stock.box.empty() && context.earlier.empty()) return;
+        field_ = stock_before(context, cell_share * profile_.max_radius(), progress);
+    }
+
+    /// Where a rapid straight down to a tip ends: at `top` where nothing is known of the stock.
+    double down_to(const Vec3& tip, double top) const {
+        if (!field_) return top;
+        const Vec2 p = tip.head<2>();
+        const double stands =
+            std::max({field_->clear_height(cutter_, p, p), bodies_.clear_height(*field_, p, p), tip.z()});
+        return std::min(top, stands + clearance_);
+    }
+    /// Where a rapid straight up from a tip begins. What stands higher than the cutter beside a slimmer
+    /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
+    double up_from(const Vec3& tip, double top) const {
+        if (!field_ || is_undercut(profile_)) return top;
+        const Vec2 p = tip.head<2>();
+        const double covered = tip.z() + profile_.height();
+        if (field_->highest_near(p, p, profile_.max_radius(), covered) > covered) return down_to(tip, top);
+        return std::min(top, tip.z() + clearance_);
+    }
+    void feed(const Vec3& from, const Vec3& to) {
+        if (field_) field_->cut(cutter_, from, to);
+    }
+
+private:
+    /// The size of the field's cells in radii of the cutter. What it tells is never too low.
+    static constexpr double cell_share = 0.1;
+    /// How near to what stands rapids come, in radii too, where the clearance is more.
+    static constexpr double near_share = 0.5;
+    CutterProfile profile_;
+    StockCutter cutter_;
+    UprightBodies bodies_;
+    double clearance_;
+    std::optional<StockField> field_;
+};
 
 } // namespace
 
@@ -70,33 +118,45 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
     ToolMotions result;
     result.clearance_z = top + options.clearance;
 
-    const auto at_clearance = [&](CutterLocation location) {
-        location.tip.z() = result.clearance_z;
+    DescentOver stock(context, options, progress.part(0, 0.1));
+    const auto add = [&](MotionKind kind, const CutterLocation& to, Index pass = no_index,
+                         Index point = no_index) {
+        if (kind != MotionKind::rapid) stock.feed(result.motions.back().to.tip, to.tip);
+        result.motions.push_back({kind, to, pass, point});
+    };
+    const auto at_height = [](CutterLocation location, double z) {
+        location.tip.z() = z;
         return location;
+    };
+    const auto retract = [&](const CutterLocation& from) {
+        const double z = stock.up_from(from.tip, result.clearance_z);
+        add(MotionKind::retract, at_height(from, z));
+        if (z < result.clearance_z) add(MotionKind::rapid, at_height(from, result.clearance_z));
     };
     const CutterLocation* last = nullptr;
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
-        progress.set(double(i) / double(path.passes.size()));
+        progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
         const Pass& pass = path.passes[i];
         if (pass.cl.empty()) continue;
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
         if (last && !pass.from_above && (start.tip - last->tip).head<2>().norm() <= options.link_distance) {
             for (const CutterLocation& c : on_surface(*last, start, lift, bodies, fine, progress.part(0, 0)))
-                result.motions.push_back({MotionKind::link, c, no_index, no_index});
+                add(MotionKind::link, c);
             result.motions.back().pass = pass_index;
             result.motions.back().point = 0;
         } else {
-            if (last)
-                result.motions.push_back({MotionKind::retract, at_clearance(*last), no_index, no_index});
-            result.motions.push_back({MotionKind::rapid, at_clearance(start), no_index, no_index});
-            result.motions.push_back({MotionKind::approach, start, pass_index, 0});
+            if (last) retract(*last);
+            add(MotionKind::rapid, at_height(start, result.clearance_z));
+            const double z = stock.down_to(start.tip, result.clearance_z);
+            if (z < result.clearance_z) add(MotionKind::rapid, at_height(start, z));
+            add(MotionKind::approach, start, pass_index, 0);
         }
         for (std::size_t k = 1; k < pass.cl.size(); ++k)
-            result.motions.push_back({MotionKind::cut, pass.cl[k], pass_index, Index(k)});
+            add(MotionKind::cut, pass.cl[k], pass_index, Index(k));
         last = &pass.cl.back();
     }
-    if (last) result.motions.push_back({MotionKind::retract, at_clearance(*last), no_index, no_index});
+    if (last) retract(*last);
     progress.set(1);
     return result;
 }

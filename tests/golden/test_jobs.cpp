@@ -143,11 +143,19 @@ private slots:
         const double radius = 0.25, deepest_allowed = 0.01 / 20 + 2e-6;
         const Box3 box = part.mesh->box();
         double deepest = 0, highest_rapid = -infinity, lowest_rapid = infinity;
-        std::size_t samples = 0, touching = 0;
+        std::size_t samples = 0, touching = 0, upright_rapids = 0;
         for (std::size_t i = 1; i < moves.size(); ++i) {
             if (moves[i].rapid) {
-                lowest_rapid = std::min({lowest_rapid, moves[i].tip.z(), moves[i - 1].tip.z()});
-                highest_rapid = std::max(highest_rapid, moves[i].tip.z());
+                const Vec3 &a = moves[i - 1].tip, &b = moves[i].tip;
+                highest_rapid = std::max(highest_rapid, b.z());
+                if (a.head<2>() != b.head<2>()) {
+                    lowest_rapid = std::min({lowest_rapid, a.z(), b.z()});
+                } else {
+                    // Straight down to what stands, or up from the pass.
+                    const Vec3 low = (a.z() < b.z() ? a : b) + Vec3(0, 0, radius);
+                    QVERIFY(distance(low, *part.mesh, 2 * radius) > radius);
+                    ++upright_rapids;
+                }
                 continue;
             }
             if (i % 3 != 0) continue; // a third of the path: enough to find what is wrong everywhere
@@ -165,6 +173,7 @@ private slots:
                  qPrintable(QString("%1 of %2").arg(touching).arg(samples))); // it cuts, and not air
         QVERIFY(lowest_rapid >= box.hi.z() + 0.125 + 0.5 - 1e-5);             // stock and clearance
         QVERIFY(highest_rapid < box.hi.z() + 2);
+        QVERIFY(upright_rapids > 0);
     }
 
     /// Every vertex of the part, those of its slanted border too, lies within the cusp of some cut.

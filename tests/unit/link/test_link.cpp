@@ -86,6 +86,54 @@ private slots:
                 QCOMPARE(m.motions[i].to.tip.z(), m.motions[i - 1].to.tip.z());
     }
 
+    void where_the_stock_is_known_tools_come_down_in_a_rapid() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = 7;
+        context.stock_box = context.stock.box;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)}),
+                       pass({Vec3(-8, 1.5, -0.5), Vec3(8, 1.5, -0.5)})};
+        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+        QCOMPARE(kinds_of(m), std::string("rrac^rrrac^rrrac^r"));
+        // Over the block, over half of it, into the slot that is there: by half the radius above what stands.
+        const double near = 1.5;
+        std::vector<double> down;
+        for (std::size_t i = 1; i < m.motions.size(); ++i) {
+            if (m.motions[i].kind == MotionKind::approach) down.push_back(m.motions[i - 1].to.tip.z());
+            if (m.motions[i].kind == MotionKind::retract)
+                QCOMPARE(m.motions[i].to.tip.z(), m.motions[i - 1].to.tip.z() + near);
+            // Down or level, never both.
+            const Vec3 way = m.motions[i].to.tip - m.motions[i - 1].to.tip;
+            if (m.motions[i].kind == MotionKind::rapid) QVERIFY(way.z() == 0 || way.head<2>().norm() == 0);
+        }
+        QCOMPARE(down.size(), std::size_t(3));
+        QCOMPARE(down[0], 7 + near);
+        QCOMPARE(down[1], 7 + near);
+        QVERIFY2(down[2] > near + 0.2 && down[2] < near + 1, qPrintable(QString::number(down[2])));
+    }
+
+    /// A ball that is lower than its slot is deep, on a slim shank: what stands beside the shank is in its
+    /// way up.
+    void no_rapid_up_cuts_what_stands_beside_the_shank() {
+        Tool tool = ball_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 4;
+        tool.shank_length = 30;
+        PlanContext context = context_of(level(), tool);
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = 7;
+        context.stock_box = context.stock.box;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)})};
+        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+        QCOMPARE(kinds_of(m), std::string("rrac^rrrac^r"));
+        for (std::size_t i = 1; i < m.motions.size(); ++i)
+            if (m.motions[i].kind == MotionKind::retract)
+                QVERIFY2(m.motions[i].to.tip.z() + tool.flute_length >= 7,
+                         qPrintable(QString::number(m.motions[i].to.tip.z())));
+    }
+
     void a_link_climbs_over_what_stands_between() {
         // A rib of height 2 along y = 3.
         const Mesh m = height_field([](double, double y) { return std::abs(y - 3) < 0.5 ? 2.0 : 0.0; },
