@@ -10,6 +10,11 @@
 
 namespace facetmill {
 
+/// The square of how far a point is from a box; 0 within it.
+inline double squared_distance(const Box3& box, const Vec3& p) {
+    return (p - p.cwiseMax(box.lo).cwiseMin(box.hi)).squaredNorm();
+}
+
 /// Items are numbers of boxes, in the order in which these were given.
 class BoxTree {
 public:

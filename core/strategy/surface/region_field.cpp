@@ -73,10 +73,6 @@ struct Known {
     }
 };
 
-double square_from(const Box3& box, const Vec3& p) {
-    return (p - p.cwiseMax(box.lo).cwiseMin(box.hi)).squaredNorm();
-}
-
 class Builder {
 public:
     Builder(const RegionInput& input, std::span<const UncutPlace> uncut, const Progress& progress)
@@ -136,8 +132,9 @@ private:
                 reach = std::max(reach, (c - middle).norm());
             reach += far_;
             bool found = false;
-            tree_.each([&](const Box3& box) { return !found && square_from(box, middle) <= reach * reach; },
-                       [&](std::size_t) { found = true; });
+            tree_.each(
+                [&](const Box3& box) { return !found && squared_distance(box, middle) <= reach * reach; },
+                [&](std::size_t) { found = true; });
             return found;
         };
         fine_ = fine_.derived(
@@ -155,7 +152,7 @@ private:
                 for (std::size_t v = begin; v < end; ++v) {
                     const Vec3 &p = fine_.mesh.vertices[v], normal = towards(Index(v));
                     double least = far_ * far_;
-                    tree_.each([&](const Box3& box) { return square_from(box, p) <= least; },
+                    tree_.each([&](const Box3& box) { return squared_distance(box, p) <= least; },
                                [&](std::size_t i) {
                                    // The other side of a thin wall is another surface.
                                    if (uncut_[i].normal.dot(normal) < 0) return;
