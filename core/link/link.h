@@ -36,8 +36,9 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 /// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
 /// tips that do not gouge. An operation that knows its stock goes straight down in a rapid to the clearance,
 /// or half the cutter's radius where that is less, over what stands at that moment, and as far above the pass
-/// it goes up in one. `allowance` is the operation's; the part's inner tessellation tolerance is added as the
-/// strategy does. Throws Error(out_of_range).
+/// it goes up in one, unless something stands there higher than the cutter: then as far above that.
+/// `allowance` is the operation's; the part's inner tessellation tolerance is added as the strategy does.
+/// Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,
                             const LinkOptions& options, const Progress& progress);
 
