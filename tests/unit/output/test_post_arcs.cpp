@@ -55,6 +55,18 @@ Post arc_post(const std::string& name) {
     return name == "radius" ? parse_post(radius_post(), "radius.json") : find_post(name);
 }
 
+/// What was read back is on the planned route, and the planned places are on what was read back.
+void check_route(const Points& run, const ClSection& section, const PostSetup& setup, double digit) {
+    const Points planned = tips(section);
+    for (const Vec3& p : run)
+        QVERIFY2(distance_to_line(p, planned) < setup.arc_bulge + 2 * digit,
+                 qPrintable(QString::number(distance_to_line(p, planned))));
+    for (const Motion& m : section.motions.motions)
+        if (m.kind != MotionKind::rapid)
+            QVERIFY2(distance_to_line(m.to.tip, run) < setup.tip_tolerance + 2 * digit + 0.0005,
+                     qPrintable(QString::number(distance_to_line(m.to.tip, run))));
+}
+
 } // namespace
 
 class TestPostArcs : public QObject {
@@ -210,17 +222,11 @@ private slots:
         QCOMPARE(read.blocks, posted.blocks + 2); // and the ways up
         const double digit =
             inch ? 25.4 * std::pow(10, -control.inch_decimals) : std::pow(10, -control.mm_decimals);
-        const Points planned = tips(*program.sections.front());
         Points run;
         for (const Motion& m : read.sections.front()->motions.motions)
             if (m.kind != MotionKind::rapid) run.push_back(m.to.tip);
-        for (const Vec3& p : run)
-            QVERIFY2(distance_to_line(p, planned) < setup.arc_bulge + 2 * digit,
-                     qPrintable(QString::number(distance_to_line(p, planned))));
-        for (const Motion& m : program.sections.front()->motions.motions)
-            if (m.kind != MotionKind::rapid)
-                QVERIFY2(distance_to_line(m.to.tip, run) < setup.tip_tolerance + 2 * digit + 0.0005,
-                         qPrintable(QString::number(distance_to_line(m.to.tip, run))));
+        check_route(run, *program.sections.front(), setup, digit);
+        if (QTest::currentTestFailed()) return;
         // Three decimals make a wave's short motions longer.
         QVERIFY2(std::abs(read.seconds - posted.seconds) < (digit < 0.001 ? 1e-3 : 2e-3) * posted.seconds,
                  qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
@@ -257,20 +263,14 @@ private slots:
         const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
         const double digit =
             inch ? 25.4 * std::pow(10, -control.inch_decimals) : std::pow(10, -control.mm_decimals);
-        const Points planned = tips(*program.sections.front());
         Points run;
         for (const Motion& m : read.sections.front()->motions.motions)
             if (m.kind != MotionKind::rapid) {
                 run.push_back(m.to.tip);
                 QVERIFY((m.to.axis - axis).norm() < 3e-6);
             }
-        for (const Vec3& p : run)
-            QVERIFY2(distance_to_line(p, planned) < setup.arc_bulge + 2 * digit,
-                     qPrintable(QString::number(distance_to_line(p, planned))));
-        for (const Motion& m : program.sections.front()->motions.motions)
-            if (m.kind != MotionKind::rapid)
-                QVERIFY2(distance_to_line(m.to.tip, run) < setup.tip_tolerance + 2 * digit + 0.0005,
-                         qPrintable(QString::number(distance_to_line(m.to.tip, run))));
+        check_route(run, *program.sections.front(), setup, digit);
+        if (QTest::currentTestFailed()) return;
         QVERIFY2(std::abs(read.seconds - posted.seconds) < 1e-3 * posted.seconds,
                  qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
         QVERIFY(std::abs(posted.seconds - straight.seconds) < 2e-3 * posted.seconds);
