@@ -20,6 +20,9 @@ constexpr double usual_share = 0.85;
 constexpr int max_fills = 4;
 /// Such a pass goes on over up to so many radii of the curve between two places that ask for it.
 constexpr double bridge_radii = 4;
+/// Where a place between two comes no nearer to one of them than this share of the way, the cutter jumps:
+/// from a flank to another, or over a rim. Places between say no more there, and what stays is touched up.
+constexpr double jump_share = 0.75;
 /// The step-over that is tried next is a little less than a ridge of the allowed height has, and changes by
 /// no more than these factors at once.
 constexpr double retry_share = 0.93, next_share = 0.95, max_shrink = 0.3, max_growth = 1.8;
@@ -322,6 +325,16 @@ private:
         for (std::size_t i = 0; i < count_; ++i)
             middle.offsets[i] = 0.5 * (a.offsets[i] + b.offsets[i]);
         middle.spots = spots(middle.offsets, which, progress);
+        const auto halves = [&](std::size_t i) {
+            const ValleySpot &m = middle.spots[i], &from = a.spots[i], &to = b.spots[i];
+            return left[i] > with_.cusp && m.free
+                   && std::max((m.tip - from.tip).norm(), (to.tip - m.tip).norm())
+                          < jump_share * (to.tip - from.tip).norm();
+        };
+        std::size_t halved = 0;
+        for (std::size_t i = 0; i < count_; ++i)
+            halved += halves(i);
+        if (halved == 0) return;
         fill(a, middle, depth - 1, progress);
         const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
         add(middle, which, middle.offsets[first]);

@@ -7,7 +7,8 @@
 #include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/contact_domain.h"
 
-#include <atomic>
+#include <algorithm>
+#include <queue>
 
 namespace facetmill {
 
@@ -15,31 +16,46 @@ namespace {
 
 /// Places that stand for the bands are so far apart, in radii; those of triangles that are larger are closer.
 constexpr double place_share = 0.15;
-/// A motion that leaves no more than the least that any leaves, and this share of the cusp, is as good.
-constexpr double as_good_share = 0.25;
+/// A motion that leaves no more than the least that any leaves, and this share of the cusp, is as good; so is
+/// one that leaves no more than such a share of the cusp.
+constexpr double as_good_share = 0.15, good_share = 0.5;
+/// Passes are kept by stretches of about so many radii, and to begin one costs as much as so many.
+constexpr double stretch_radii = 6, begin_radii = 2;
 /// Distances from motions are known to this share of the cusp.
 constexpr double working_accuracy = 0.02;
 /// What of a pass takes nothing away is gone over where it is shorter than so many radii: that takes less
 /// time than going out, over and in again.
 constexpr double bridged_radii = 4;
-constexpr std::size_t band_triangles_per_check = 4096;
+constexpr std::size_t band_triangles_per_check = 4096, stretches_per_check = 4096;
 
 class Working {
 public:
     Working(const StripCutting& with, std::span<const BandCut> bands) : with_(with) {
+        const double radius = with.cover->radius();
         for (const BandCut& b : bands)
-            for (const Pass& pass : b.cut->passes)
-                for (std::size_t i = 0; i + 1 < pass.cl.size(); ++i)
+            for (const Pass& pass : b.cut->passes) {
+                double length = infinity;
+                for (std::size_t i = 0; i + 1 < pass.cl.size(); ++i) {
+                    if (length >= stretch_radii * radius) {
+                        stretches_.push_back({motions_.size(), begin_radii * radius});
+                        length = 0;
+                    }
                     motions_.push_back({pass.cl[i].tip, pass.cl[i + 1].tip});
-        works_ = std::vector<std::atomic<char>>(motions_.size());
+                    const double step = (pass.cl[i + 1].tip - pass.cl[i].tip).norm();
+                    length += step;
+                    stretches_.back().cost += step;
+                }
+            }
     }
 
-    /// Says of every motion of all passes, one after the other, whether it takes something away.
-    const std::vector<std::atomic<char>>& run(std::span<const BandCut> bands, const Progress& progress) {
+    /// Says of every motion of all passes, one after the other, whether it is kept.
+    std::vector<char> run(std::span<const BandCut> bands, const Progress& progress) {
         const std::vector<Place> places = places_of(bands, progress.part(0, 0.1));
         const CutTree tree(*with_.cover, motions_, working_accuracy * with_.cusp, progress);
-        parallel_for(places.size(), 64, progress.part(0.1, 1), [&](std::size_t i) { mark(places[i], tree); });
-        return works_;
+        cutting_.resize(places.size());
+        parallel_for(places.size(), 64, progress.part(0.1, 0.9),
+                     [&](std::size_t i) { cutting_[i] = cutting(places[i], tree); });
+        return kept(progress.part(0.9, 1));
     }
 
 private:
@@ -78,35 +94,96 @@ private:
         return places;
     }
 
-    void mark(const Place& place, const CutTree& tree) {
+    /// The motions that cut a place as deep as any, or deep enough; none where that takes nothing away.
+    std::vector<std::uint32_t> cutting(const Place& place, const CutTree& tree) const {
         // Between the corners of a band's triangles no more is known than about how much is left.
         double left = place.left, best = infinity;
-        if (with_.standing && !with_.standing->stands(place.point, left, with_.standing->enough())) return;
+        if (with_.standing && !with_.standing->stands(place.point, left, with_.standing->enough())) return {};
         // How much deeper it comes is not asked there.
         if (left == infinity) left = (1 + as_good_share) * with_.cusp;
         const auto bound = [&] {
-            return std::min(std::max(with_.cusp, best + as_good_share * with_.cusp), left);
+            return std::min(std::max(good_share * with_.cusp, best + as_good_share * with_.cusp), left);
         };
-        std::vector<std::pair<std::size_t, double>> found;
-        tree.nearer(place.point, bound(), [&](std::size_t m, double d) {
+        std::vector<std::pair<std::uint32_t, double>> found;
+        tree.nearer(place.point, left, [&](std::size_t m, double d) {
             best = std::min(best, d);
-            found.emplace_back(m, d);
+            found.emplace_back(std::uint32_t(m), d);
             return bound();
         });
-        if (found.empty()) return;
+        if (found.empty()) return {};
         // Whether more than so much stood there matters.
         const double deep_enough = std::max(best, with_.cusp) + (1 + as_good_share) * with_.cusp;
         if (with_.standing) left = with_.standing->uncut(place.point, std::min(left, deep_enough));
         // It comes within the cusp there, or much nearer than before.
         const bool deeper = place.left < infinity && left - best > with_.cusp;
-        if (best > with_.cusp && !deeper) return;
+        if (best > with_.cusp && !deeper) return {};
+        std::vector<std::uint32_t> result;
         for (const auto& [m, d] : found)
-            if (d <= bound()) works_[m].store(1, std::memory_order_relaxed);
+            if (d <= bound()) result.push_back(m);
+        std::sort(result.begin(), result.end());
+        return result;
     }
+
+    /// Passes beside a crooked valley run over each other many times. So stretches of them are taken one
+    /// after the other, first those that cut most places for their length which none before has cut, until
+    /// every place is cut; of a stretch what cuts them.
+    std::vector<char> kept(const Progress& progress) {
+        std::vector<std::vector<std::uint32_t>> places(stretches_.size()); // that a stretch cuts
+        for (std::size_t i = 0; i < cutting_.size(); ++i) {
+            std::size_t last = stretches_.size();
+            for (const std::uint32_t m : cutting_[i])
+                if (const std::size_t s = stretch_of_motion(m); s != last)
+                    places[last = s].push_back(std::uint32_t(i));
+        }
+        struct Offer {
+            double gain;
+            std::size_t stretch, places;
+            bool operator<(const Offer& o) const {
+                return gain != o.gain ? gain < o.gain : stretch > o.stretch;
+            }
+        };
+        const auto offer = [&](std::size_t s, std::size_t count) {
+            return Offer{double(count) / stretches_[s].cost, s, count};
+        };
+        std::priority_queue<Offer> offers;
+        for (std::size_t s = 0; s < places.size(); ++s)
+            if (!places[s].empty()) offers.push(offer(s, places[s].size()));
+        std::vector<char> cut(cutting_.size(), 0), kept(motions_.size(), 0);
+        for (std::size_t count = 0; !offers.empty(); ++count) {
+            if (count % stretches_per_check == 0) progress.check();
+            const Offer best = offers.top();
+            offers.pop();
+            auto& left = places[best.stretch];
+            std::erase_if(left, [&](std::uint32_t i) { return cut[i] != 0; });
+            if (left.empty()) continue;
+            if (left.size() < best.places) {
+                offers.push(offer(best.stretch, left.size()));
+                continue;
+            }
+            for (const std::uint32_t i : left) {
+                cut[i] = 1;
+                for (const std::uint32_t m : cutting_[i])
+                    if (stretch_of_motion(m) == best.stretch) kept[m] = 1;
+            }
+        }
+        return kept;
+    }
+
+    std::size_t stretch_of_motion(std::size_t motion) const {
+        const auto after = std::upper_bound(stretches_.begin(), stretches_.end(), motion,
+                                            [](std::size_t m, const Stretch& s) { return m < s.first; });
+        return std::size_t(after - stretches_.begin()) - 1;
+    }
+
+    struct Stretch {
+        std::size_t first; ///< motion
+        double cost;       ///< its length, and what it takes to begin it
+    };
 
     const StripCutting& with_;
     std::vector<CutTree::Motion> motions_;
-    std::vector<std::atomic<char>> works_;
+    std::vector<Stretch> stretches_;
+    std::vector<std::vector<std::uint32_t>> cutting_; ///< motions, by places
 };
 
 /// The stretch of a pass from one length along it to another.
@@ -133,15 +210,14 @@ Pass stretch_of(const Pass& pass, const std::vector<double>& arc, const Interval
 }
 
 /// What of a pass works, given what each of its motions does; the first is `motion`, then the next pass's.
-std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass,
-                                 const std::vector<std::atomic<char>>& works, std::size_t& motion) {
+std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass, const std::vector<char>& works,
+                                 std::size_t& motion) {
     const std::size_t n = pass.cl.size();
     std::vector<double> arc(n, 0);
     std::vector<Interval> busy;
     for (std::size_t i = 1; i < n; ++i) {
         arc[i] = arc[i - 1] + (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
-        if (works[motion++].load(std::memory_order_relaxed))
-            busy.push_back({arc[i - 1] - with.overlap, arc[i] + with.overlap});
+        if (works[motion++] != 0) busy.push_back({arc[i - 1] - with.overlap, arc[i] + with.overlap});
     }
     std::vector<Pass> kept;
     for (const Interval& range : joined(std::move(busy), bridged_radii * with.cover->radius())) {
@@ -158,7 +234,7 @@ std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass,
 
 void keep_working(const StripCutting& with, std::span<const BandCut> bands, const Progress& progress) {
     Working working(with, bands);
-    const auto& works = working.run(bands, progress);
+    const std::vector<char> works = working.run(bands, progress);
     std::size_t motion = 0;
     for (const BandCut& b : bands) {
         progress.check();
