@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr double turn = 2 * pi;
+constexpr double full_turn = 2 * pi;
 
 Vec3 turned(const Vec3& v, const Vec3& line, double cosine, double sine) {
     // The part along the line stays as it is, to the last bit.
@@ -31,7 +31,7 @@ double azimuth(const Vec3& line, const Vec3& a, const Vec3& b) {
 /// In (-pi, pi].
 double wrapped(double angle) {
     if (angle > -pi && angle <= pi) return angle;
-    const double w = std::remainder(angle, turn);
+    const double w = std::remainder(angle, full_turn);
     return w <= -pi ? pi : w;
 }
 
@@ -195,16 +195,16 @@ std::optional<Joints> Kinematics::wound(Joints solution, bool singular, const Ve
             angle = std::clamp(from.rotary[i], t.lo, t.hi);
             continue;
         }
-        const double wanted = std::round((from.rotary[i] - angle) / turn);
-        const double least = std::ceil((t.lo - tolerance::level_angle - angle) / turn);
-        const double most = std::floor((t.hi + tolerance::level_angle - angle) / turn);
+        const double wanted = std::round((from.rotary[i] - angle) / full_turn);
+        const double least = std::ceil((t.lo - tolerance::level_angle - angle) / full_turn);
+        const double most = std::floor((t.hi + tolerance::level_angle - angle) / full_turn);
         if (least > most) {
             // Between two turns: the nearer end of the travel is missed by this.
             *reach = {Reach::Limit::rotary_travel, int(i) + 3,
-                      std::min(angle + turn * least - t.hi, t.lo - (angle + turn * most))};
+                      std::min(angle + full_turn * least - t.hi, t.lo - (angle + full_turn * most))};
             return std::nullopt;
         }
-        angle += turn * std::clamp(wanted, least, most);
+        angle += full_turn * std::clamp(wanted, least, most);
     }
     if (singular) solution.linear = linear_for(tip, solution);
     *reach = {};
