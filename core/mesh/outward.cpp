@@ -124,16 +124,16 @@ OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight
         back += sight.is_free(p, aside - out);
     }
     if (front + back == 0) return OutwardSides::buried;
-    if (patch.closed) return patch.volume < 0 ? OutwardSides::turned : OutwardSides::as_wound;
+    if (patch.closed) return patch.volume < 0 ? OutwardSides::reversed : OutwardSides::as_wound;
     const double area = patch.areas.back();
     const bool leans = std::abs(patch.up) > upright_share * area;
     // A cup that is most of the mesh may be a deep pocket or a vase: there only its winding can tell.
     const bool cup = area > 0.5 * whole_area && patch.up > cup_share * area;
     if (double(front) <= clear_vote * double(back))
-        return cup ? OutwardSides::as_wound : OutwardSides::turned;
+        return cup ? OutwardSides::as_wound : OutwardSides::reversed;
     if (double(back) <= clear_vote * double(front)) return OutwardSides::as_wound;
     const bool down = leans ? patch.up < 0 : front < back;
-    return down ? OutwardSides::turned : OutwardSides::as_wound;
+    return down ? OutwardSides::reversed : OutwardSides::as_wound;
 }
 
 } // namespace
@@ -154,10 +154,10 @@ OutwardSides outward_sides(const Mesh& mesh, const Progress& progress, OpenSide 
                  [&](std::size_t i) { sides[i] = side_of(mesh, patches[i], sight, rays, area); });
     for (std::size_t i = 0; i < patches.size(); ++i) {
         if (open == OpenSide::other && !patches[i].closed && sides[i] != OutwardSides::buried)
-            sides[i] = sides[i] == OutwardSides::turned ? OutwardSides::as_wound : OutwardSides::turned;
+            sides[i] = sides[i] == OutwardSides::reversed ? OutwardSides::as_wound : OutwardSides::reversed;
         for (const Index f : patches[i].facets)
             result.sides[f] = sides[i];
-        if (sides[i] == OutwardSides::turned) result.turned_facets += patches[i].facets.size();
+        if (sides[i] == OutwardSides::reversed) result.turned_facets += patches[i].facets.size();
         if (sides[i] == OutwardSides::buried) result.buried_facets += patches[i].facets.size();
     }
     return result;
@@ -167,7 +167,7 @@ MeshPtr wound_outward(const MeshPtr& mesh, const OutwardSides& sides) {
     if (sides.turned_facets == 0) return mesh;
     auto turned = std::make_shared<Mesh>(*mesh);
     for (std::size_t f = 0; f < turned->facet_count(); ++f)
-        if (sides.sides[f] == OutwardSides::turned) std::swap(turned->facets[f][1], turned->facets[f][2]);
+        if (sides.sides[f] == OutwardSides::reversed) std::swap(turned->facets[f][1], turned->facets[f][2]);
     return turned;
 }
 

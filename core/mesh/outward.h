@@ -24,7 +24,7 @@ namespace facetmill {
 struct OutwardSides {
     enum Side : std::uint8_t {
         as_wound, ///< out is where the corners run counter-clockwise
-        turned,   ///< out is the other side
+        reversed, ///< out is the other side
         buried,   ///< neither side sees the open
     };
     std::vector<Side> sides; ///< one per facet
@@ -39,7 +39,8 @@ enum class OpenSide : std::uint8_t { found, other };
 /// same answer for the same mesh with any number of threads.
 OutwardSides outward_sides(const Mesh& mesh, const Progress& progress, OpenSide open = OpenSide::found);
 
-/// The mesh with the facets that `sides` calls turned wound the other way; the same one where there are none.
+/// The mesh with the facets that `sides` calls reversed wound the other way; the same one where there are
+/// none.
 MeshPtr wound_outward(const MeshPtr& mesh, const OutwardSides& sides);
 
 } // namespace facetmill
