@@ -64,6 +64,11 @@ private:
         double left; ///< by the cutter before; infinite where it is not asked
     };
 
+    struct Stretch {
+        std::size_t first; ///< motion
+        double cost;       ///< its length, and what it takes to begin it
+    };
+
     std::vector<Place> places_of(std::span<const BandCut> bands, const Progress& progress) const {
         std::vector<Place> places;
         CellSet seen(place_share * with_.cover->radius());
@@ -160,10 +165,13 @@ private:
                 offers.push(offer(best.stretch, left.size()));
                 continue;
             }
+            const std::size_t next = best.stretch + 1;
+            const std::size_t first = stretches_[best.stretch].first,
+                              end = next < stretches_.size() ? stretches_[next].first : motions_.size();
             for (const std::uint32_t i : left) {
                 cut[i] = 1;
                 for (const std::uint32_t m : cutting_[i])
-                    if (stretch_of_motion(m) == best.stretch) kept[m] = 1;
+                    if (m >= first && m < end) kept[m] = 1;
             }
         }
         return kept;
@@ -174,11 +182,6 @@ private:
                                             [](std::size_t m, const Stretch& s) { return m < s.first; });
         return std::size_t(after - stretches_.begin()) - 1;
     }
-
-    struct Stretch {
-        std::size_t first; ///< motion
-        double cost;       ///< its length, and what it takes to begin it
-    };
 
     const StripCutting& with_;
     std::vector<CutTree::Motion> motions_;
