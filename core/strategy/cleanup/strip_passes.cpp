@@ -331,10 +331,10 @@ private:
                    && std::max((m.tip - from.tip).norm(), (to.tip - m.tip).norm())
                           < jump_share * (to.tip - from.tip).norm();
         };
-        std::size_t halved = 0;
-        for (std::size_t i = 0; i < count_; ++i)
-            halved += halves(i);
-        if (halved == 0) return;
+        bool halved = false;
+        for (std::size_t i = 0; i < count_ && !halved; ++i)
+            halved = halves(i);
+        if (!halved) return;
         fill(a, middle, depth - 1, progress);
         const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
         add(middle, which, middle.offsets[first]);
