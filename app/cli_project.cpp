@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parameter.h"
 #include "core/job/posting.h"
+#include "core/job/project_inputs.h"
 #include "core/job/work_estimate.h"
 
 #include <charconv>
@@ -37,6 +38,7 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
                                                const std::string& only_operation, const Arguments& arguments,
                                                Session& session, const Progress& progress) {
     try {
+        check_inputs(project);
         check_project(project);
         const auto part = planner.prepare(project, progress.part(0, 0.05));
         for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))

@@ -1,6 +1,7 @@
 #include "core/job/project.h"
 
 #include "core/base/file.h"
+#include "core/job/project_inputs.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
 
@@ -128,11 +129,8 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
 }
 
 void keep_referenced(const Project& project, const fs::path& output) {
-    std::vector<fs::path> inputs = {project.part_path(), project.stock_path()};
-    if (is_machine_file(project.machine)) inputs.push_back(project.machine_path());
-    if (is_post_file(project.programs.post)) inputs.push_back(project.post_path());
-    for (const fs::path& input : inputs)
-        if (!input.empty()) refuse_to_overwrite(input, output);
+    for (const ProjectInput& input : project_inputs(project))
+        refuse_to_overwrite(input.path, output);
 }
 
 void keep_inputs(const Project& project, const fs::path& output) {

@@ -1,0 +1,113 @@
+#include "core/job/project_inputs.h"
+
+#include "core/output/post/post.h"
+#include "core/setup/machine.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace facetmill {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string& input_file(Project& project, ProjectInput::Kind kind) {
+    switch (kind) {
+    case ProjectInput::Kind::stock:
+        return project.stock.file;
+    case ProjectInput::Kind::machine:
+        return project.machine;
+    case ProjectInput::Kind::post:
+        return project.programs.post;
+    case ProjectInput::Kind::part:
+        break;
+    }
+    return project.part.file;
+}
+
+} // namespace
+
+std::string_view input_name(ProjectInput::Kind kind) {
+    switch (kind) {
+    case ProjectInput::Kind::stock:
+        return "stock";
+    case ProjectInput::Kind::machine:
+        return "machine";
+    case ProjectInput::Kind::post:
+        return "post";
+    case ProjectInput::Kind::part:
+        break;
+    }
+    return "part";
+}
+
+bool is_missing(const fs::path& path) {
+    std::error_code ec;
+    return fs::status(path, ec).type() == fs::file_type::not_found;
+}
+
+std::vector<ProjectInput> project_inputs(const Project& project) {
+    using Kind = ProjectInput::Kind;
+    std::vector<ProjectInput> inputs;
+    if (!project.part.file.empty()) inputs.push_back({Kind::part, project.part_path()});
+    if (const fs::path stock = project.stock_path(); !stock.empty()) inputs.push_back({Kind::stock, stock});
+    if (is_machine_file(project.machine)) inputs.push_back({Kind::machine, project.machine_path()});
+    if (is_post_file(project.programs.post)) inputs.push_back({Kind::post, project.post_path()});
+    return inputs;
+}
+
+std::vector<ProjectInput> missing_inputs(const Project& project) {
+    std::vector<ProjectInput> inputs = project_inputs(project);
+    std::erase_if(inputs, [](const ProjectInput& input) { return !is_missing(input.path); });
+    return inputs;
+}
+
+void check_inputs(const Project& project) {
+    std::string keys, places;
+    for (const ProjectInput& input : missing_inputs(project)) {
+        if (input.kind == ProjectInput::Kind::post) continue;
+        const bool mesh = input.kind == ProjectInput::Kind::part || input.kind == ProjectInput::Kind::stock;
+        const std::string key = std::string(input_name(input.kind)) + (mesh ? ".file" : "");
+        keys += (keys.empty() ? "" : ", ") + key;
+        places += (places.empty() ? "" : ", ") + printable(input.path.string(), 400);
+    }
+    if (!keys.empty())
+        throw Error(ErrorCode::not_found, keys, "there is no file " + places,
+                    "put it there, or name another one in the project");
+}
+
+void set_input(Project& project, ProjectInput::Kind kind, const fs::path& file) {
+    std::error_code ec;
+    const fs::path absolute = fs::absolute(file, ec).lexically_normal();
+    fs::path named = absolute;
+    if (!project.path.empty()) {
+        const fs::path folder = fs::absolute(project.path, ec).lexically_normal().parent_path();
+        const fs::path relative = absolute.lexically_relative(folder);
+        // A folder on the way that is a link has another folder above it than its name says.
+        if (!relative.empty() && fs::equivalent(folder / relative, absolute, ec) && !ec) named = relative;
+    }
+    input_file(project, kind) = named.generic_string();
+}
+
+std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& missing, const fs::path& file) {
+    const std::vector<ProjectInput> others = missing_inputs(project);
+    std::error_code ec;
+    const fs::path folder = fs::absolute(file, ec).parent_path();
+    set_input(project, missing.kind, file);
+    std::vector<ProjectInput> found;
+    for (const ProjectInput& other : others) {
+        if (other.kind == missing.kind) continue;
+        const fs::path beside =
+            other.path.lexically_normal().lexically_relative(missing.path.lexically_normal().parent_path());
+        for (const fs::path& place : {folder / beside, folder / other.path.filename()}) {
+            if (!fs::is_regular_file(place, ec)) continue;
+            set_input(project, other.kind, place);
+            found.push_back({other.kind, place.lexically_normal()});
+            break;
+        }
+    }
+    return found;
+}
+
+} // namespace facetmill

@@ -1,0 +1,41 @@
+// The files that a project names beside itself: where they are looked for, which are missing, and other files
+// in their place.
+#pragma once
+
+#include "core/job/project.h"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace facetmill {
+
+/// A file that a project names.
+struct ProjectInput {
+    enum class Kind { part, stock, machine, post };
+    Kind kind = Kind::part;
+    std::filesystem::path path; ///< where it is looked for
+    bool operator==(const ProjectInput&) const = default;
+};
+
+/// "part", "stock", "machine", "post".
+std::string_view input_name(ProjectInput::Kind kind);
+
+/// There is nothing at this place, neither a file nor anything else.
+bool is_missing(const std::filesystem::path& path);
+/// The part first. A stock that is no mesh, machines and posts of the program have no file.
+std::vector<ProjectInput> project_inputs(const Project& project);
+/// Those that are missing. A folder in the place of a file, or a file that may not be read, is another error.
+std::vector<ProjectInput> missing_inputs(const Project& project);
+/// Throws Error(not_found) that names all files that planning reads and that are missing.
+void check_inputs(const Project& project);
+
+/// Names another file, relative to the project's where that has a place on disk and links on the way do not
+/// lead elsewhere.
+void set_input(Project& project, ProjectInput::Kind kind, const std::filesystem::path& file);
+/// Names `file` in place of a missing one. Other missing files that lie as they did beside it, or under their
+/// old names in its folder, are named as well: those are returned.
+std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& missing,
+                                       const std::filesystem::path& file);
+
+} // namespace facetmill
