@@ -45,6 +45,7 @@ struct Colors {
     Rgb background_top, background_bottom;
     Rgb text, faint_text, panel, panel_border;
     Rgb part, part_back, feature_edges, mesh_edges;
+    Rgb former_part; ///< before it was replaced
     Rgb stock, cut_stock;
     Rgb gouge, excess, collision; ///< findings
     Rgb contacts;

@@ -41,6 +41,7 @@ struct Scene::Impl {
     SceneRehearsal rehearsal{stage.renderer};
     SceneFindings findings{stage};
     ScenePart part{stage};
+    SceneFormer former{stage};
     SceneDeviation deviation{stage};
     SceneStock stock{stage};
     ScenePaths paths{stage, part};
@@ -51,8 +52,8 @@ struct Scene::Impl {
     SceneMarks marks{stage};
     SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 11> layers{&part,  &stock, &levels,    &support, &findings, &strips,
-                                             &marks, &paths, &deviation, &tool,    &zero};
+    const std::array<SceneLayer*, 12> layers{&part,   &former, &stock, &levels,    &support, &findings,
+                                             &strips, &marks,  &paths, &deviation, &tool,    &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -248,6 +249,12 @@ ScenePart& Scene::part() {
 }
 const ScenePart& Scene::part() const {
     return impl_->part;
+}
+SceneFormer& Scene::former() {
+    return impl_->former;
+}
+const SceneFormer& Scene::former() const {
+    return impl_->former;
 }
 SceneStock& Scene::stock() {
     return impl_->stock;

@@ -16,6 +16,7 @@
 #include "viz/scene_camera.h"
 #include "viz/scene_deviation.h"
 #include "viz/scene_findings.h"
+#include "viz/scene_former.h"
 #include "viz/scene_layer.h"
 #include "viz/scene_levels.h"
 #include "viz/scene_part.h"
@@ -48,6 +49,8 @@ public:
 
     ScenePart& part();
     const ScenePart& part() const;
+    SceneFormer& former();
+    const SceneFormer& former() const;
     SceneStock& stock();
     SceneDeviation& deviation();
     const SceneDeviation& deviation() const;

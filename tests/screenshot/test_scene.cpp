@@ -125,6 +125,20 @@ private slots:
         scene.stock().set(make_stock_shape(StockSolid(), {}));
         QVERIFY(!scene.has(Layer::stock));
     }
+    /// What was higher is seen, what is the same is not.
+    void the_part_before() {
+        Scene scene;
+        scene.part().set(box_part({0, 0, 0}, {60, 40, 25}));
+        scene.former().set(prepare_part_display(box_part({0, 0, 0}, {45, 40, 34}), {}));
+        check(scene, "part-before");
+        QCOMPARE(scene.bounds().hi.z(), 25.0);
+        const Picture both = drawn(scene);
+        scene.set_visible(Layer::part, false);
+        QVERIFY(drawn(scene).rgb != both.rgb);
+        scene.set_visible(Layer::part, true);
+        scene.former().set(nullptr);
+        QVERIFY(!scene.former().any() && drawn(scene).rgb != both.rgb);
+    }
     void path_layers() {
         Scene scene;
         fill(scene);

@@ -1,0 +1,71 @@
+#include "viz/scene_former.h"
+
+#include "viz/overlay.h"
+#include "viz/poly_data.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <utility>
+
+namespace facetmill {
+
+SceneFormer::SceneFormer(SceneStage& stage) : SceneLayer(stage) {
+    for (SceneActor* a : {&faces_, &lines_}) {
+        add_actor(*a);
+        a->unlit();
+    }
+    // All faces have the same colour and no light, so that they blend alike in any order.
+    faces_.property()->SetOpacity(0.22);
+    // Where nothing has changed the part that is there now lies before it.
+    faces_.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
+    lines_.nearer(20);
+}
+
+void SceneFormer::set(PartDisplayPtr part) {
+    if (part == part_) return;
+    // The arrays stay until the actors have others.
+    const PartDisplayPtr old = std::exchange(part_, std::move(part));
+    faces_.clear();
+    lines_.clear();
+    if (!part_ || part_->triangles.empty()) return;
+    faces_.set_data(triangle_data(part_->points, {}, part_->triangles), part_->center);
+    lines_.set_data(segment_data(part_->points, part_->lines), part_->center);
+}
+
+void SceneFormer::apply_palette(const Colors& colors) {
+    faces_.color(colors.former_part);
+    lines_.color(colors.former_part);
+}
+
+void SceneFormer::apply_line_widths() {
+    lines_.set_line_width(1.4 * stage_.ratio);
+}
+
+void SceneFormer::apply_visibility(ShownSurface) {
+    const bool on = stage_.on(Layer::part);
+    faces_.show(on && !(stage_.moving && has_preview()));
+    lines_.show(on);
+}
+
+/// The coarse copy of a large one would stand out of the part where nothing has changed: its lines are drawn
+/// alone while the view moves.
+bool SceneFormer::has_preview() const {
+    return part_ && !part_->preview.triangles.empty();
+}
+
+void SceneFormer::add_known(KnownBoxes& known) const {
+    if (!part_ || !lines_.shown()) return;
+    known.box.add(part_->box);
+    known.actors.push_back(faces_.actor);
+    known.actors.push_back(lines_.actor);
+}
+
+void SceneFormer::add_legend(std::vector<LegendEntry>& entries, ShownSurface) const {
+    if (faces_.filled && stage_.on(Layer::part))
+        entries.push_back(
+            {LegendEntry::Sample::surface, colors_of(stage_.palette).former_part, 1, "Part before"});
+}
+
+} // namespace facetmill
