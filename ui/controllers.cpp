@@ -1,6 +1,7 @@
 #include "ui/controllers.h"
 
 #include "ui/cspace_controller.h"
+#include "ui/inputs_controller.h"
 #include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
 #include "ui/messages.h"
@@ -47,7 +48,9 @@ void Controllers::build(const Parts& p, QWidget* window) {
     strips_ = new StripController(p.document, p.viewport, window);
     paths_ = new PathController(p.document, p.viewport, p.layers, p.tree, *rough_, window);
     tool_ = new ToolController(p.document, p.viewport, *paths_, *verification_, p.status, window);
-    part_ = new PartController(p.document, p.viewport, p.planner, p.job, p.messages, window);
+    part_ = new PartController(p.document, p.viewport, p.planner, p.job, p.messages, verification_->model(),
+                               window);
+    inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
     // A click in the view is for one of them.
     connect(picker, &PointPicker::picking_begun, place_, &PlaceController::leave);
@@ -55,8 +58,8 @@ void Controllers::build(const Parts& p, QWidget* window) {
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {picker,  verification_, rough_,  regions_, inspection_, unrolled_,
-            cspace_, tool_,         strips_, part_,    place_,      paths_};
+    all_ = {picker, verification_, rough_, regions_, inspection_, unrolled_, cspace_,
+            tool_,  strips_,       part_,  inputs_,  place_,      paths_};
 }
 
 void Controllers::connect_document(const Document& document) {
@@ -80,6 +83,7 @@ void Controllers::connect_messages(Messages& messages) {
         });
         connect(controller, &Controller::settled, this, &Controllers::settled);
     }
+    connect(&messages.bar(), &MessageBar::dismissed, part_, &PartController::forget_former);
     connect(verification_, &VerificationController::verified, this, [this, &messages] {
         messages.succeeded();
         emit verified();

@@ -13,6 +13,7 @@ class QWidget;
 namespace facetmill::ui {
 
 class CSpaceController;
+class InputsController;
 class InspectionController;
 class LayerBar;
 class Messages;
@@ -55,6 +56,7 @@ public:
     RegionController& regions() { return *regions_; }
     StripController& strips() { return *strips_; }
     PartController& part() { return *part_; }
+    InputsController& inputs() { return *inputs_; }
     PlaceController& place() { return *place_; }
 
     /// Calls a function of every controller.
@@ -89,6 +91,7 @@ private:
     ToolController* tool_ = nullptr;
     PathController* paths_ = nullptr;
     PartController* part_ = nullptr;
+    InputsController* inputs_ = nullptr;
     PlaceController* place_ = nullptr;
     std::vector<Controller*> all_; ///< in the order in which they are told
 };

@@ -1,6 +1,7 @@
 #include "ui/document.h"
 
 #include "core/job/asked_operations.h"
+#include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/output/post/post.h"
 #include "ui/text.h"
@@ -13,13 +14,26 @@ namespace facetmill::ui {
 
 namespace {
 
-/// Part, mesh stock and machine, where they are files.
 std::vector<std::filesystem::path> files_of(const Project& project) {
     std::vector<std::filesystem::path> files;
-    if (!project.part.file.empty()) files.push_back(project.part_path());
-    if (const std::filesystem::path stock = project.stock_path(); !stock.empty()) files.push_back(stock);
-    if (is_machine_file(project.machine)) files.push_back(project.machine_path());
+    for (const ProjectInput& input : project_inputs(project))
+        files.push_back(input.path);
     return files;
+}
+
+/// Parts that saving has copied beside the project, by where they were.
+using Copies = std::map<std::filesystem::path, std::filesystem::path>;
+
+void note_copy(Copies& copies, const std::filesystem::path& before, const std::filesystem::path& now) {
+    if (now.lexically_normal() != before.lexically_normal()) copies[before] = now;
+}
+
+/// Names the files of a step of the history from where the project lies now.
+void move_step(Project& project, const std::filesystem::path& path, const Copies& copies) {
+    const auto copy = copies.find(project.part_path());
+    if (!path.empty() && project.path != path) move_project(project, path);
+    project.path = path;
+    if (copy != copies.end()) set_input(project, ProjectInput::Kind::part, copy->second);
 }
 
 /// Starts from the values of the last operation of its kind, or at least from its tool.
@@ -70,7 +84,7 @@ Document::Document(QObject* parent) : QObject(parent) {
             return files_.wait_again();
         files_.watch(files_of(project_));
         emit states_changed();
-        if (part_ && !part_is_current()) emit part_changed();
+        if (has_part() && !part_is_current()) emit part_changed();
     });
 }
 
@@ -90,6 +104,7 @@ void Document::open(Project project, const QString& name, bool unsaved) {
     program_ = nullptr;
     part_ = nullptr;
     part_key_.clear();
+    copies_.clear();
     undo_.clear();
     undo_.setClean();
     files_.watch(files_of(project_));
@@ -110,8 +125,10 @@ void Document::saved(const Project& written) {
     for (std::size_t i = 0; i < good.size(); ++i)
         if (const auto it = records_.find(ids_[i]); it != records_.end())
             good[i] = it->second.fingerprint == fingerprint(project_, i);
+    const std::filesystem::path before = project_.part_path();
     project_.path = written.path;
     project_.part.file = written.part.file;
+    note_copy(copies_, before, project_.part_path());
     project_.stock.file = written.stock.file;
     project_.machine = written.machine;
     project_.programs.post = written.programs.post;
@@ -139,16 +156,13 @@ void Document::push(const QString& what, Snapshot after) {
 void Document::restore(const Snapshot& snapshot) {
     // Where the project lies on disk is no matter of its history.
     const std::filesystem::path path = project_.path;
-    const std::string part_file = project_.part.file;
     project_ = snapshot.project;
-    if (!path.empty() && project_.path != path) move_project(project_, path); // for the stock's file
-    project_.path = path;
-    project_.part.file = part_file;
+    move_step(project_, path, copies_);
     ids_ = snapshot.ids;
     files_.watch(files_of(project_));
     emit changed();
     emit states_changed();
-    if (has_part() && part_ && !part_is_current()) emit part_changed();
+    if (has_part() && !part_is_current()) emit part_changed();
 }
 
 std::optional<std::size_t> Document::index_of(int id) const {
@@ -307,8 +321,8 @@ std::string Document::fingerprint(const Project& project, std::size_t i) {
         add(*asked.operation);
     // The unit is left out: it is one of the display and of the files, not of the path.
     std::string text = project_to_json(alone);
-    for (const std::filesystem::path& file : files_of(project))
-        text += file_stamp(file) + "\n";
+    for (const ProjectInput& input : project_inputs(project))
+        if (input.kind != ProjectInput::Kind::post) text += file_stamp(input.path) + "\n";
     return text;
 }
 

@@ -145,7 +145,8 @@ private:
     std::string part_key_;
     std::map<int, Record> records_;
     std::shared_ptr<const OpenedProgram> program_;
-    FileWatch files_; ///< part, stock and machine
+    std::map<std::filesystem::path, std::filesystem::path> copies_; ///< of parts that saving took along
+    FileWatch files_;                                               ///< those that the project names
 };
 
 } // namespace facetmill::ui

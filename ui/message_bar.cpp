@@ -1,14 +1,39 @@
 #include "ui/message_bar.h"
 
 #include "ui/icons.h"
+#include "ui/text.h"
 #include "ui/theme.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QToolButton>
 
+#include <utility>
+
 namespace facetmill::ui {
+
+namespace {
+
+/// Lines are broken at spaces and after slashes: what is longer than this without them, a name, would be cut
+/// off at the bar's end.
+constexpr int longest_word = 40;
+
+QString with_short_words(const QString& message) {
+    static const QRegularExpression word(QStringLiteral("[^\\s/]{%1,}").arg(longest_word + 1));
+    QString result;
+    qsizetype from = 0;
+    for (auto it = word.globalMatch(message); it.hasNext();) {
+        const auto match = it.next();
+        result += message.mid(from, match.capturedStart() - from) + elided(match.captured(), longest_word);
+        from = match.capturedEnd();
+    }
+    return result + message.mid(from);
+}
+
+} // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("message_bar"));
@@ -21,6 +46,13 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setMinimumWidth(60);
     text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    button_ = new QPushButton(this);
+    button_->setObjectName(QStringLiteral("message_button"));
+    button_->hide();
+    // What it does may show another message.
+    connect(button_, &QPushButton::clicked, this, [this] {
+        if (const auto run = action_.run) run();
+    });
     close_ = new QToolButton(this);
     close_->setIcon(icon(Icon::close));
     close_->setAutoRaise(true);
@@ -30,24 +62,34 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     row->setContentsMargins(10, 5, 5, 5);
     row->addWidget(icon_, 0, Qt::AlignTop);
     row->addWidget(text_, 1);
+    row->addWidget(button_, 0, Qt::AlignTop);
     row->addWidget(close_, 0, Qt::AlignTop);
     hide();
 }
 
 void MessageBar::show_message(Kind kind, const QString& message) {
     kind_ = kind;
-    text_->setText(message);
+    message_ = message;
+    const QString shown = with_short_words(message);
+    text_->setText(shown);
+    text_->setToolTip(shown == message ? QString() : message);
+    offer({});
     color();
     show();
 }
 
-QString MessageBar::message() const {
-    return isHidden() ? QString() : text_->text();
+void MessageBar::offer(MessageAction action) {
+    action_ = std::move(action);
+    button_->setText(action_.text);
+    button_->setVisible(!action_.text.isEmpty());
 }
 
 void MessageBar::dismiss() {
     hide();
     text_->clear();
+    message_.clear();
+    offer({});
+    emit dismissed();
 }
 
 void MessageBar::color() {

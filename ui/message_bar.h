@@ -4,10 +4,19 @@
 
 #include <QFrame>
 
+#include <functional>
+
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace facetmill::ui {
+
+/// What a message offers to do about it, by a button.
+struct MessageAction {
+    QString text; ///< empty: nothing
+    std::function<void()> run;
+};
 
 class MessageBar : public QFrame {
     Q_OBJECT
@@ -17,18 +26,26 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void show_message(Kind kind, const QString& message);
+    /// A button beside the message that is shown, until another one is.
+    void offer(MessageAction action);
     /// The message that is shown, or nothing.
-    QString message() const;
+    const QString& message() const { return message_; }
     /// The colours of the present theme.
     void color();
 
 public slots:
     void dismiss();
 
+signals:
+    void dismissed();
+
 private:
     Kind kind_ = Kind::information;
+    QString message_;
+    MessageAction action_;
     QLabel* icon_ = nullptr;
     QLabel* text_ = nullptr;
+    QPushButton* button_ = nullptr;
     QToolButton* close_ = nullptr;
 };
 

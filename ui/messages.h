@@ -22,6 +22,9 @@ public:
     const QString& last_failure() const { return last_failure_; }
     /// Shows a message in the bar alone.
     void show(const QString& message) { bar_.show_message(MessageBar::Kind::information, message); }
+    /// A button beside the message in the bar, until another one is there.
+    void offer(MessageAction action) { bar_.offer(std::move(action)); }
+    const MessageBar& bar() const { return bar_; }
     /// Empties the bar.
     void dismiss() { bar_.dismiss(); }
 

@@ -1,15 +1,22 @@
 #include "ui/part_controller.h"
 
+#include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "ui/messages.h"
 #include "ui/text.h"
+#include "ui/verification_model.h"
 #include "ui/viewport.h"
+
+#include <utility>
 
 namespace facetmill::ui {
 
 LoadedPart load_part(Planner& planner, const Project& project, const Progress& progress) {
     LoadedPart loaded;
-    loaded.key = Document::part_key(project); // before: a file that changes meanwhile is read again
+    // Before: a file that changes meanwhile is read again.
+    loaded.key = Document::part_key(project);
+    loaded.part_file = mesh_file(project.part_path());
+    loaded.stock_file = mesh_file(project.stock_path());
     const Progress reading = progress.part(0, 0.7, "Reading the part");
     try {
         loaded.part = planner.prepare(project, reading);
@@ -28,12 +35,22 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
 }
 
 PartController::PartController(Document& document, Viewport& viewport, std::shared_ptr<Planner> planner,
-                               BackgroundJob& job, Messages& messages, QObject* window)
+                               BackgroundJob& job, Messages& messages, const VerificationModel& verification,
+                               QObject* window)
     : Controller(window), document_(document), viewport_(viewport), planner_(std::move(planner)), job_(job),
-      messages_(messages) {}
+      messages_(messages), verification_(verification) {
+    connect(&job_, &BackgroundJob::started, this, &PartController::forget_former);
+}
 
 void PartController::reload() {
     if (!document_.has_part()) return;
+    tried_ = Document::part_key(document_.project());
+    wanted_ = true;
+    if (is_missing(document_.project().part_path())) {
+        job_.cancel(); // what it may be reading is the part of another time
+        emit settled();
+        return;
+    }
     const bool first = !document_.part();
     auto loaded = std::make_shared<LoadedPart>();
     job_.start(
@@ -41,18 +58,73 @@ void PartController::reload() {
         [loaded, project = document_.project(), planner = planner_](const Progress& p) {
             *loaded = load_part(*planner, project, p);
         },
-        [this, loaded, first](const JobEnd& end) {
-            if (end.done()) show(*loaded, first);
+        [this, loaded, first, key = tried_](const JobEnd& end) {
+            if (end.how == JobEnd::How::cancelled && tried_ == key) tried_.clear();
+            if (!end.done()) return;
+            show(*loaded, first);
+            // Beside that, what is wrong with the stock would not be seen.
+            if (const QString change = taken_change(); !change.isEmpty())
+                messages_.information(change, loaded->stock_failure.isEmpty());
         });
 }
 
+void PartController::show_with_step(const LoadedPart& loaded, const QString& what,
+                                    const std::function<void(Project&)>& edit) {
+    tried_ = loaded.key; // it is read already
+    const bool first = !document_.part();
+    document_.change(what, edit);
+    show(loaded, first);
+}
+
+void PartController::note_change(const LoadedPart& loaded) {
+    const LengthUnit unit = document_.unit();
+    const auto& before = document_.part();
+    const auto add = [&](const MeshFile& old_file, const MeshFile& new_file, const MeshFigures& was,
+                         const MeshFigures& is) {
+        if (old_file.path.empty() || new_file.path.empty() || old_file == new_file) return false;
+        changes_ << mesh_change_text(old_file, was, new_file, is, unit);
+        return true;
+    };
+    if (before
+        && add(part_file_, loaded.part_file, figures_of(before->mesh, &before->report),
+               figures_of(loaded.part->mesh, &loaded.part->report))) {
+        part_replaced_ = true;
+        const Mesh &was = *before->mesh, &is = *loaded.part->mesh;
+        if (was.vertices != is.vertices || was.facets != is.facets) viewport_.scene().former().set(display_);
+    }
+    if (before && before->stock_mesh && loaded.part->stock_mesh)
+        add(stock_file_, loaded.stock_file, figures_of(before->stock_mesh),
+            figures_of(loaded.part->stock_mesh));
+    part_file_ = loaded.part_file;
+    stock_file_ = loaded.stock_file;
+}
+
+void PartController::forget_former() {
+    if (!viewport_.scene().former().any()) return;
+    viewport_.scene().former().set(nullptr);
+    viewport_.refresh();
+}
+
+QString PartController::taken_change() {
+    if (changes_.isEmpty()) return {};
+    QStringList all = std::exchange(changes_, {});
+    all << out_of_date_text(document_, verification_);
+    if (std::exchange(part_replaced_, false)) all << kept_places_text(document_);
+    all.removeAll(QString());
+    return all.join(QChar(' '));
+}
+
 void PartController::show(const LoadedPart& loaded, bool new_view) {
-    viewport_.scene().part().set(loaded.display);
+    note_change(loaded);
+    display_ = loaded.display;
+    viewport_.scene().part().set(display_);
     viewport_.content_changed();
     stock_mesh_ = loaded.stock;
     document_.set_part(loaded.part, loaded.key);
     show_stock();
-    if (!loaded.stock_failure.isEmpty()) messages_.warning(sentence(loaded.stock_failure));
+    // One that is missing is told as such.
+    if (!loaded.stock_failure.isEmpty() && !is_missing(loaded.stock_file.path))
+        messages_.warning(sentence(loaded.stock_failure));
     if (new_view)
         viewport_.set_view(StandardView::iso);
     else
@@ -93,18 +165,35 @@ void PartController::node_chosen(const std::optional<TreeNode>& node) {
 }
 
 void PartController::project_opened() {
+    tried_.clear();
+    wanted_ = false;
+    part_file_ = stock_file_ = {};
+    changes_.clear();
+    part_replaced_ = false;
+    display_ = nullptr;
+    viewport_.scene().former().set(nullptr);
     viewport_.scene().part().set(PartDisplayPtr());
     viewport_.scene().stock().set_box(Box3());
     viewport_.scene().set_unit(document_.unit());
 }
 
 void PartController::project_changed() {
+    forget_former();
+    if (document_.part_is_current()) {
+        // Saving may have given them other names.
+        tried_.clear();
+        part_file_ = mesh_file(document_.project().part_path());
+        stock_file_ = mesh_file(document_.project().stock_path());
+    }
     viewport_.scene().set_unit(document_.unit());
     show_stock();
 }
 
 void PartController::part_changed() {
-    if (document_.has_part() && document_.part() && !document_.part_is_current()) reload();
+    if (!document_.has_part() || document_.part_is_current()) return;
+    // Not before it was read for the first time, and what could not be read, not again.
+    if (!document_.part() && !wanted_) return;
+    if (tried_ != Document::part_key(document_.project())) reload();
 }
 
 } // namespace facetmill::ui

@@ -3,12 +3,14 @@
 
 #include "ui/background_job.h"
 #include "ui/controller.h"
+#include "ui/mesh_change.h"
 #include "viz/part_display.h"
 #include "viz/stock_shape.h"
 
 namespace facetmill::ui {
 
 class Messages;
+class VerificationModel;
 class Viewport;
 
 /// A part as it was read, ready to be drawn.
@@ -18,6 +20,7 @@ struct LoadedPart {
     StockShapePtr stock;   ///< where the stock is a mesh
     QString stock_failure; ///< why there is none though there should be
     std::string key;       ///< Document::part_key of what was read
+    MeshFile part_file, stock_file;
 };
 
 /// Reads the part and, where it is a mesh, the stock of a project. Throws Error.
@@ -27,12 +30,21 @@ class PartController : public Controller {
     Q_OBJECT
 public:
     PartController(Document& document, Viewport& viewport, std::shared_ptr<Planner> planner,
-                   BackgroundJob& job, Messages& messages, QObject* window);
+                   BackgroundJob& job, Messages& messages, const VerificationModel& verification,
+                   QObject* window);
 
-    /// Reads the document's part in the background, if it has one.
+    /// Reads the document's part in the background, if it has one and that is not missing.
     void reload();
     /// Takes over what was read; `new_view` turns the view to it.
     void show(const LoadedPart& loaded, bool new_view);
+    /// The same of what a step of the history names, which is made here.
+    void show_with_step(const LoadedPart& loaded, const QString& what,
+                        const std::function<void(Project&)>& edit);
+    /// What has become of part and stock since it was asked last, where their files are others than before or
+    /// were written anew, and what is out of date by that. Empty: nothing.
+    QString taken_change();
+    /// The part before a replaced one is seen no more: it is until something else is done.
+    void forget_former();
 
     void project_opened() override;
     void project_changed() override;
@@ -41,6 +53,7 @@ public:
     void node_chosen(const std::optional<TreeNode>& node) override;
 
 private:
+    void note_change(const LoadedPart& loaded);
     void show_stock();
     void show_dimensions();
 
@@ -49,8 +62,15 @@ private:
     std::shared_ptr<Planner> planner_;
     BackgroundJob& job_;
     Messages& messages_;
+    const VerificationModel& verification_;
     std::optional<TreeNode> node_;
-    StockShapePtr stock_mesh_; ///< as read with the part
+    PartDisplayPtr display_;          ///< as shown
+    StockShapePtr stock_mesh_;        ///< as read with the part
+    MeshFile part_file_, stock_file_; ///< as shown
+    QStringList changes_;
+    bool part_replaced_ = false; ///< some of them are the part's
+    bool wanted_ = false;        ///< the document's part was to be read since it was opened
+    std::string tried_;          ///< Document::part_key of what was read last, or could not be
 };
 
 } // namespace facetmill::ui

@@ -138,6 +138,8 @@ void PlanRunner::finish(Work& work, const JobEnd& end) {
     // Operations that were removed in the meantime are forgotten.
     std::erase_if(work.outcomes, [this](const OperationOutcome& o) { return !document_.index_of(o.id); });
     document_.take(work.outcomes);
+    // What was planned is not out of date by it.
+    if (const QString change = part_.taken_change(); !change.isEmpty()) messages_.information(change);
     QStringList failures;
     if (document_.part())
         for (const std::string& warning :

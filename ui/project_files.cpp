@@ -1,6 +1,7 @@
 #include "ui/project_files.h"
 
 #include "core/base/file.h"
+#include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "ui/messages.h"
@@ -122,7 +123,7 @@ void ProjectFiles::open_program(const QStringList& files) {
 }
 
 void ProjectFiles::choose_stock() {
-    const QString path = chosen_file(tr("Stock mesh"), tr("Meshes (%1);;All files (*)").arg(mesh_patterns()));
+    const QString path = chosen_file(tr("Stock mesh"), mesh_filters());
     if (path.isEmpty())
         properties_.reset(); // the kind is what it was
     else
@@ -130,14 +131,10 @@ void ProjectFiles::choose_stock() {
 }
 
 void ProjectFiles::set_stock_file(const QString& path) {
-    const std::filesystem::path file = path_of(QFileInfo(path).absoluteFilePath());
-    const std::filesystem::path& project = document_.project().path;
-    const std::filesystem::path relative = file.lexically_relative(project.parent_path());
-    const bool below = !project.empty() && !relative.empty() && *relative.begin() != "..";
     settings::set_last_folder(QFileInfo(path).absolutePath());
     document_.change(tr("Choose stock"), [&](Project& p) {
         p.stock.kind = StockSpec::Kind::mesh;
-        p.stock.file = (below ? relative : file).generic_string();
+        set_input(p, ProjectInput::Kind::stock, path_of(QFileInfo(path).absoluteFilePath()));
     });
 }
 
@@ -156,7 +153,8 @@ void ProjectFiles::open_project(const std::filesystem::path& path) {
     try {
         Project project = load_project(path);
         project.path = path;
-        document_.open(std::move(project), QString(), false);
+        messages_.succeeded();
+        document_.open(std::move(project), QString(), false); // tells what is missing
     } catch (const Error& e) {
         settings::remove_recent_file(path_text(path));
         messages_.fail(text(e.what()));
@@ -164,7 +162,6 @@ void ProjectFiles::open_project(const std::filesystem::path& path) {
         return;
     }
     settings::add_recent_file(path_text(path));
-    messages_.succeeded();
     messages_.information(tr("Opened %1.").arg(path_text(path)), false);
     tree_.select({document_.operation_count() > 0 ? TreeNode::Kind::operation : TreeNode::Kind::part, 0});
     part_.reload();
@@ -297,7 +294,7 @@ bool ProjectFiles::save_to(const QString& path) {
         const std::filesystem::path part = copy.part_path();
         move_project(copy, target);
         // A sample lies among the program's own files: the project takes it along.
-        if (part.parent_path() == path_of(sample_folder_))
+        if (part.parent_path() == path_of(sample_folder_) && !is_missing(part))
             copy.part.file = copy_beside(part, target.parent_path()).filename().string();
         save_project(copy, target);
         document_.saved(copy);

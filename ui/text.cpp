@@ -16,12 +16,30 @@ std::filesystem::path path_of(const QString& text) {
     return std::filesystem::path(text.toStdString());
 }
 
+namespace {
+
+QString patterns_of(const MeshFormat& format) {
+    QStringList patterns;
+    for (const std::string_view extension : format.extensions)
+        patterns << QLatin1Char('*') + text(extension) << QLatin1Char('*') + text(extension).toUpper();
+    return patterns.join(QLatin1Char(' '));
+}
+
+} // namespace
+
 QString mesh_patterns() {
     QStringList patterns;
     for (const MeshFormat& format : mesh_formats())
-        for (const std::string_view extension : format.extensions)
-            patterns << QLatin1Char('*') + text(extension) << QLatin1Char('*') + text(extension).toUpper();
+        patterns << patterns_of(format);
     return patterns.join(QLatin1Char(' '));
+}
+
+QString mesh_filters() {
+    QStringList filters{QObject::tr("Meshes (%1)").arg(mesh_patterns())};
+    for (const MeshFormat& format : mesh_formats())
+        filters << QStringLiteral("%1 (%2)").arg(text(format.name), patterns_of(format));
+    filters << QObject::tr("All files (*)");
+    return filters.join(QStringLiteral(";;"));
 }
 
 QString shown_length(double mm, LengthUnit unit, int digits) {

@@ -23,6 +23,8 @@ std::filesystem::path path_of(const QString& text);
 
 /// "*.stl *.STL *.obj *.OBJ": the names of mesh files, for a file dialog.
 QString mesh_patterns();
+/// The filters of a file dialog for a mesh: all formats together, each by itself, and all files.
+QString mesh_filters();
 
 /// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
 QString shown_length(double mm, LengthUnit unit, int digits = 5);

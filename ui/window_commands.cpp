@@ -2,7 +2,9 @@
 
 #include "core/output/apt.h"
 #include "ui/command.h"
+#include "ui/controllers.h"
 #include "ui/help_dialogs.h"
+#include "ui/inputs_controller.h"
 #include "ui/main_window.h"
 #include "ui/plan_runner.h"
 #include "ui/program_export.h"
@@ -65,6 +67,23 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                   [&] { files.save_as(); },
                   has_part});
+    InputsController& inputs = w.controllers().inputs();
+    commands.add({"replace_part",
+                  tr("Replace par&t…"),
+                  {},
+                  {},
+                  [&] { inputs.replace_part_with_dialog(); },
+                  idle,
+                  {},
+                  tr("Make another mesh the part; operations, tools and the rest stay as they are")});
+    commands.add({"locate",
+                  tr("&Locate missing file…"),
+                  {},
+                  {},
+                  [&] { inputs.locate_with_dialog(); },
+                  [&] { return !inputs.missing().empty(); },
+                  {},
+                  tr("Say where a file is that the project names and that is not there")});
     commands.add({"export",
                   tr("&Export programs…"),
                   Icon::export_program,

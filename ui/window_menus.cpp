@@ -51,7 +51,7 @@ std::vector<MenuTable> menus() {
     return {{"file_menu",
              tr("&File"),
              {"new", "samples", "open", "recent", "open_program", "close_program", "-", "save", "save_as",
-              "-", "export", "setup_sheet", "picture", "-", "quit"}},
+              "-", "replace_part", "locate", "-", "export", "setup_sheet", "picture", "-", "quit"}},
             {"edit_menu",
              tr("&Edit"),
              {"undo", "redo", "-", "place", "-", "add_operation", "add_tool", "edit", "duplicate", "remove",

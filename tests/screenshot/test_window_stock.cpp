@@ -1,5 +1,4 @@
 // The stock in the window: its kinds in the form, the mesh that is chosen for it, and what it looks like.
-#include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/layer_bar.h"
 #include "ui/parameter_form.h"
@@ -7,15 +6,11 @@
 #include "ui/properties_panel.h"
 #include "ui/viewport.h"
 
-#include <QApplication>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
-#include <QTimer>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -38,42 +33,6 @@ QString shown(ui::MainWindow& window, const char* key) {
 QString stock_in_tree(ui::MainWindow& window) {
     const auto* tree = window.tree().findChild<QTreeWidget*>();
     return tree->topLevelItem(1)->text(0);
-}
-
-/// Answers the next file dialog as soon as it is there: with a file, or by Cancel when `file` is empty.
-void answer_dialog(bool& asked, const QString& file = {}) {
-    auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, timer, [&asked, file, timer] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        timer->stop();
-        timer->deleteLater();
-        asked = true;
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
-        if (file.isEmpty() || !name || !buttons) return dialog->reject();
-        name->setFocus();
-        name->selectAll();
-        QTest::keyClicks(name, file);
-        QTest::mouseClick(buttons->button(QDialogButtonBox::Open), Qt::LeftButton);
-    });
-    timer->start(50);
-}
-
-/// A block 1 inch larger all round than the box.
-QString write_block(const QString& path, const Box3& around, bool open = false) {
-    Mesh m;
-    for (int c = 0; c < 8; ++c) {
-        Vec3 p;
-        for (int k = 0; k < 3; ++k)
-            p[k] = c >> k & 1 ? around.hi[k] + 25.4 : around.lo[k] - 25.4;
-        m.vertices.push_back(p);
-    }
-    m.facets = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    if (open) m.facets.pop_back();
-    save_stl(m, path.toStdString(), LengthUnit::inch, {});
-    return path;
 }
 
 } // namespace
@@ -169,7 +128,7 @@ private slots:
         const auto& stock = w().document().project().stock;
         // Nothing chosen: nothing changes.
         bool asked = false;
-        answer_dialog(asked);
+        answer_file_dialog(asked);
         choose(w(), "kind", "mesh");
         QVERIFY(asked);
         QVERIFY(stock.kind == StockSpec::Kind::box);
@@ -177,7 +136,7 @@ private slots:
         QVERIFY(!w().document().undo_stack().canUndo());
 
         asked = false;
-        answer_dialog(asked, raw);
+        answer_file_dialog(asked, raw);
         choose(w(), "kind", "mesh");
         QVERIFY(asked);
         QVERIFY(wait_until_settled(w()));
@@ -195,7 +154,7 @@ private slots:
         const QString other = folder + QStringLiteral("/other.stl");
         QVERIFY(QFile::copy(raw, other));
         asked = false;
-        answer_dialog(asked, other);
+        answer_file_dialog(asked, other);
         QTest::mouseClick(button, Qt::LeftButton);
         QVERIFY(asked);
         QVERIFY(wait_until_settled(w()));

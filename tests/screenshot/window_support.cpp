@@ -10,10 +10,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -78,6 +81,21 @@ QString write_mesh(const QString& folder, const QString& name) {
     return path;
 }
 
+QString write_block(const QString& path, const Box3& around, bool open) {
+    Mesh m;
+    for (int c = 0; c < 8; ++c) {
+        Vec3 p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = c >> k & 1 ? around.hi[k] + 25.4 : around.lo[k] - 25.4;
+        m.vertices.push_back(p);
+    }
+    m.facets = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    if (open) m.facets.pop_back();
+    save_stl(m, path.toStdString(), LengthUnit::inch, {});
+    return path;
+}
+
 QAction* action(ui::MainWindow& window, const char* name) {
     return window.findChild<QAction*>(QLatin1String(name));
 }
@@ -111,6 +129,31 @@ void answer_next(QMessageBox::StandardButton button, bool& asked) {
         asked = true;
         box->button(button)->click();
     });
+}
+
+void answer_file_dialog(bool& asked, const QString& file) {
+    auto* timer = new QTimer(qApp);
+    const auto answered = std::make_shared<QPointer<QFileDialog>>();
+    QObject::connect(timer, &QTimer::timeout, timer, [&asked, file, timer, answered] {
+        QPointer<QFileDialog>& dialog = *answered;
+        if (!timer->property("asked").toBool()) {
+            dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            timer->setProperty("asked", true);
+            asked = true;
+            auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            if (file.isEmpty() || !name) return dialog->reject();
+            name->setFocus();
+            name->selectAll();
+            QTest::keyClicks(name, file);
+        }
+        if (!dialog || !dialog->isVisible()) return timer->deleteLater(); // it has taken the answer
+        // Nothing can be opened until the dialog has seen by itself what lies in the folder.
+        auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
+        QPushButton* open = buttons ? buttons->button(QDialogButtonBox::Open) : nullptr;
+        if (open && open->isEnabled()) QTest::mouseClick(open, Qt::LeftButton);
+    });
+    timer->start(50);
 }
 
 bool WindowFixture::show_window() {

@@ -42,6 +42,9 @@ QString scratch_folder(const QString& name);
 /// A coarse sample as an STL file in inches: planned in a moment.
 QString write_mesh(const QString& folder, const QString& name = QStringLiteral("surface.stl"));
 
+/// A block 1 inch larger all round than the box, or what is left of it without a facet; in inches.
+QString write_block(const QString& path, const Box3& around, bool open = false);
+
 QAction* action(ui::MainWindow& window, const char* name);
 /// The line of a parameter in the window's form, of a combo box too.
 QLineEdit* field(ui::MainWindow& window, const char* name);
@@ -52,6 +55,9 @@ QString error_under(ui::MainWindow& window, const char* key);
 const OperationCommon& first_operation(ui::MainWindow& window);
 /// Answers the next message box by pressing one of its buttons; `asked` tells that there was one.
 void answer_next(QMessageBox::StandardButton button, bool& asked);
+
+/// Answers the next file dialog as soon as it is there: with a file, or by Cancel when `file` is empty.
+void answer_file_dialog(bool& asked, const QString& file = {});
 
 /// A window per test.
 class WindowFixture {
