@@ -36,6 +36,19 @@ void move_step(Project& project, const std::filesystem::path& path, const Copies
     if (copy != copies.end()) set_input(project, ProjectInput::Kind::part, copy->second);
 }
 
+/// The project without tools and operations, with its files by where they are, wherever it names them from.
+Project part_and_machine(const Project& project) {
+    Project alone;
+    alone.path = project.path;
+    alone.part = project.part;
+    alone.part.file = project.part_path().lexically_normal().string();
+    alone.stock = project.stock;
+    alone.stock.file = project.stock_path().lexically_normal().string();
+    alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
+                                                     : project.machine;
+    return alone;
+}
+
 /// Starts from the values of the last operation of its kind, or at least from its tool.
 std::unique_ptr<Operation> new_operation(const std::string& kind, const Project& project) {
     auto operation = make_operation(kind);
@@ -298,13 +311,7 @@ std::string Document::posting_key(const Project& project) {
 }
 
 std::string Document::fingerprint(const Project& project, std::size_t i) {
-    Project alone;
-    alone.path = project.path;
-    alone.part = project.part;
-    alone.part.file = project.part_path().string();
-    alone.stock = project.stock;
-    alone.stock.file = project.stock_path().string();
-    alone.machine = project.machine;
+    Project alone = part_and_machine(project);
     const auto add = [&](const Operation& operation) {
         std::vector<long> numbers = operation.further_tools();
         numbers.insert(numbers.begin(), operation.common().tool);

@@ -90,6 +90,42 @@ private slots:
         QVERIFY(w().document().part_is_current() && w().last_failure().isEmpty());
     }
 
+    /// Without its part a project can be looked at, edited, undone and saved elsewhere.
+    void a_project_without_its_part() {
+        const QString root = scratch_folder(QStringLiteral("without")), saved = make_project(root);
+        QVERIFY(!saved.isEmpty() && move_files(root) && open(saved));
+        QVERIFY(!w().document().part());
+        w().document().add_operation("finish5");
+        w().document().add_operation("global_local");
+        for (const auto kind : {TreeNode::Kind::part, TreeNode::Kind::stock, TreeNode::Kind::tool})
+            w().tree().select({kind, 0});
+        for (std::size_t i = 0; i < w().document().operation_count(); ++i)
+            w().tree().select({TreeNode::Kind::operation, i});
+        w().show_place();
+        w().set_unit(LengthUnit::mm);
+        w().document().change(QStringLiteral("Turn"), [](Project& p) { p.part.rotate = {0, 0, 1}; });
+        QVERIFY(wait_until_settled(w()));
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(says("surface.stl") && button().isVisible(), qPrintable(said()));
+        w().document().undo_stack().setIndex(0);
+        w().document().undo_stack().redo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().operation_count(), std::size_t(2));
+        QVERIFY(QDir().mkpath(root + QStringLiteral("/copy")));
+        QVERIFY(w().files().save_to(root + QStringLiteral("/copy/p.facetmill")));
+        QCOMPARE(w().document().project().part.file, std::string("../job/surface.stl"));
+        QCOMPARE(w().document().project().stock.file, std::string("../job/raw.stl"));
+        QCOMPARE(w().document().project().machine, std::string("../job/own.json"));
+        // Put back, it is there, all of it.
+        for (const char* name : {"surface.stl", "raw.stl", "own.json"})
+            QVERIFY(QFile::rename(root + QStringLiteral("/elsewhere/") + QLatin1String(name),
+                                  root + QStringLiteral("/job/") + QLatin1String(name)));
+        QTRY_VERIFY(w().document().part_is_current() && w().document().has_stock());
+        QVERIFY(wait_until_settled(w()));
+        QTRY_VERIFY2(said().isEmpty(), qPrintable(said()));
+    }
+
     /// One file after the other, where they lie apart; and what cannot be read is not taken.
     void they_are_located_one_by_one() {
         const QString root = scratch_folder(QStringLiteral("apart")), saved = make_project(root);
@@ -207,6 +243,15 @@ private slots:
         w().document().change(QStringLiteral("Other"), [](Project& p) { p.tools[0].name = "Other"; });
         QVERIFY(wait_until_settled(w()) && !w().viewport().scene().former().any());
         QVERIFY(changed_pixels(both, view_picture(w())) > 100);
+
+        // Saved elsewhere, steps from before name the same files from there.
+        QVERIFY(QDir().mkpath(root + QStringLiteral("/a/b")));
+        QVERIFY(w().files().save_to(root + QStringLiteral("/a/b/p.facetmill")));
+        QCOMPARE(project.part.file, std::string("../../new/finer.stl"));
+        w().document().undo_stack().setIndex(0);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(project.part.file, std::string("../../job/surface.stl"));
+        QCOMPARE(w().document().state(0), OperationState::planned);
     }
 
     /// A scan in metres for one in inches; and what was picked on the old part is named.
