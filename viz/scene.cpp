@@ -345,8 +345,8 @@ std::size_t Scene::begin_steps() {
     s.apply_visibility();
     s.set_clipping_range();
     HeavyActors heavy;
-    for (SceneLayer* layer :
-         std::array<SceneLayer*, 4>{&s.part, &s.deviation, &s.stock, &s.paths}) // what covers most first
+    // What covers most first, what can be seen through last.
+    for (SceneLayer* layer : std::array<SceneLayer*, 5>{&s.part, &s.deviation, &s.stock, &s.paths, &s.former})
         layer->add_heavy(heavy);
     return s.stage.steps.begin(heavy, s.part.lines_of_new());
 }

@@ -12,14 +12,14 @@
 namespace facetmill {
 
 SceneFormer::SceneFormer(SceneStage& stage) : SceneLayer(stage) {
-    for (SceneActor* a : {&faces_, &lines_}) {
+    for (SceneActor* a : {&faces_.first, &lines_}) {
         add_actor(*a);
         a->unlit();
     }
     // All faces have the same colour and no light, so that they blend alike in any order.
-    faces_.property()->SetOpacity(0.22);
+    faces_.first.property()->SetOpacity(0.22);
     // Where nothing has changed the part that is there now lies before it.
-    faces_.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
+    faces_.first.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(4, 6);
     lines_.nearer(20);
 }
 
@@ -27,15 +27,16 @@ void SceneFormer::set(PartDisplayPtr part) {
     if (part == part_) return;
     // The arrays stay until the actors have others.
     const PartDisplayPtr old = std::exchange(part_, std::move(part));
-    faces_.clear();
+    faces_.set(stage_, {}, Vec3::Zero());
     lines_.clear();
     if (!part_ || part_->triangles.empty()) return;
-    faces_.set_data(triangle_data(part_->points, {}, part_->triangles), part_->center);
+    faces_.set(stage_, triangle_pieces(part_->points, {}, part_->triangles, elements_in_piece),
+               part_->center);
     lines_.set_data(segment_data(part_->points, part_->lines), part_->center);
 }
 
 void SceneFormer::apply_palette(const Colors& colors) {
-    faces_.color(colors.former_part);
+    faces_.first.color(colors.former_part);
     lines_.color(colors.former_part);
 }
 
@@ -58,12 +59,16 @@ bool SceneFormer::has_preview() const {
 void SceneFormer::add_known(KnownBoxes& known) const {
     if (!part_ || !lines_.shown()) return;
     known.box.add(part_->box);
-    known.actors.push_back(faces_.actor);
+    faces_.add_to(known.actors);
     known.actors.push_back(lines_.actor);
 }
 
+void SceneFormer::add_heavy(HeavyActors& heavy) {
+    faces_.add_to(heavy.surfaces);
+}
+
 void SceneFormer::add_legend(std::vector<LegendEntry>& entries, ShownSurface) const {
-    if (faces_.filled && stage_.on(Layer::part))
+    if (any() && stage_.on(Layer::part))
         entries.push_back(
             {LegendEntry::Sample::surface, colors_of(stage_.palette).former_part, 1, "Part before"});
 }

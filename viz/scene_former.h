@@ -12,7 +12,7 @@ public:
 
     /// nullptr removes it. Seen together with the layer of the part; views are not fitted to it.
     void set(PartDisplayPtr part);
-    bool any() const { return faces_.filled; }
+    bool any() const { return faces_.first.filled; }
 
 private:
     void apply_palette(const Colors& colors) override;
@@ -20,10 +20,12 @@ private:
     void apply_visibility(ShownSurface shown) override;
     bool has_preview() const override;
     void add_known(KnownBoxes& known) const override;
+    void add_heavy(HeavyActors& heavy) override;
     void add_legend(std::vector<LegendEntry>& entries, ShownSurface shown) const override;
 
     PartDisplayPtr part_; ///< behind the actors' data
-    SceneActor faces_, lines_;
+    ScenePieces faces_;
+    SceneActor lines_;
 };
 
 } // namespace facetmill

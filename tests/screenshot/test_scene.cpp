@@ -307,6 +307,34 @@ private slots:
         QCOMPARE(different_pixels(whole, window_.render()), std::size_t(0));
     }
 
+    /// A large one is drawn piece by piece, too, and while the view moves only by its lines.
+    void the_part_before_in_steps() {
+        const auto higher = [](double x, double y) { return 1.2 * hill(x + 12, y); };
+        Scene scene;
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 200, hill));
+        const Picture alone = drawn(scene);
+        const std::size_t steps_alone = scene.begin_steps();
+        scene.end_steps();
+        scene.former().set(
+            prepare_part_display(sheet_part({0, 0}, {hill_length, hill_width}, 200, higher), {}));
+        const Picture whole = window_.render();
+        QVERIFY(different_pixels(alone, whole) > 3000);
+        const std::size_t steps = scene.begin_steps();
+        QVERIFY(steps >= steps_alone + 2);
+        for (std::size_t k = 0; k < steps; ++k) {
+            scene.set_step(k);
+            const std::size_t different = different_pixels(whole, window_.render());
+            // Lines of the part come after it here.
+            QVERIFY2(k + 1 < steps ? different > 100 : different < 600,
+                     qPrintable(QString::number(different)));
+        }
+        scene.end_steps();
+        QCOMPARE(different_pixels(whole, window_.render()), std::size_t(0));
+        scene.set_moving(true);
+        QVERIFY(different_pixels(whole, window_.render()) > 3000);
+        scene.set_moving(false);
+    }
+
     void labels_keep_off_what_is_covered() {
         Scene scene;
         scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 60, hill));
