@@ -88,7 +88,7 @@ std::string cspace_operation(const Project& project, const std::string& name) {
                 "add one, or show something else");
 }
 
-void run_cspace(const Arguments& arguments, Session& session) {
+void render_cspace(const Arguments& arguments, Session& session) {
     const std::string input = arguments.operand(0);
     CSpaceRequest request;
     const PictureSize size =
@@ -175,7 +175,7 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
 }
 
 void run_render(const Arguments& arguments, Session& session) {
-    if (arguments.value("--show") == "cspace") return run_cspace(arguments, session);
+    if (arguments.value("--show") == "cspace") return render_cspace(arguments, session);
     if (arguments.has("--cl") && arguments.has("--op"))
         throw Error(ErrorCode::usage, "--op", "CL files are shown instead of a plan", "give --cl or --op");
     if (arguments.has("--point"))

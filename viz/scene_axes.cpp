@@ -15,13 +15,13 @@ namespace facetmill {
 namespace {
 
 void add_light(vtkRenderer* renderer, double x, double y, double z, double intensity) {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToCameraLight(); // in the camera's frame: x right, y up, z towards the eye
-    light->SetPosition(x, y, z);
-    light->SetFocalPoint(0, 0, 0);
-    light->SetIntensity(intensity);
-    light->SetSwitch(1);
-    renderer->AddLight(light);
+    vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToCameraLight(); // in the camera's frame: x right, y up, z towards the eye
+    lamp->SetPosition(x, y, z);
+    lamp->SetFocalPoint(0, 0, 0);
+    lamp->SetIntensity(intensity);
+    lamp->SetSwitch(1);
+    renderer->AddLight(lamp);
 }
 
 } // namespace

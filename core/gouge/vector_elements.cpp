@@ -184,7 +184,7 @@ void try_sphere(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Ca
 /// Newton's steps that are kept inside a bracket. e < 0 makes a body with points at both ends.
 void try_torus(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Candidates& found) {
     const double end = p.e < 0 ? leg_length(p.r, p.e) : 0; // half the distance between those points
-    struct Place {
+    struct OnTorus {
         double value, slope, x, y, z, rho;
     };
     const auto place = [&](double cosine, double sine) {
@@ -193,16 +193,16 @@ void try_torus(const Slice& k, const RevolvedBody::Piece& p, unsigned piece, Can
         const double mr = std::sqrt(mx * mx + my * my), rho = p.e + p.r * mr;
         if (rho <= 0 || mr == 0) { // a pointed end, or the middle of the flat of the hull
             const double z = p.f + (p.e < 0 ? std::copysign(end, mz) : p.r * mz);
-            return Place{k.m1z * z - k.c, 0, 0, 0, z, std::max(0.0, rho)};
+            return OnTorus{k.m1z * z - k.c, 0, 0, 0, z, std::max(0.0, rho)};
         }
         const double x = rho * mx / mr, y = rho * my / mr, z = p.f + p.r * mz;
         const double turn = k.e2y * k.e2y * k.m1x * k.m1x * cosine / (mr * mr * mr);
-        return Place{k.m1x * x + k.m1z * z - k.c, p.r * cosine + p.e * turn, x, y, z, rho};
+        return OnTorus{k.m1x * x + k.m1z * z - k.c, p.r * cosine + p.e * turn, x, y, z, rho};
     };
     double lo = -0.5 * pi, hi = 0.5 * pi;
     if (place(0, -1).value > 0 || place(0, 1).value < 0) return;
     double phi = std::asin(std::clamp((k.c - k.m1z * p.f) / (p.r + std::abs(p.e) * k.m1x), -1.0, 1.0));
-    Place at{};
+    OnTorus at{};
     double last_width = infinity;
     for (int i = 0; i < max_steps; ++i) {
         at = place(std::cos(phi), std::sin(phi));

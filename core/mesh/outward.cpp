@@ -11,7 +11,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t facets_per_check = 8192;
+constexpr std::size_t steps_per_check = 8192;
 /// Rays from each side of a patch: so many that the vote of a patch whose sides differ is clear; for many
 /// patches fewer, so that all together take a second or two.
 constexpr std::size_t max_rays = 256, min_rays = 4;
@@ -56,7 +56,7 @@ std::vector<Patch> patches_of(const Mesh& mesh, const Progress& progress) {
     std::vector<char> rim(n, 0);
     const EdgeTable table(mesh, progress);
     for (std::size_t low = 0; low < table.vertex_count(); ++low) {
-        if (low % facets_per_check == 0) progress.check();
+        if (low % steps_per_check == 0) progress.check();
         table.for_edges(low, [&](Index, std::span<const EdgeSide> sides) {
             const bool agree =
                 sides.size() == 2 && side_start(mesh, sides[0].side) != side_start(mesh, sides[1].side);
@@ -70,7 +70,7 @@ std::vector<Patch> patches_of(const Mesh& mesh, const Progress& progress) {
     std::vector<Index> place(n, no_index);
     const Vec3 middle = mesh.box().center();
     for (std::size_t f = 0; f < n; ++f) {
-        if (f % facets_per_check == 0) progress.check();
+        if (f % steps_per_check == 0) progress.check();
         Index& at = place[groups.of(Index(f))];
         if (at == no_index) {
             at = Index(patches.size());

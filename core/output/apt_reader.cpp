@@ -18,7 +18,7 @@ namespace {
 
 using namespace detail;
 
-constexpr std::size_t lines_per_check = 4096;
+constexpr std::size_t apt_lines_per_check = 4096;
 constexpr std::size_t max_ignored = 1000;
 constexpr std::size_t max_fields = 16;
 
@@ -401,7 +401,7 @@ void Reader::finish() {
 AptReadResult Reader::run(const Progress& progress) {
     AptLine line;
     while (text_.next(line)) {
-        if (text_.line_number() % long(lines_per_check) == 0) progress.set(text_.fraction());
+        if (text_.line_number() % long(apt_lines_per_check) == 0) progress.set(text_.fraction());
         if (!line.comment.empty()) comment(line.comment);
         statement(line.statement);
     }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t line_limit = 72;
 constexpr std::size_t buffer_limit = std::size_t(1) << 16;
-constexpr std::size_t motions_per_check = 4096;
+constexpr std::size_t apt_motions_per_check = 4096;
 
 constexpr int coordinate_decimals = 6, axis_decimals = 8;
 
@@ -174,7 +174,7 @@ void write_motions(Lines& out, const ClSection& s, LengthUnit unit, const Progre
     const double scale = power_of_ten(coordinate_decimals);
     std::string field;
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        if (i % motions_per_check == 0) progress.set(double(i) / double(motions.size()));
+        if (i % apt_motions_per_check == 0) progress.set(double(i) / double(motions.size()));
         const Motion& m = motions[i];
         if (m.kind == MotionKind::rapid) {
             out.text("RAPID");

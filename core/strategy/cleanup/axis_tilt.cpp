@@ -15,7 +15,7 @@ constexpr double knot_share = 0.5;
 constexpr std::size_t max_knots = 4000;
 /// The grid of axes: steps of inclination, and how many around.
 constexpr double tilt_step = pi / 36;
-constexpr int around = 16;
+constexpr int azimuths = 16;
 /// An axis turns by no more between two knots.
 constexpr double max_tilt_turn = pi / 4.5;
 /// Weights of inclination, turn and raise (as a share of the largest), squared.
@@ -61,8 +61,8 @@ private:
         axes_.push_back(Vec3::UnitZ());
         for (int ring = 1; ring * tilt_step < in_.limit + tilt_step - tolerance::level_angle; ++ring) {
             const double tilt = std::min(ring * tilt_step, in_.limit);
-            for (int k = 0; k < around; ++k) {
-                const double a = 2 * pi * k / around;
+            for (int k = 0; k < azimuths; ++k) {
+                const double a = 2 * pi * k / azimuths;
                 axes_.emplace_back(std::sin(tilt) * std::cos(a), std::sin(tilt) * std::sin(a),
                                    std::cos(tilt));
             }
