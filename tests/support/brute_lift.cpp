@@ -23,10 +23,11 @@ struct Interval {
     bool empty() const { return !(lo <= hi); }
 };
 
-/// Largest value of a concave function on [lo, hi], its ends included, to 1e-14 mm: tests allow 1e-9.
+/// Largest value of a concave function on [lo, hi], its ends included, to a hundredth of the 1e-9 mm that
+/// tests allow. Where it is nowhere above `floor` any of its values will do.
 template <class F>
-Real golden_maximum(Real lo, Real hi, F&& f) {
-    constexpr Real accuracy = 1e-14L;
+Real golden_maximum(Real lo, Real hi, F&& f, Real floor = none) {
+    constexpr Real accuracy = 1e-11L;
     const Real golden = (std::sqrt(Real(5)) - 1) / 2;
     Real at_lo = f(lo), at_hi = f(hi);
     Real best = std::max(at_lo, at_hi);
@@ -35,7 +36,7 @@ Real golden_maximum(Real lo, Real hi, F&& f) {
     // side.
     while (hi - lo > 1e-16L * std::max({Real(1), std::abs(lo), std::abs(hi)})) {
         best = std::max({best, f1, f2});
-        if (-no_lower(lo, x1, x2, hi, -at_lo, -f1, -f2, -at_hi) <= best + accuracy) break;
+        if (-no_lower(lo, x1, x2, hi, -at_lo, -f1, -f2, -at_hi) <= std::max(best, floor) + accuracy) break;
         if (f1 < f2) {
             lo = x1;
             at_lo = f1;
@@ -75,13 +76,14 @@ Point along(const Point& a, const Point& b, Real t) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
 }
 
-Real edge_lift(const BruteCutter& cutter, const Point& a, const Point& b) {
+Real edge_lift(const BruteCutter& cutter, const Point& a, const Point& b, Real floor) {
     const Interval t = within_disc(a, b, cutter.radius());
     if (t.empty()) return none;
-    return golden_maximum(t.lo, t.hi, [&](Real s) {
+    const auto over = [&](Real s) {
         const Point p = along(a, b, s);
         return lift_at(cutter, p.x, p.y, p.z);
-    });
+    };
+    return golden_maximum(t.lo, t.hi, over, floor);
 }
 
 Real turn(const Point& a, const Point& b, Real x, Real y) {
@@ -107,9 +109,11 @@ std::optional<Chord> chord_at(const Point (&p)[3], Real x) {
     return chord;
 }
 
-Real facet_lift(const BruteCutter& cutter, Point (&p)[3]) {
-    Real best = std::max(
-        {edge_lift(cutter, p[0], p[1]), edge_lift(cutter, p[1], p[2]), edge_lift(cutter, p[2], p[0])});
+/// A facet nowhere above `floor` may be told lower than it is.
+Real facet_lift(const BruteCutter& cutter, Point (&p)[3], Real floor) {
+    Real best = none;
+    for (int k = 0; k < 3; ++k)
+        best = std::max(best, edge_lift(cutter, p[k], p[(k + 1) % 3], std::max(best, floor)));
     const Real area = turn(p[0], p[1], p[2].x, p[2].y);
     if (area == 0) return best; // seen along the axis it is its edges
     const Real r = cutter.radius();
@@ -141,7 +145,7 @@ Real facet_lift(const BruteCutter& cutter, Point (&p)[3]) {
         if (inside) reach(end);
     }
     if (range.empty()) return best;
-    const Real interior = golden_maximum(range.lo, range.hi, [&](Real x) {
+    const auto over_chord = [&](Real x) {
         const std::optional<Chord> chord = chord_at(p, x);
         if (!chord) return none;
         const Real half = std::sqrt(std::max(Real(0), (r - x) * (r + x)));
@@ -152,8 +156,8 @@ Real facet_lift(const BruteCutter& cutter, Point (&p)[3]) {
             const Real t = length > 0 ? (y - chord->from.y) / length : 0;
             return lift_at(cutter, x, y, chord->from.z + t * (chord->to.z - chord->from.z));
         });
-    });
-    return std::max(best, interior);
+    };
+    return std::max(best, golden_maximum(range.lo, range.hi, over_chord, std::max(best, floor)));
 }
 
 } // namespace
@@ -194,11 +198,11 @@ BruteCutter::BruteCutter(const AptCutter& cutter)
     }
 }
 
-double brute_lift(const BruteCutter& cutter, const Vec3& a, const Vec3& b, const Vec3& c, double x,
-                  double y) {
+double brute_lift(const BruteCutter& cutter, const Vec3& a, const Vec3& b, const Vec3& c, double x, double y,
+                  double floor) {
     const auto local = [&](const Vec3& v) { return Point{Real(v.x()) - x, Real(v.y()) - y, Real(v.z())}; };
     Point p[3] = {local(a), local(b), local(c)};
-    return double(facet_lift(cutter, p));
+    return double(facet_lift(cutter, p, Real(floor)));
 }
 
 double brute_lift(const BruteCutter& cutter, const Mesh& mesh, double x, double y) {
@@ -224,7 +228,7 @@ double brute_lift(const BruteCutter& cutter, const Mesh& mesh, double x, double 
     for (const Candidate& c : candidates) {
         if (c.most <= best) break;
         best = std::max(best, brute_lift(cutter, mesh.corner(c.facet, 0), mesh.corner(c.facet, 1),
-                                         mesh.corner(c.facet, 2), x, y));
+                                         mesh.corner(c.facet, 2), x, y, best));
     }
     return best;
 }

@@ -36,8 +36,10 @@ private:
     Real radius_ = 0;
 };
 
-/// -inf where the mesh is not under the cutter.
-double brute_lift(const BruteCutter& cutter, const Vec3& a, const Vec3& b, const Vec3& c, double x, double y);
+/// -inf where the mesh is not under the cutter. Of a facet that gives nothing above `floor` any value up to
+/// there will do.
+double brute_lift(const BruteCutter& cutter, const Vec3& a, const Vec3& b, const Vec3& c, double x, double y,
+                  double floor = -infinity);
 double brute_lift(const BruteCutter& cutter, const Mesh& mesh, double x, double y);
 
 } // namespace facetmill::test

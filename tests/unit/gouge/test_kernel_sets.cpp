@@ -100,6 +100,13 @@ private slots:
                     packet.x[k] = at.x() + (k > 0 ? uniform(rng, 0, spread) : 0);
                     packet.y[k] = at.y() + (k > 0 ? uniform(rng, 0, spread) : 0);
                 }
+                AxialAnswer one[AxialPacket::max_places];
+                for (int k = 0; k < places; ++k) {
+                    AxialQuery query;
+                    query.place[0] = packet.x[k];
+                    query.place[1] = packet.y[k];
+                    sets[0]->upright(view, surface, query, one[k]);
+                }
                 for (int set = 0; set < count; ++set) {
                     double tips[AxialPacket::max_places];
                     prepared->clear();
@@ -107,14 +114,9 @@ private slots:
                     packet.count = std::min(places, sets[set]->packet_places);
                     sets[set]->packet(view, surface, packet, tips);
                     for (int k = 0; k < packet.count; ++k) {
-                        AxialQuery query;
-                        query.place[0] = packet.x[k];
-                        query.place[1] = packet.y[k];
-                        AxialAnswer one;
-                        sets[0]->upright(view, surface, query, one);
-                        QVERIFY2(std::memcmp(&one.tip, &tips[k], sizeof(double)) == 0,
-                                 qPrintable(QString("%1 %2").arg(one.tip).arg(tips[k])));
-                        met += one.slot != no_slot;
+                        QVERIFY2(std::memcmp(&one[k].tip, &tips[k], sizeof(double)) == 0,
+                                 qPrintable(QString("%1 %2").arg(one[k].tip).arg(tips[k])));
+                        met += one[k].slot != no_slot;
                     }
                 }
             }

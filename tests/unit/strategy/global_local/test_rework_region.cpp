@@ -61,8 +61,10 @@ double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
 double distance(const Vec3& p, const ReworkRegions& regions) {
     double least = infinity;
     for (const ReworkRegion& r : regions.regions)
-        for (const auto& facet : r.strip.band)
-            least = std::min(least, distance(p, facet));
+        for (const auto& facet : r.strip.band) {
+            const double size = std::max((facet[1] - facet[0]).norm(), (facet[2] - facet[0]).norm());
+            if ((p - facet[0]).norm() - size < least) least = std::min(least, distance(p, facet));
+        }
     return least;
 }
 
