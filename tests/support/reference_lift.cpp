@@ -7,8 +7,6 @@ namespace facetmill::test {
 
 namespace {
 
-constexpr Real half_turn = 3.14159265358979323846264338327950288L;
-
 Real3 real3(const Vec3& v) {
     return {Real(v.x()), Real(v.y()), Real(v.z())};
 }
@@ -107,6 +105,25 @@ Real bound_local(const ReferenceBody& body, const ReferencePosture& posture, con
     const Real mr = length(m - mz * posture.axis);
     const Real least = std::min({dot(m, local.q[0]), dot(m, local.q[1]), dot(m, local.q[2])});
     return (body.extent(mr, mz) + grow * length(m) - least) / fall;
+}
+
+/// What a bound needs of a direction, all of it linear in that: so those of m + w n come without them.
+struct Row {
+    Real3 m, out;
+    Real z;
+    std::array<Real, 3> at;
+    Row(const ReferencePosture& posture, const Local& local, const Real3& direction)
+        : m(direction), out(m - dot(m, posture.axis) * posture.axis), z(dot(m, posture.axis)),
+          at{dot(m, local.q[0]), dot(m, local.q[1]), dot(m, local.q[2])} {}
+};
+
+/// The bound by m + w n, whose product with v is -1.
+Real bound_on(const ReferenceBody& body, const Row& m, const Row& n, Real w, Real grow) {
+    Real least = m.at[0] + w * n.at[0];
+    for (std::size_t k = 1; k < 3; ++k)
+        least = std::min(least, m.at[k] + w * n.at[k]);
+    const Real grown = grow != 0 ? grow * length(m.m + w * n.m) : 0;
+    return body.extent(length(m.out + w * n.out), m.z + w * n.z) + grown - least;
 }
 
 /// The closest point of a segment, as a distance.
@@ -233,21 +250,19 @@ Real reference_bound(const ReferenceBody& body, const ReferencePosture& posture,
     g1 = (1 / length(g1)) * g1;
     const Real3 g2 = cross(v, g1);
     const auto done = [&](Real value) { return value <= stop; };
-    // All m with m . v < 0, as angles, so that those nearly across v are reached as well.
-    const Real quarter = half_turn / 2 * (1 - 1e-17L), accuracy = 1e-16L;
+    // All m with m . v = -1, through a map of (-1, 1) to all numbers that is as even as angles are, so that those nearly across
+    // v are reached as well.
+    const auto stretched = [](Real u) { return u / ((1 - u) * (1 + u)); };
+    const Real end = 1 - 1e-17L, accuracy = 1e-16L;
+    const Row along(posture, local, g2);
     const Real least = golden_minimum(
-        -quarter, quarter, accuracy,
+        -end, end, accuracy,
         [&](Real psi) {
-            const Real cos_psi = std::cos(psi);
-            const Real3 base = std::sin(psi) * g1 - cos_psi * v;
+            const Real s = stretched(psi), scale = std::sqrt(1 + s * s);
+            const Row from(posture, local, s * g1 - v);
             return golden_minimum(
-                -quarter, quarter, accuracy,
-                [&](Real phi) {
-                    const Real cos_phi = std::cos(phi);
-                    return bound_local(body, posture, local, cos_phi * base + std::sin(phi) * g2,
-                                       cos_phi * cos_psi, grow);
-                },
-                done);
+                -end, end, accuracy,
+                [&](Real phi) { return bound_on(body, from, along, scale * stretched(phi), grow); }, done);
         },
         done);
     return least <= lowest ? no_lift : least;
