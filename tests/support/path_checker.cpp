@@ -81,18 +81,17 @@ public:
         return least;
     }
 
-    /// A height that the moved cutter does not reach down to over any place within `around` of p.
-    double bound(const Piece& piece, const Vec3& p, double around) const {
-        const Vec2 d = (piece.to - piece.from).head<2>(), e = (p - piece.from).head<2>();
-        const double length2 = d.squaredNorm();
-        const double s = length2 > 0 ? std::clamp(e.dot(d) / length2, 0.0, 1.0) : 0.0;
-        const double distance = std::max(0.0, (e - s * d).norm() - std::abs(around));
-        return std::min(piece.from.z(), piece.to.z()) + height(distance);
+    /// A height that the moved cutter does not reach down to over any place within `around` of one that is
+    /// `distance` from the piece, seen from above.
+    double bound(const Piece& piece, double distance, double around) const {
+        return std::min(piece.from.z(), piece.to.z()) + height(std::max(0.0, distance - std::abs(around)));
     }
 
-    /// Lowers `best` to the t at which p + t n enters the moved cutter, if that is smaller.
-    void lower(const Piece& piece, const Vec3& p, const Vec3& n, double reach, double& best) const {
-        if (bound(piece, p, best * length(n.x(), n.y())) > p.z() + std::max(best, 0.0) * n.z()) return;
+    /// Lowers `best` to the t at which p + t n enters the moved cutter, if that is smaller; p is `distance`
+    /// from the piece, seen from above.
+    void lower(const Piece& piece, double distance, const Vec3& p, const Vec3& n, double reach,
+               double& best) const {
+        if (bound(piece, distance, best * length(n.x(), n.y())) > p.z() + std::max(best, 0.0) * n.z()) return;
         const auto gap = [&](double t) {
             const Vec3 q = p + t * n;
             return lowest_over(piece, q.x(), q.y(), q.z()) - q.z(); // its sign counts
@@ -115,6 +114,14 @@ private:
     CutterProfile profile_;
     double radius_;
 };
+
+/// From a place to a piece, seen from above.
+double distance_above(const Piece& piece, const Vec3& p) {
+    const Vec2 d = (piece.to - piece.from).head<2>(), e = (p - piece.from).head<2>();
+    const double length2 = d.squaredNorm();
+    const double s = length2 > 0 ? std::clamp(e.dot(d) / length2, 0.0, 1.0) : 0.0;
+    return (e - s * d).norm();
+}
 
 /// Pieces near a place, through square cells.
 class Cells {
@@ -276,26 +283,33 @@ PathCheckResult check_path(const Mesh& part, const AptCutter& cutter, std::span<
         const Vec3 p = s.point + options.allowance * s.normal;
         // The likeliest piece first: with a low best, the bound turns nearly all others away.
         const auto& near = cells.near(p);
-        std::size_t first = near.size();
+        struct Nearby {
+            std::uint32_t piece;
+            double distance, bound; ///< bound: of all places that the line along the normal passes
+        };
+        thread_local std::vector<Nearby> nearby;
+        nearby.clear();
+        const double aside = options.reach * length(s.normal.x(), s.normal.y());
+        std::size_t first = 0;
         double least = infinity;
-        for (std::size_t k = 0; k < near.size(); ++k)
-            if (const double b = moved.bound(pieces[near[k]], p, 0); b < least) {
+        for (const std::uint32_t k : near) {
+            const double distance = distance_above(pieces[k], p);
+            if (distance > moved.radius() + aside) continue;
+            if (const double b = moved.bound(pieces[k], distance, 0); b < least) {
                 least = b;
-                first = k;
+                first = nearby.size();
             }
-        if (first < near.size()) moved.lower(pieces[near[first]], p, s.normal, options.reach, best);
-        for (std::size_t k = 0; k < near.size(); ++k)
-            if (k != first) moved.lower(pieces[near[k]], p, s.normal, options.reach, best);
+            nearby.push_back({k, distance, moved.bound(pieces[k], distance, aside)});
+        }
+        if (!nearby.empty()) std::swap(nearby[0], nearby[first]);
+        for (const Nearby& n : nearby)
+            if (n.bound <= p.z() + std::max(best, 0.0) * s.normal.z())
+                moved.lower(pieces[n.piece], n.distance, p, s.normal, options.reach, best);
         left[i] = best;
         away[i] = s.judged && s.area > 0 && !(options.no_cusp && options.no_cusp(s.point));
         if (!away[i] || !border_cells) return;
-        for (const std::uint32_t k : border_cells->near(s.point)) {
-            const Vec2 d = (border[k].to - border[k].from).head<2>(),
-                       e = (s.point - border[k].from).head<2>();
-            const double length2 = d.squaredNorm();
-            const double at = length2 > 0 ? std::clamp(e.dot(d) / length2, 0.0, 1.0) : 0.0;
-            if ((e - at * d).norm() < options.border) away[i] = 0;
-        }
+        for (const std::uint32_t k : border_cells->near(s.point))
+            if (distance_above(border[k], s.point) < options.border) away[i] = 0;
     });
 
     double judged_area = 0, uncut_area = 0, cusp_area = 0;
