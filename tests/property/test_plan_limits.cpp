@@ -240,14 +240,14 @@ private slots:
         s.direction = {0, "x"};
         const double usual = s.strip_look_share;
         double shortest = infinity;
-        for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+        for (const double factor : {0.5, 1.0, 2.0, 12.0}) {
             s.strip_look_share = factor * usual;
             const Judged j = judged(Finish5(s), context, 0.2);
             qInfo("%s", qPrintable(j.text(factor)));
             QVERIFY2(j.gouge <= s.tolerance / 20 && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
             QVERIFY2(j.uncut == 0 && j.excess <= 1.06 * s.tolerance, qPrintable(j.text(factor)));
             // Far off, strips are taken for narrow ones: what it costs is time.
-            QVERIFY2(factor < 16 || j.length > 3 * shortest, qPrintable(j.text(factor)));
+            QVERIFY2(factor < 12 || j.length > 3 * shortest, qPrintable(j.text(factor)));
             shortest = std::min(shortest, j.length);
         }
     }

@@ -12,6 +12,7 @@
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -362,10 +363,13 @@ private slots:
             const PlannerWork before = planner.work();
             plan = planner.plan(p, only, {});
             const PlannerWork& now = planner.work();
-            // Whatever was reused, the result is that of a planner that knows nothing.
-            Planner fresh;
-            const auto anew = fresh.plan(p, only, {});
-            if (text_of(p, *plan) != text_of(p, *anew)) qFatal("a reused plan differs from a fresh one");
+            // Whatever was reused, the result is that of a planner that knows nothing. Under a sanitizer, which has seen all of it
+            // by then, it is not planned twice.
+            if (!test::under_sanitizer) {
+                Planner fresh;
+                const auto anew = fresh.plan(p, only, {});
+                if (text_of(p, *plan) != text_of(p, *anew)) qFatal("a reused plan differs from a fresh one");
+            }
             return PlannerWork{now.loads - before.loads,     now.placements - before.placements,
                                now.indexes - before.indexes, now.strategies - before.strategies,
                                now.links - before.links,     now.programs - before.programs};
