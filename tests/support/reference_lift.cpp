@@ -113,8 +113,8 @@ struct Row {
     Real z;
     std::array<Real, 3> at;
     Row(const ReferencePosture& posture, const Local& local, const Real3& direction)
-        : m(direction), out(m - dot(m, posture.axis) * posture.axis), z(dot(m, posture.axis)),
-          at{dot(m, local.q[0]), dot(m, local.q[1]), dot(m, local.q[2])} {}
+        : m(direction), out(m - dot(m, posture.axis) * posture.axis),
+          z(dot(m, posture.axis)), at{dot(m, local.q[0]), dot(m, local.q[1]), dot(m, local.q[2])} {}
 };
 
 /// The bound by m + w n, whose product with v is -1.
@@ -250,8 +250,8 @@ Real reference_bound(const ReferenceBody& body, const ReferencePosture& posture,
     g1 = (1 / length(g1)) * g1;
     const Real3 g2 = cross(v, g1);
     const auto done = [&](Real value) { return value <= stop; };
-    // All m with m . v = -1, through a map of (-1, 1) to all numbers that is as even as angles are, so that those nearly across
-    // v are reached as well.
+    // All m with m . v = -1, through a map of (-1, 1) to all numbers that is as even as angles are, so that
+    // those nearly across v are reached as well.
     const auto stretched = [](Real u) { return u / ((1 - u) * (1 + u)); };
     const Real end = 1 - 1e-17L, accuracy = 1e-16L;
     const Row along(posture, local, g2);

@@ -363,8 +363,8 @@ private slots:
             const PlannerWork before = planner.work();
             plan = planner.plan(p, only, {});
             const PlannerWork& now = planner.work();
-            // Whatever was reused, the result is that of a planner that knows nothing. Under a sanitizer, which has seen all of it
-            // by then, it is not planned twice.
+            // Whatever was reused, the result is that of a planner that knows nothing. Under a sanitizer,
+            // which has seen all of it by then, it is not planned twice.
             if (!test::under_sanitizer) {
                 Planner fresh;
                 const auto anew = fresh.plan(p, only, {});
