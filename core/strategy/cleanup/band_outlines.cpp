@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace facetmill {
 
@@ -22,6 +23,7 @@ public:
           edges_(std::size_t(owners.count)) {
         out_.bands.resize(std::size_t(owners.count));
         out_.points = std::move(rest.points);
+        beside_of_.assign(out_.points.size(), -1);
     }
 
     OutlinedBands run(const Progress& progress) {
@@ -31,8 +33,13 @@ public:
         }
         for (std::size_t i = 0; i < out_.bands.size(); ++i) {
             progress.check();
-            out_.bands[i].curve = i < valleys_.curves.size() ? int(i) : -1;
-            out_.bands[i].boundaries = boundaries(edges_[i]);
+            RestBand& band = out_.bands[i];
+            band.curve = i < valleys_.curves.size() ? int(i) : -1;
+            band.boundaries = boundaries(edges_[i]);
+            // Bands are most of what is kept until all passes are there.
+            band.band.shrink_to_fit();
+            band.left.shrink_to_fit();
+            band.beside.shrink_to_fit();
         }
         auto& at = out_.band_points;
         std::sort(at.begin(), at.end());
@@ -63,7 +70,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = facet.corner[k], b = facet.corner[(k + 1) % 3];
             const bool in_a = gaps_.gap[a] > in_.tolerance, in_b = gaps_.gap[b] > in_.tolerance;
-            if (!in_a) {
+            // Once will do for all facets that meet there.
+            if (!in_a && std::exchange(beside_of_[a], facet_owner) != facet_owner) {
                 const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(facet.facet));
                 out_.bands[std::size_t(facet_owner)].beside.push_back({out_.points[a], n});
             }
@@ -216,7 +224,8 @@ private:
     std::vector<RestFacet> facets_;
     const RestGaps& gaps_;
     const RestOwners& owners_;
-    std::vector<Edges> edges_; ///< those of each band that no other facet runs along
+    std::vector<int> beside_of_; ///< by points: the last band beside which it was found
+    std::vector<Edges> edges_;   ///< those of each band that no other facet runs along
     std::unordered_map<std::uint64_t, Index> crossings_, borders_;
     std::vector<double> made_; ///< what is left at points that cutting out made
     OutlinedBands out_;

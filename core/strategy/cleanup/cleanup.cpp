@@ -44,6 +44,8 @@ public:
         if (result_.passes.empty()) nothing_to_cut();
         measure(progress.part(0.93, 1, "Measuring what stays"));
         own_.record = record();
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            result_.strips[i].band = std::move(found_[i].band.band);
         result_.detail = std::move(own_);
         result_.chord_tolerance = job_.chord;
         add_warnings();

@@ -160,7 +160,6 @@ std::vector<Strip> described(const CleanupJob& job, const std::vector<FoundStrip
         s.reason = reason(job, f);
         s.tool = job.settings.tool;
         s.enabled = !is_switched_off(job.settings.switched_off, s.name);
-        s.band = f.band.band;
         s.boundaries = f.band.boundaries;
         if (f.curve) {
             std::vector<Vec3> center;

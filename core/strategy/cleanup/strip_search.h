@@ -19,7 +19,8 @@ struct FoundStrip {
 /// Throws Error(limit_exceeded).
 std::vector<FoundStrip> find_strips(const CleanupJob& job, const Progress& progress);
 
-/// The strips as a result gives them: with names, reasons, and which of them are switched off.
+/// The strips as a result gives them: with names, reasons, and which of them are switched off; yet without
+/// their bands, which are needed where they are until all is planned.
 std::vector<Strip> described(const CleanupJob& job, const std::vector<FoundStrip>& found);
 
 } // namespace facetmill

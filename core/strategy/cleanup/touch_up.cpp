@@ -13,6 +13,7 @@
 #include "core/strategy/surface/point_grid.h"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -148,35 +149,38 @@ private:
         return !with_.standing || best <= allowed_ || with_.standing->stands(p, l.before, best + allowed_);
     }
 
-    /// Where more is left than need be.
+    /// Where more is left than need be. Most places where it may be turn out well: so they are asked to the
+    /// end some at a time, and only those are kept of which it is true.
     void find(const Progress& progress) {
         const std::vector<Place> all = places(progress.part(0, 0.1));
         // Where the cutter does not touch, what is left changes less from place to place.
         CellSet deep(deep_share * radius_);
-        std::vector<Left> found;
         std::vector<std::optional<Left>> some;
+        std::vector<Left> found;
+        std::vector<char> which;
         for (std::size_t begin = 0; begin < all.size(); begin += touched_at_once) {
             const std::size_t count = std::min(touched_at_once, all.size() - begin);
+            const auto share = [&](std::size_t i) { return 0.1 + 0.9 * double(i) / double(all.size()); };
+            const Progress part = progress.part(share(begin), share(begin + count));
             some.assign(count, std::nullopt);
-            const auto share = [&](std::size_t i) { return 0.1 + 0.6 * double(i) / double(all.size()); };
-            parallel_blocks(count, 256, progress.part(share(begin), share(begin + count)),
-                            [&](std::size_t from, std::size_t to) {
-                                LiftHint hint;
-                                for (std::size_t i = from; i < to; ++i)
-                                    some[i] = left_at(all[begin + i], hint);
-                            });
+            parallel_blocks(count, 256, part.part(0, 0.6), [&](std::size_t from, std::size_t to) {
+                LiftHint hint;
+                for (std::size_t i = from; i < to; ++i)
+                    some[i] = left_at(all[begin + i], hint);
+            });
+            found.clear();
             for (const auto& l : some)
                 if (l && !(l->sample.gap > 0.5 * allowed_ && !deep.add_first(l->sample.point)))
                     found.push_back(*l);
+            which.assign(found.size(), 0);
+            parallel_blocks(found.size(), 16, part.part(0.6, 1), [&](std::size_t from, std::size_t to) {
+                LiftHint hint;
+                for (std::size_t i = from; i < to; ++i)
+                    which[i] = leaves_too_much(found[i], hint) && !is_over_border(found[i].sample.tip);
+            });
+            for (std::size_t i = 0; i < found.size(); ++i)
+                if (which[i]) left_.push_back(found[i]);
         }
-        std::vector<char> which(found.size(), 0);
-        parallel_blocks(found.size(), 16, progress.part(0.7, 1), [&](std::size_t from, std::size_t to) {
-            LiftHint hint;
-            for (std::size_t i = from; i < to; ++i)
-                which[i] = leaves_too_much(found[i], hint) && !is_over_border(found[i].sample.tip);
-        });
-        for (std::size_t i = 0; i < found.size(); ++i)
-            if (which[i]) left_.push_back(found[i]);
     }
 
     /// Where the search ended early the cutter can leave next to nothing.
@@ -336,7 +340,7 @@ private:
     double spacing_;                       ///< distance of places along passes
     std::vector<CutTree::Motion> motions_; ///< of the passes
     std::optional<CutTree> tree_;
-    std::vector<Left> left_;
+    std::deque<Left> left_; ///< up to a million: they are not to be moved
 };
 
 } // namespace
