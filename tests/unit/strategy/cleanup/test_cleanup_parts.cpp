@@ -337,6 +337,81 @@ private slots:
                 QVERIFY2(c.tip.x() > -3, qPrintable(QString::number(c.tip.x())));
     }
 
+    /// Passes that run over each other, as beside a crooked valley, and lines across them: about as much is
+    /// kept as of one set, and it cuts the whole band.
+    void of_passes_over_each_other_one_set_is_kept() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
+        const ValleyInput in = before.valleys(0.05);
+        const Valleys valleys = find_valleys(in, Progress());
+        const auto bands = rest_bands(in, valleys, Progress());
+        QCOMPARE(bands.size(), std::size_t(1));
+        const StripCutting with = ball.cutting();
+        const StripCut one = cut_valley(with, valleys.curves[0], bands[0], Progress());
+        const auto kept = [&](const StripCut& cut) {
+            StripCut some = cut;
+            const BandCut only{&bands[0], &some};
+            keep_working(with, {&only, 1}, Progress());
+            return some.passes;
+        };
+        const auto length = [](const std::vector<Pass>& passes) {
+            double sum = 0;
+            for (const Pass& pass : passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                    sum += (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
+            return sum;
+        };
+        StripCut many = one;
+        for (int k = 1; k <= 9; ++k)
+            for (Pass pass : one.passes) {
+                // Hardly less deep, and one in three the other way.
+                for (CutterLocation& c : pass.cl)
+                    c.tip.z() += 0.005 * with.cusp * k;
+                if (k % 3 == 0) {
+                    std::reverse(pass.cl.begin(), pass.cl.end());
+                    std::reverse(pass.cc.begin(), pass.cc.end());
+                }
+                many.passes.push_back(pass);
+            }
+        const double alone = length(kept(one));
+        QVERIFY(length(many.passes) > 9 * alone);
+        const double of_many = length(kept(many));
+        QVERIFY2(of_many < 1.1 * alone, qPrintable(QString("%1 of %2").arg(of_many).arg(alone)));
+        for (double x = -19; x < 19; x += 0.2) {
+            Pass across = one.passes.front();
+            across.cl.clear();
+            across.cc.clear();
+            for (double y = -6; y <= 6; y += 0.2) {
+                const double z = ball.lift.tip_z(x, y);
+                across.cl.push_back({Vec3(x, y, z), Vec3::UnitZ()});
+                across.cc.push_back({Vec3(x, y, z), Vec3::UnitZ()});
+            }
+            many.passes.push_back(across);
+        }
+        // A place that one of the lines cuts best of all is left to them.
+        const auto chosen = kept(many);
+        QVERIFY2(length(chosen) < 0.3 * length(many.passes), qPrintable(QString::number(length(chosen))));
+        // Every place in the middle of the band that the first set cuts is cut.
+        const auto left = [&](const std::vector<Pass>& passes, const Vec3& p) {
+            double least = infinity;
+            for (const Pass& pass : passes)
+                for (std::size_t i = 1; i < pass.cl.size(); ++i)
+                    for (int k = 0; k <= 4; ++k)
+                        least = std::min(
+                            least, ball.cover.distance(p - pass.cl[i - 1].tip
+                                                       - k / 4.0 * (pass.cl[i].tip - pass.cl[i - 1].tip)));
+            return least;
+        };
+        int asked = 0;
+        for (const auto& t : bands[0].band) {
+            const Vec3 p = (t[0] + t[1] + t[2]) / 3;
+            if (std::abs(p.x()) > 4 || ++asked % 7 != 0) continue;
+            QVERIFY(left(chosen, p) <= std::max(left(one.passes, p), with.cusp) + 0.3 * with.cusp);
+        }
+        QVERIFY(asked > 100);
+    }
+
     /// What was cut once is not cut again, what was cut in part is cut to the end, and what lies outside the
     /// raw material is not cut at all.
     void what_operations_before_have_cut_is_left_out() {
