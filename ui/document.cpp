@@ -1,6 +1,7 @@
 #include "ui/document.h"
 
 #include "core/job/asked_operations.h"
+#include "core/job/new_operation.h"
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/output/post/post.h"
@@ -47,27 +48,6 @@ Project part_and_machine(const Project& project) {
     alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
                                                      : project.machine;
     return alone;
-}
-
-/// Starts from the values of the last operation of its kind, or at least from its tool.
-std::unique_ptr<Operation> new_operation(const std::string& kind, const Project& project) {
-    auto operation = make_operation(kind);
-    const auto& all = project.operations;
-    if (all.empty()) {
-        if (!project.tools.empty()) operation->common().tool = project.tools.front().number;
-        return operation;
-    }
-    const auto like =
-        std::ranges::find(all.rbegin(), all.rend(), kind, [](const auto& o) { return o->kind(); });
-    if (like == all.rend()) {
-        operation->common() = all.back()->common();
-        return operation;
-    }
-    operation = (*like)->clone();
-    // Postures were kept for contact points of that one, regions edited by hand were its.
-    for (const ParameterInfo* info : operation->parameters())
-        if (info->kind == ParameterKind::records) operation->set(info->key, info->empty_list());
-    return operation;
 }
 
 } // namespace
@@ -194,16 +174,19 @@ std::string Document::free_operation_name(const std::string& wish) const {
         if (const std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
 }
 
-void Document::add_operation(const std::string& kind) {
+std::size_t Document::add_operation(const std::string& kind) {
     Snapshot after = snapshot();
-    auto operation = new_operation(kind, project_);
+    NewOperation made = new_operation(kind, project_);
     std::string label = kind;
     for (const auto& k : operation_kinds())
         if (k.kind == kind) label = k.label;
-    operation->common().name = free_operation_name(label.substr(0, label.find_first_of(",(")));
-    after.project.operations.push_back(std::move(operation));
-    after.ids.push_back(next_id_++);
+    made.operation->common().name = free_operation_name(label.substr(0, label.find_first_of(",(")));
+    if (made.tool) after.project.tools.push_back(*made.tool);
+    const auto at = std::ptrdiff_t(made.place);
+    after.project.operations.insert(after.project.operations.begin() + at, std::move(made.operation));
+    after.ids.insert(after.ids.begin() + at, next_id_++);
     push(tr("Add operation"), std::move(after));
+    return made.place;
 }
 
 void Document::duplicate_operation(std::size_t i) {

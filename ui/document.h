@@ -60,7 +60,8 @@ public:
     const Operation& operation(std::size_t i) const { return *project_.operations[i]; }
     int operation_id(std::size_t i) const { return ids_[i]; }
     std::optional<std::size_t> index_of(int id) const;
-    void add_operation(const std::string& kind);
+    /// Where machining asks for it; returns its place.
+    std::size_t add_operation(const std::string& kind);
     void duplicate_operation(std::size_t i);
     void remove_operation(std::size_t i);
     /// Moves it up (-1) or down (+1) if it can go there.

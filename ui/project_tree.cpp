@@ -135,8 +135,7 @@ void ProjectTree::make_actions() {
     add_operation_->setIcon(icon(Icon::operation));
     for (const auto& kind : operation_kinds())
         add_operation_->addAction(icon(Icon::operation), text(kind.label), this, [this, k = kind.kind] {
-            document_.add_operation(k);
-            select({TreeNode::Kind::operation, document_.operation_count() - 1});
+            select({TreeNode::Kind::operation, document_.add_operation(k)});
         });
     edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
     duplicate_ = new QAction(icon(Icon::duplicate), tr("Duplicate"), this);

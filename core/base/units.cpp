@@ -72,6 +72,13 @@ std::string_view edge_unit_name(Quantity quantity, LengthUnit unit) {
     return "";
 }
 
+double round_down(double v) {
+    const double power = std::pow(10.0, std::floor(std::log10(v) + 1e-9));
+    for (double step : {5.0, 2.0})
+        if (v >= step * power * (1 - 1e-9)) return step * power;
+    return power;
+}
+
 std::string format_number(double value, int digits) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

@@ -54,6 +54,9 @@ double core_per_edge(Quantity quantity, LengthUnit unit);
 /// Name of the edge's unit for labels: "mm", "in", "°", "mm/min", "in/min", "rpm", "s", "".
 std::string_view edge_unit_name(Quantity quantity, LengthUnit unit);
 
+/// Largest of 1, 2, 5 times a power of ten that is not above v > 0.
+double round_down(double v);
+
 /// Shortest decimal text that reads back to within `digits` significant digits; never an exponent for
 /// ordinary sizes,
 /// '.' as decimal point whatever the locale.

@@ -319,14 +319,6 @@ void apply_setting(Project& project, std::string_view setting) {
 
 namespace {
 
-/// Largest of 1, 2, 5 times a power of ten that is not above v, in the edge's unit.
-double round_down(double v) {
-    const double power = std::pow(10.0, std::floor(std::log10(v) + 1e-9));
-    for (double step : {5.0, 2.0})
-        if (v >= step * power * (1 - 1e-9)) return step * power;
-    return power;
-}
-
 /// A diameter one can buy, not above `target`; a round number where there is none so small.
 double usual_diameter(double target, LengthUnit unit) {
     static const std::vector<double> mm = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25};

@@ -165,6 +165,7 @@ private slots:
         QVERIFY(open_form());
         for (const char* kind : {"cleanup", "global_local"})
             w().document().add_operation(kind);
+        w().document().move_operation(2, 1); // it was put before clean-up
         w().document().change(QStringLiteral("Edit"), [](Project& p) {
             p.operations[2]->set(switched_off_key, std::string("Valley 1, Valley 3"));
             region_edit_list.set(*p.operations[3], {{{1, 2, 3}, false, 0}});

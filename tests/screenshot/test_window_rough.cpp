@@ -23,11 +23,10 @@ class TestWindowRough : public QObject, public WindowFixture {
     RoughController& controller() { return w().roughing(); }
     QSlider* slider() { return controller().bar()->slider(); }
     QString readout() { return controller().bar()->readout()->text(); }
-    /// The default operation, and roughing before it, selected.
+    /// The default operation, and roughing, which stands before it, selected.
     bool add_rough() {
         if (!w().document().has_part() && !open_part()) return false;
         w().document().add_operation("rough");
-        w().document().move_operation(1, -1);
         w().tree().select({TreeNode::Kind::operation, 0});
         return wait_until_settled(w());
     }
@@ -54,13 +53,13 @@ private slots:
         const std::size_t before = controller().heights().size();
         QVERIFY(before > 0);
         const QImage many = view_picture(w());
-        enter(w(), "depth", QStringLiteral("0.2"));
+        enter(w(), "depth", QStringLiteral("0.4")); // twice what it began with
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(controller().heights().size() < before, qPrintable(readout()));
         QVERIFY(changed_pixels(many, view_picture(w())) > 300);
         // Every layer is at most that deep, and a layer can be looked for before there is a path.
         for (std::size_t i = 1; i < controller().heights().size(); ++i)
-            QVERIFY(controller().heights()[i - 1] - controller().heights()[i] <= 0.2 * 25.4 + 1e-9);
+            QVERIFY(controller().heights()[i - 1] - controller().heights()[i] <= 0.4 * 25.4 + 1e-9);
         slider()->setValue(2);
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(readout().contains(QStringLiteral("Layer 2 of")) && readout().contains("preview"),

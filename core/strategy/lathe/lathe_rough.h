@@ -32,6 +32,7 @@ public:
     using TurningOperation::TurningOperation;
 
     std::string_view kind() const override { return "lathe_rough"; }
+    Purpose purpose() const override { return Purpose::roughing; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<LatheRough>(settings_); }
     double left_on_purpose() const override { return settings_.allowance + settings_.finishing_allowance; }
 

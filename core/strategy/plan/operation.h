@@ -110,6 +110,9 @@ enum class Linking {
     about_axis, ///< around a part that turns; such an operation has `turning()`
 };
 
+/// What an operation is for, in the order in which parts are machined.
+enum class Purpose { roughing, finishing, cleaning };
+
 /// What an operation is for has been done before it: no fault of the job, which goes on without it.
 class NothingToDo : public Error {
 public:
@@ -124,6 +127,7 @@ public:
     /// Throws Error(empty_result) with the reason when nothing can be cut, as NothingToDo where that is as it
     /// should be.
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
+    virtual Purpose purpose() const { return Purpose::finishing; }
     /// True when every tool axis is +Z.
     virtual bool three_axis() const = 0;
     virtual Linking linking() const { return three_axis() ? Linking::upright : Linking::tilted; }

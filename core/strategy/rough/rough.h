@@ -54,6 +54,7 @@ public:
     using OperationWith::OperationWith;
 
     std::string_view kind() const override { return "rough"; }
+    Purpose purpose() const override { return Purpose::roughing; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Rough>(settings_); }
     bool three_axis() const override { return true; }
     Linking linking() const override { return Linking::over_stock; }

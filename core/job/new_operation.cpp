@@ -1,0 +1,182 @@
+#include "core/job/new_operation.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+/// Layers of roughing, in diameters of its cutter; what it leaves above the allowance at most, and for
+/// finishing.
+constexpr double depth_share = 0.25, rough_share = 0.1, left_share = 0.05;
+/// A larger cutter leaves no more than this, mm.
+constexpr double max_rough_tolerance = 0.5;
+/// What finishing may leave, in diameters, where no other operation says it.
+constexpr double finish_share = 0.01;
+
+bool has_flat(const Tool& t) {
+    return t.corner_radius < 0.5 * t.diameter && t.bottom_angle == 0 && t.taper_angle >= 0;
+}
+
+class NewOperationMaker {
+public:
+    NewOperationMaker(std::string_view kind, const Project& project)
+        : project_(project), per_(mm_per(project.unit)) {
+        made_.operation = make_operation(kind);
+        const auto& all = project.operations;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (all[i]->purpose() <= made_.operation->purpose()) made_.place = i + 1;
+    }
+
+    NewOperation run() {
+        const auto& all = project_.operations;
+        const auto like = std::ranges::find(all.rbegin(), all.rend(), made_.operation->kind(),
+                                            [](const auto& o) { return o->kind(); });
+        if (like != all.rend()) {
+            take_from(**like);
+        } else if (!project_.tools.empty()) {
+            copy_from_neighbor();
+            switch (made_.operation->purpose()) {
+            case Purpose::roughing:
+                rough();
+                break;
+            case Purpose::finishing:
+                finish();
+                break;
+            case Purpose::cleaning:
+                clean_up();
+                break;
+            }
+        }
+        return std::move(made_);
+    }
+
+private:
+    OperationCommon& common() { return made_.operation->common(); }
+
+    /// Postures were kept for contact points of that one, regions edited by hand were its.
+    void take_from(const Operation& like) {
+        made_.operation = like.clone();
+        for (const ParameterInfo* info : made_.operation->parameters())
+            if (info->kind == ParameterKind::records) made_.operation->set(info->key, info->empty_list());
+    }
+
+    /// The one before it where it will stand, else the one after; null where there is none.
+    const Operation* neighbor() const {
+        const auto& all = project_.operations;
+        if (all.empty()) return nullptr;
+        return all[made_.place > 0 ? made_.place - 1 : 0].get();
+    }
+
+    /// The last one of a purpose that will stand before it, else the first after it.
+    const Operation* nearest(Purpose purpose) const {
+        const auto& all = project_.operations;
+        const auto fits = [&](const auto& o) { return o->purpose() == purpose; };
+        const auto place = all.begin() + std::ptrdiff_t(made_.place);
+        for (auto o = place; o != all.begin();)
+            if (fits(*--o)) return o->get();
+        const auto after = std::find_if(place, all.end(), fits);
+        return after != all.end() ? after->get() : nullptr;
+    }
+
+    /// All but what belongs to its purpose.
+    void copy_from_neighbor() {
+        const Operation* from = neighbor();
+        if (!from) return;
+        const OperationCommon own = common();
+        common() = from->common();
+        common().name = own.name;
+        common().tolerance = own.tolerance;
+        common().allowance = own.allowance;
+    }
+
+    /// In round numbers of the project's unit.
+    double rounded(double mm) const { return round_down(mm / per_) * per_; }
+
+    /// The largest tool by diameter of those that are asked for; null where none is.
+    template <class Asked>
+    const Tool* largest(Asked&& asked) const {
+        const Tool* best = nullptr;
+        for (const Tool& t : project_.tools)
+            if (asked(t) && (!best || t.diameter > best->diameter)) best = &t;
+        return best;
+    }
+
+    void rough() {
+        const Tool* tool = largest(has_flat);
+        if (!tool) tool = largest([](const Tool& t) { return t.taper_angle >= 0; });
+        if (!tool) tool = &project_.tools.front();
+        common().tool = tool->number;
+        common().tolerance = rounded(std::min(max_rough_tolerance, rough_share * tool->diameter));
+        const double depth = rounded(depth_share * tool->diameter),
+                     left = rounded(left_share * tool->diameter);
+        if (made_.operation->turning()) {
+            made_.operation->set("depth_of_cut", depth);
+            made_.operation->set("finishing_allowance", left);
+            if (const Operation* finish = nearest(Purpose::finishing))
+                common().allowance = finish->common().allowance;
+        } else {
+            made_.operation->set("depth", depth);
+            common().allowance = left;
+        }
+    }
+
+    void finish() {
+        if (const Operation* other = nearest(Purpose::finishing)) {
+            common().tool = other->common().tool;
+            common().tolerance = other->common().tolerance;
+            common().allowance = other->common().allowance;
+            return;
+        }
+        const Tool* tool = largest([](const Tool& t) { return !has_flat(t) && t.corner_radius > 0; });
+        if (!tool) tool = &project_.tools.front();
+        common().tool = tool->number;
+        common().tolerance = rounded(finish_share * tool->diameter);
+    }
+
+    void clean_up() {
+        const Operation* before = nearest(Purpose::finishing);
+        if (!before) before = neighbor();
+        const Tool* previous = &project_.tools.front();
+        if (before) {
+            const auto its = std::ranges::find(project_.tools, before->common().tool, &Tool::number);
+            if (its != project_.tools.end()) previous = &*its;
+            common().tolerance = before->common().tolerance;
+            common().allowance = before->purpose() == Purpose::finishing ? before->common().allowance : 0;
+        }
+        made_.operation->set("previous_tool", previous->number);
+        // It comes in where the other one does not.
+        const Tool* tool = largest([&](const Tool& t) {
+            return t.taper_angle >= 0 && t.diameter <= previous->diameter
+                   && t.corner_radius <= previous->corner_radius
+                   && (t.diameter < previous->diameter || t.corner_radius < previous->corner_radius);
+        });
+        if (!tool) made_.tool = half_of(*previous);
+        common().tool = tool ? tool->number : made_.tool->number;
+    }
+
+    /// A ball of half its size, as slim as that above its flutes.
+    Tool half_of(const Tool& tool) const {
+        Tool half = tool;
+        half.number = 1;
+        while (std::ranges::find(project_.tools, half.number, &Tool::number) != project_.tools.end())
+            ++half.number;
+        half.diameter = half.shank_diameter = 0.5 * tool.diameter;
+        half.corner_radius = 0.5 * half.diameter;
+        half.bottom_angle = half.taper_angle = 0;
+        half.name = "Ball " + format_number(half.diameter / per_, 4);
+        return half;
+    }
+
+    const Project& project_;
+    double per_;
+    NewOperation made_;
+};
+
+} // namespace
+
+NewOperation new_operation(std::string_view kind, const Project& project) {
+    return NewOperationMaker(kind, project).run();
+}
+
+} // namespace facetmill

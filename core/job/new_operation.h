@@ -1,0 +1,25 @@
+// What an operation begins with that a user adds to a project.
+#pragma once
+
+#include "core/job/project.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace facetmill {
+
+struct NewOperation {
+    std::unique_ptr<Operation> operation; ///< its name is that of its kind's default
+    std::size_t place = 0;                ///< in the project's operations: roughing, finishing, clean-up
+    std::optional<Tool> tool;             ///< to be added to the list, which has none that would do
+};
+
+/// Like the last operation of its kind, but for lists that were made by hand; of another kind: feeds and
+/// clearance of its neighbour, and tool, tolerance and depth as its purpose asks for. Roughing takes the
+/// largest tool with a flat to its end and layers of a quarter of its diameter; clean-up the next smaller one
+/// than finishing before it has, or a new one of half that. Throws Error(out_of_range) for an unknown kind.
+NewOperation new_operation(std::string_view kind, const Project& project);
+
+} // namespace facetmill

@@ -1,0 +1,180 @@
+// What an operation begins with that is added to a project: where it stands, its tool, tolerance and depth.
+#include "core/job/new_operation.h"
+
+#include "core/strategy/five_axis/finish5.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+#include "tests/unit/job/listed_tool.h"
+
+#include <QTest>
+
+using namespace facetmill;
+using namespace facetmill::test;
+
+namespace {
+
+/// A block with one finish, of the first of these tools.
+Project project_with(std::vector<Tool> tools, double size = 100) {
+    Box3 box;
+    box.add(Vec3::Zero());
+    box.add(Vec3(size, size, 0.2 * size));
+    Project p = default_project("part.stl", LengthUnit::mm, box);
+    p.tools = std::move(tools);
+    OperationCommon& finish = p.operations.front()->common();
+    finish.tool = p.tools.front().number;
+    finish.tolerance = 0.02;
+    finish.feed = 900;
+    finish.clearance = 7;
+    return p;
+}
+
+void insert(Project& p, NewOperation made) {
+    if (made.tool) p.tools.push_back(*made.tool);
+    p.operations.insert(p.operations.begin() + std::ptrdiff_t(made.place), std::move(made.operation));
+}
+
+std::string kinds(const Project& p) {
+    std::string text;
+    for (const auto& o : p.operations)
+        text += (text.empty() ? "" : " ") + std::string(o->kind());
+    return text;
+}
+
+double number_of(const Operation& o, const char* key) {
+    return std::get<double>(o.get(key));
+}
+
+} // namespace
+
+class TestNewOperation : public QObject {
+    Q_OBJECT
+private slots:
+    void roughing_comes_first_with_a_flat_tool_and_values_of_its_own() {
+        const Project p = project_with(
+            {listed_tool(1, 6, 3), listed_tool(2, 10, 1), listed_tool(4, 12, 0), listed_tool(3, 16, 8)});
+        const NewOperation made = new_operation("rough", p);
+        const OperationCommon& c = made.operation->common();
+        QCOMPARE(made.place, std::size_t(0));
+        QVERIFY(!made.tool);
+        QCOMPARE(c.tool, 4L);
+        QCOMPARE(c.name, std::string("Rough"));
+        QCOMPARE(c.tolerance, 0.5);
+        QCOMPARE(c.allowance, 0.5);
+        QCOMPARE(number_of(*made.operation, "depth"), 2.0); // of 12 / 4 the round number below
+        QCOMPARE(c.feed, 900.0);
+        QCOMPARE(c.clearance, 7.0);
+    }
+
+    void a_list_of_balls_roughs_with_the_largest() {
+        const Project p = project_with({listed_tool(1, 3, 1.5), listed_tool(2, 4, 2)});
+        const NewOperation made = new_operation("rough", p);
+        QCOMPARE(made.operation->common().tool, 2L);
+        QCOMPARE(made.operation->common().tolerance, 0.2); // a tenth of 4 is 0.4
+        QCOMPARE(number_of(*made.operation, "depth"), 1.0);
+    }
+
+    void clean_up_comes_last_with_the_next_smaller_tool() {
+        Project p = project_with(
+            {listed_tool(1, 6, 3), listed_tool(2, 12, 0), listed_tool(3, 2, 1), listed_tool(5, 4, 2)});
+        p.operations.front()->common().allowance = 0.3;
+        const NewOperation made = new_operation("cleanup", p);
+        QCOMPARE(made.place, std::size_t(1));
+        QVERIFY(!made.tool);
+        QCOMPARE(made.operation->common().tool, 5L);
+        QCOMPARE(std::get<long>(made.operation->get("previous_tool")), 1L);
+        QCOMPARE(made.operation->common().tolerance, 0.02);
+        QCOMPARE(made.operation->common().allowance, 0.3);
+    }
+
+    void where_none_is_smaller_clean_up_brings_a_tool() {
+        Project p = project_with({listed_tool(1, 6, 3), listed_tool(2, 12, 0)});
+        NewOperation made = new_operation("cleanup", p);
+        QVERIFY(made.tool.has_value());
+        QCOMPARE(made.tool->number, 3L);
+        QCOMPARE(made.tool->name, std::string("Ball 3"));
+        QCOMPARE(made.tool->diameter, 3.0);
+        QCOMPARE(made.tool->corner_radius, 1.5);
+        QCOMPARE(made.operation->common().tool, 3L);
+        insert(p, std::move(made));
+        check_project(p);
+    }
+
+    void machining_order_holds_whatever_is_added_first() {
+        Project p = project_with({listed_tool(1, 6, 3), listed_tool(2, 12, 0)});
+        for (const char* kind : {"cleanup", "finish5", "rough", "finish3"})
+            insert(p, new_operation(kind, p));
+        QCOMPARE(kinds(p), std::string("rough finish3 finish5 finish3 cleanup"));
+        insert(p, new_operation("rough", p));
+        QCOMPARE(kinds(p), std::string("rough rough finish3 finish5 finish3 cleanup"));
+        // Moved by hand, roughing in the middle is followed by the next one.
+        std::swap(p.operations[1], p.operations[3]);
+        QCOMPARE(new_operation("rough", p).place, std::size_t(4));
+        QCOMPARE(new_operation("cleanup", p).place, std::size_t(6));
+    }
+
+    void one_of_its_kind_is_what_it_is_like() {
+        Project p = project_with({listed_tool(1, 6, 3), listed_tool(2, 12, 0)});
+        insert(p, new_operation("rough", p));
+        p.operations.front()->common().tolerance = 0.7;
+        p.operations.front()->set("depth", 0.9);
+        const NewOperation rough = new_operation("rough", p);
+        QCOMPARE(rough.operation->common().tolerance, 0.7);
+        QCOMPARE(number_of(*rough.operation, "depth"), 0.9);
+        insert(p, new_operation("finish5", p));
+        Operation& five = *p.operations.back();
+        manual_posture_list.set(five, {ManualPosture{}});
+        QCOMPARE(manual_posture_list.of(five).size(), std::size_t(1));
+        QVERIFY(manual_posture_list.of(*new_operation("finish5", p).operation).empty());
+    }
+
+    void finishing_alone_takes_the_largest_ball() {
+        Project p = project_with({listed_tool(1, 12, 0), listed_tool(2, 5, 2.5), listed_tool(3, 8, 4)});
+        p.operations.clear();
+        const NewOperation made = new_operation("finish3", p);
+        QCOMPARE(made.operation->common().tool, 3L);
+        QCOMPARE(made.operation->common().tolerance, 0.05); // of 8 / 100 the round number below
+    }
+
+    void numbers_are_round_in_inches() {
+        Project p = project_with({listed_tool(1, 0.25 * 25.4, 0.125 * 25.4), listed_tool(2, 0.5 * 25.4, 0)});
+        p.unit = LengthUnit::inch;
+        const NewOperation rough = new_operation("rough", p);
+        QVERIFY(std::abs(rough.operation->common().tolerance / 25.4 - 0.01) < 1e-12); // 0.5 mm is 0.0197 in
+        QVERIFY(std::abs(number_of(*rough.operation, "depth") / 25.4 - 0.1) < 1e-12);
+        const NewOperation clean = new_operation("cleanup", p);
+        QCOMPARE(clean.tool->name, std::string("Ball 0.125"));
+    }
+
+    void every_kind_fits_every_new_project() {
+        for (const double size : {0.5, 3.0, 40.0, 700.0, 20000.0})
+            for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch})
+                for (const bool turned : {false, true})
+                    for (const OperationKind& kind : operation_kinds()) {
+                        Box3 box;
+                        box.add(Vec3::Zero());
+                        box.add(Vec3(2 * size, size, size));
+                        Project p = turned ? default_turned_project("part.stl", unit, box)
+                                           : default_project("part.stl", unit, box);
+                        insert(p, new_operation(kind.kind, p));
+                        for (std::size_t i = 0; i < p.operations.size(); ++i)
+                            p.operations[i]->common().name = "Operation " + std::to_string(i);
+                        const auto again = parse_project(project_to_json(p), "again");
+                        QCOMPARE(kinds(again), kinds(p));
+                    }
+    }
+
+    void an_empty_list_and_an_unknown_kind() {
+        Project p = project_with({listed_tool(1, 6, 3)});
+        p.operations.clear();
+        p.tools.clear();
+        for (const OperationKind& kind : operation_kinds()) {
+            const NewOperation made = new_operation(kind.kind, p);
+            QCOMPARE(made.place, std::size_t(0));
+            QVERIFY(!made.tool);
+        }
+        QCOMPARE(code_of([&] { new_operation("drill", p); }), std::string("out_of_range"));
+    }
+};
+
+FACETMILL_TEST(TestNewOperation)
+#include "test_new_operation.moc"
