@@ -299,6 +299,14 @@ QString ParameterForm::error(const std::string& key) const {
     return {};
 }
 
+void ParameterForm::set_remarks(const std::map<std::string, QString>& remarks) {
+    for (Row& row : rows_) {
+        if (row.invalid) continue;
+        const auto at = remarks.find(row.info->key);
+        show_error(row, at != remarks.end() ? at->second : QString(), false);
+    }
+}
+
 void ParameterForm::show_error(Row& row, const QString& message, bool invalid) {
     const bool was_valid = valid();
     row.invalid = invalid;

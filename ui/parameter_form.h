@@ -53,6 +53,8 @@ public:
     /// need more than the one value.
     void set_error(const std::string& key, const QString& message);
     QString error(const std::string& key) const;
+    /// Text under fields whose values are good by themselves; those of before go. Errors stay before it.
+    void set_remarks(const std::map<std::string, QString>& remarks);
 
 signals:
     /// A value that passed its check and differs from the shown one.

@@ -1,6 +1,7 @@
 #include "ui/properties_panel.h"
 
 #include "core/base/tolerances.h"
+#include "core/job/setting_remarks.h"
 #include "core/job/work_estimate.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
@@ -9,6 +10,7 @@
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "ui/tool_sketch.h"
 
 #include <QLabel>
@@ -272,6 +274,7 @@ void PropertiesPanel::refresh() {
     const bool build = now != shape_;
     shape_ = now;
     QString title, hint;
+    bool alarm = false; // what the hint says is wrong
     bool form = false, tool = false, mesh_stock = false, regions = false;
     const auto show = [&](const Parameterized& values,
                           const std::map<std::string, std::vector<FormChoice>>& choices = {},
@@ -329,13 +332,18 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
-        hint = work_hint(project, document_.part(), operation);
+        std::map<std::string, QString> remarks;
+        for (const SettingRemark& r : setting_remarks(project, node_->index))
+            remarks[r.key] = text(r.message);
+        alarm = remarks.contains({});
+        hint = alarm ? remarks[{}] : work_hint(project, document_.part(), operation);
         form_->set_pickable(axis_points);
         show(operation,
              {{"tool", tool_choices(project, false)},
               {"previous_tool", tool_choices(project, false)},
               {"rework_tool", tool_choices(project, true)}},
              hidden_keys(operation));
+        form_->set_remarks(remarks);
         regions = operation.rework() != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
         title = tr("Stock after “%1”").arg(text(project.operations[node_->index]->common().name));
@@ -348,14 +356,22 @@ void PropertiesPanel::refresh() {
     }
     title_->set_text(title);
     title_->setVisible(!title.isEmpty());
-    hint_->setText(hint);
-    hint_->setVisible(!hint.isEmpty());
+    show_hint(hint, alarm);
     form_->setVisible(form);
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
     choose_stock_->setVisible(mesh_stock);
     edit_regions_->setVisible(regions);
     if (build && !form) form_->set_parameters({}, unit);
+}
+
+void PropertiesPanel::show_hint(const QString& hint, bool alarm) {
+    hint_->setText(hint);
+    hint_->setForegroundRole(alarm ? QPalette::WindowText : QPalette::PlaceholderText);
+    QPalette shades = palette();
+    if (alarm) shades.setColor(QPalette::WindowText, signal_colors(shades).bad);
+    hint_->setPalette(shades);
+    hint_->setVisible(!hint.isEmpty());
 }
 
 void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {

@@ -48,6 +48,8 @@ signals:
 
 private:
     void refresh();
+    /// `alarm`: it says what is wrong.
+    void show_hint(const QString& hint, bool alarm);
     void take(const std::string& key, const ParameterValue& value);
     QString shape() const;
 

@@ -105,6 +105,28 @@ private slots:
         QCOMPARE(first_operation(w()).name, std::string("Finish"));
     }
 
+    void what_planning_would_refuse_is_said_in_the_form() {
+        QVERIFY(open_part());
+        const std::size_t rough = w().document().add_operation("rough");
+        QCOMPARE(rough, std::size_t(0));
+        w().tree().select({TreeNode::Kind::operation, rough});
+        enter(w(), "stepover", QStringLiteral("50"));
+        QVERIFY(error_under(w(), "stepover").startsWith(QStringLiteral("Wider than the tool")));
+        QVERIFY(w().properties().commit()); // the value itself is good, and is kept
+        QCOMPARE(std::get<double>(w().document().operation(rough).get("stepover")), 50 * 25.4);
+        shot(w(), QStringLiteral("remark-under-field"));
+        enter(w(), "stepover", QStringLiteral("auto"));
+        QVERIFY(error_under(w(), "stepover").isEmpty());
+
+        w().tree().select({TreeNode::Kind::operation, w().document().add_operation("finish5")});
+        auto* hint = w().properties().findChild<QLabel*>(QStringLiteral("properties_hint"));
+        QVERIFY(hint && hint->isVisible());
+        QVERIFY2(hint->text().contains(QStringLiteral("no rotary axis")), qPrintable(hint->text()));
+        shot(w(), QStringLiteral("remark-on-machine"));
+        w().document().change(QStringLiteral("Machine"), [](Project& p) { p.machine = "tarus-tpi-2000"; });
+        QVERIFY(!hint->text().contains(QStringLiteral("rotary")));
+    }
+
     void an_open_entry_counts_when_planning() {
         QVERIFY(open_part());
         w().tree().select({TreeNode::Kind::operation, 0});
@@ -148,18 +170,20 @@ private slots:
         tree.add_operation_menu()->actions().front()->trigger();
         QCOMPARE(w().document().operation_count(), std::size_t(3));
         QCOMPARE(tree.selected()->index, std::size_t(2));
+        QCOMPARE(w().document().operation(2).kind(), std::string_view("cleanup"));
+        QCOMPARE(w().document().project().tools.size(), std::size_t(2)); // it brought a smaller one
         tree.remove_action()->trigger();
         QCOMPARE(w().document().operation_count(), std::size_t(2));
 
         tree.select({TreeNode::Kind::tool, 0});
         tree.remove_action()->trigger(); // an operation needs it
-        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+        QCOMPARE(w().document().project().tools.size(), std::size_t(2));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("uses this tool")));
         tree.duplicate_action()->trigger();
-        QCOMPARE(w().document().project().tools.size(), std::size_t(2));
-        QCOMPARE(w().document().project().tools[1].number, 2L);
+        QCOMPARE(w().document().project().tools.size(), std::size_t(3));
+        QCOMPARE(w().document().project().tools[1].number, 3L);
         tree.remove_action()->trigger();
-        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+        QCOMPARE(w().document().project().tools.size(), std::size_t(2));
         // All of it can be taken back.
         while (w().document().undo_stack().canUndo())
             w().document().undo_stack().undo();

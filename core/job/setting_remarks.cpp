@@ -1,0 +1,96 @@
+#include "core/job/setting_remarks.h"
+
+#include "core/strategy/plan/plan_text.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+class Remarks {
+public:
+    Remarks(const Project& project, const Operation& operation)
+        : project_(project), operation_(operation), text_{project.unit} {}
+
+    std::vector<SettingRemark> run() {
+        if (const Tool* tool = tool_of(operation_.common().tool)) {
+            lengths(*tool);
+            further_tools(*tool);
+        }
+        machine();
+        return std::move(remarks_);
+    }
+
+private:
+    void add(const char* key, std::string message) { remarks_.push_back({key, std::move(message)}); }
+
+    const Tool* tool_of(long number) const {
+        const auto t = std::ranges::find(project_.tools, number, &Tool::number);
+        return t != project_.tools.end() ? &*t : nullptr;
+    }
+
+    /// The number of a parameter that may also be a word; 0 where it is one, or there is none.
+    double number(const char* key) const {
+        if (!operation_.has(key)) return 0;
+        const ParameterValue value = operation_.get(key);
+        const auto* n = std::get_if<double>(&value);
+        return n ? *n : 0;
+    }
+
+    void lengths(const Tool& tool) {
+        if (number("stepover") > tool.diameter)
+            add("stepover", "Wider than the tool, whose diameter is " + text_(tool.diameter)
+                                + ": walls would stay between the passes");
+        if (number("depth") > tool.flute_length)
+            add("depth", "Longer than the tool's flutes, which are " + text_(tool.flute_length));
+        if (number("depth_of_cut") > tool.flute_length)
+            add("depth_of_cut", "Longer than the tool's flutes, which are " + text_(tool.flute_length));
+        if (operation_.common().tolerance > 0.5 * tool.diameter)
+            add("tolerance", "More than the tool's radius, which is " + text_(0.5 * tool.diameter));
+    }
+
+    void further_tools(const Tool& tool) {
+        for (const char* key : {"previous_tool", "rework_tool"}) {
+            if (!operation_.has(key)) continue;
+            const bool cleans = operation_.purpose() == Purpose::cleaning;
+            const Tool* other = tool_of(std::get<long>(operation_.get(key)));
+            if (!other) continue;
+            if (other == &tool)
+                add(key, cleans ? "The operation's own tool: it cannot clean up what it leaves itself"
+                                : "The operation's own tool: it cannot rework what it leaves itself");
+            else if (const auto& small = cleans ? tool : *other, &large = cleans ? *other : tool;
+                     small.diameter >= large.diameter && small.corner_radius >= large.corner_radius)
+                add(key, "No larger than the tool that is to come in after it: " + large.name + " and "
+                             + small.name);
+        }
+    }
+
+    void machine() {
+        std::size_t rotary = 0;
+        try {
+            rotary = project_machine(project_).rotary.size();
+        } catch (const Error&) {
+            return; // that is told where the machine is chosen
+        }
+        if (operation_.turning() && rotary == 0)
+            add("", "The machine has no rotary axis that turns the part: choose a lathe-mill.");
+        else if (!operation_.turning() && !operation_.three_axis() && rotary < 2)
+            add("", "The operation inclines the tool in five axes; the machine has "
+                        + std::string(rotary == 0 ? "no rotary axis" : "one rotary axis")
+                        + ": choose one with two.");
+    }
+
+    const Project& project_;
+    const Operation& operation_;
+    PlanText text_;
+    std::vector<SettingRemark> remarks_;
+};
+
+} // namespace
+
+std::vector<SettingRemark> setting_remarks(const Project& project, std::size_t operation) {
+    return Remarks(project, *project.operations.at(operation)).run();
+}
+
+} // namespace facetmill
