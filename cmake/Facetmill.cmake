@@ -161,23 +161,40 @@ endif()
 set(FACETMILL_TEST_TIMEOUT 1800)
 set(FACETMILL_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=1800000) # ms
 
-# facetmill_moc(TARGET SOURCES ...): runs moc for the sources that include their .moc. One short command for each, where
-# AUTOMOC takes seconds per target to look for them. It is told the target's definitions, or it would not see slots that stand
-# under one of them, but no folders: what a class declares stands in its source, and headers of Qt take it fifty times as long.
-function(facetmill_moc target)
+# facetmill_run_moc(TARGET READ MADE): runs moc as a source of the target, in one short command, where AUTOMOC takes seconds per
+# target to look for them. It is told the target's definitions, or it would not see slots that stand under one of them, but no
+# folders: what a class declares stands in the file itself, and headers of Qt take it fifty times as long.
+function(facetmill_run_moc target read made)
     set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
+    cmake_path(ABSOLUTE_PATH read BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    add_custom_command(OUTPUT ${made} DEPENDS ${read} VERBATIM COMMAND_EXPAND_LISTS
+        COMMAND Qt6::moc "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" ${ARGN} -o ${made} ${read})
+    target_sources(${target} PRIVATE ${made})
+endfunction()
+
+# facetmill_moc(TARGET SOURCES ...): for the sources that include their .moc.
+function(facetmill_moc target)
     foreach(source IN LISTS ARGN)
         cmake_path(GET source STEM stem)
         file(STRINGS ${source} included REGEX "^#include \"${stem}\\.moc\"")
         if(included)
-            set(made ${CMAKE_CURRENT_BINARY_DIR}/${stem}.moc)
-            cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE read)
-            add_custom_command(OUTPUT ${made} DEPENDS ${read} VERBATIM COMMAND_EXPAND_LISTS
-                COMMAND Qt6::moc "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" -o ${made} ${read})
-            target_sources(${target} PRIVATE ${made})
+            facetmill_run_moc(${target} ${source} ${CMAKE_CURRENT_BINARY_DIR}/${stem}.moc)
         endif()
     endforeach()
     target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# facetmill_moc_headers(TARGET FOLDER SOURCES ...): for the headers of the sources that declare anything to moc; FOLDER: from the root.
+function(facetmill_moc_headers target folder)
+    foreach(source IN LISTS ARGN)
+        cmake_path(GET source STEM stem)
+        if(source MATCHES "\\.cpp$" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${stem}.h)
+            file(STRINGS ${stem}.h objects REGEX "^ *(Q_OBJECT|Q_NAMESPACE|Q_GADGET)")
+            if(objects)
+                facetmill_run_moc(${target} ${stem}.h ${CMAKE_CURRENT_BINARY_DIR}/moc_${stem}.cpp -f ${folder}/${stem}.h)
+            endif()
+        endif()
+    endforeach()
 endfunction()
 
 # facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] SOURCES ...): a QtTest program whose
