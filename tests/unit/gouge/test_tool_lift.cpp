@@ -155,6 +155,37 @@ private slots:
         }
     }
 
+    /// Which way a facet is wound says nothing, and the bounds over many of them, whose normals then look
+    /// either way, must hold: slopes with spikes of one height, all on one side, which a broad cutter meets
+    /// two or three of.
+    void winding_changes_nothing() {
+        Random rng(31);
+        const CutterProfile broad(AptCutter::bull(40, 1, 20));
+        for (const double spike : {1.0, 2.0, -1.0}) {
+            const auto mesh = field(
+                48, 60,
+                [&](double x, double y) { return 0.9 * x - 0.5 * y + (whole(rng, 0, 99) == 0 ? spike : 0); },
+                0.2, 11);
+            const auto wound = std::make_shared<Mesh>(*mesh);
+            for (Facet& f : wound->facets)
+                if (whole(rng, 0, 1)) std::swap(f[1], f[2]);
+            const ToolLift one(std::make_shared<ContactIndex>(mesh, Progress()), broad),
+                other(std::make_shared<ContactIndex>(wound, Progress()), broad);
+            for (int i = 0; i < trials(1000, 2); ++i) {
+                const Vec2 at(uniform(rng, 0, 60), uniform(rng, 0, 60));
+                const ToolPose pose{
+                    Vec3(at.x(), at.y(), 0.9 * at.x() - 0.5 * at.y()),
+                    (Vec3(-0.9, 0.5, 1).normalized() + 0.01 * random_axis(rng, -1)).normalized()};
+                const double wanted = one.lift(pose), got = other.lift(pose);
+                QVERIFY2(agree(got, wanted, 1e-9),
+                         qPrintable(QString("%1: %2, not %3").arg(i).arg(got).arg(wanted)));
+                if (i % 400 == 0)
+                    QVERIFY(
+                        agree(got, brute_lift(BruteCutter(broad.cutter()), turned(*mesh, pose), 0, 0), 1e-8));
+            }
+        }
+    }
+
     void contact_is_on_part_and_tool() {
         const auto mesh = hills(24, 60, 4, 0.3);
         const Tool tool = some_tool();

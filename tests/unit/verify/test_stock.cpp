@@ -553,6 +553,33 @@ private slots:
         QVERIFY(same_stock(playback.stock(), fresh.stock()));
     }
 
+    /// A flat end of radius 3 from beside a block straight into it, 5 deep: at every position it is where its
+    /// share of the motion says, and all that it has passed is gone.
+    void playback_stops_within_a_motion() {
+        const StockSolid solid = box_stock(Vec3(0, 0, 0), Vec3(40, 20, 10));
+        StockPlayback playback(solid,
+                               {program_of(AptCutter::flat(6, 20),
+                                           {upright(-3, 10, 5), upright(12, 10, 5), upright(27, 10, 5)})},
+                               0.5, Progress());
+        const StockLattice& lattice = playback.stock().lattice();
+        const auto along_x = [&](double y, double z) {
+            return playback.stock().stretches(
+                0, int(std::lround((y - lattice.origin.y()) / lattice.spacing.y())),
+                int(std::lround((z - lattice.origin.z()) / lattice.spacing.z())));
+        };
+        // Forward, back, and within a motion that is cut by half already.
+        for (const double position : {1.25, 1.75, 2.25, 2.75, 2.125, 1.0, 3.0}) {
+            playback.go_to(position, Progress());
+            const double tip = 15 * (position - 1) - 3;
+            QVERIFY((playback.location(position).tip - Vec3(tip, 10, 5)).norm() < 1e-12);
+            const auto cut = along_x(10, 8), below = along_x(10, 4);
+            QCOMPARE(cut.size(), std::size_t(1));
+            QVERIFY2(std::abs(cut[0][0] - (tip + 3)) < 1e-4 && std::abs(cut[0][1] - 40) < 1e-4,
+                     qPrintable(QString("%1: %2 to %3").arg(position).arg(cut[0][0]).arg(cut[0][1])));
+            QVERIFY(below.size() == 1 && std::abs(below[0][0]) < 1e-4);
+        }
+    }
+
     void the_surface_is_closed_however_torn() {
         // Thin walls and stretches that touch at corners only, in every constellation.
         std::mt19937 random(11);

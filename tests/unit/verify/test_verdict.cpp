@@ -3,6 +3,7 @@
 #include "core/setup/kinematics.h"
 #include "core/setup/machine.h"
 #include "core/verify/verify.h"
+#include "tests/support/error_code.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -99,6 +100,35 @@ private slots:
         QCOMPARE(v.uncut_share, 0.0);
         QVERIFY(v.uncut.empty());
         QVERIFY(v.figures.gouge_max < 1e-9);
+    }
+
+    /// What the stock would need is known before anything is cut. The advice leads to a resolution that fits,
+    /// of a stock of few tiles not always at once.
+    void a_stock_beyond_the_memory_is_refused_before_cutting() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid block = stock_of(part.box());
+        block.box.hi.z() = 2;
+        StockSolid cast = block;
+        cast.kind = StockSolid::Kind::mesh;
+        cast.mesh = std::make_shared<const Mesh>(box(block.box.lo, block.box.hi));
+        const VerifyProgram program = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        for (const StockSolid& stock : {block, cast}) {
+            VerifySettings s = asked();
+            s.resolution = 0.1;
+            s.max_stock_bytes = 1'200'000; // more than either needs at 0.2 mm, less than at 0.1
+            std::string message;
+            int refused = 0;
+            while (code_of([&] { judged(part, stock, program, s); }, &message) == "limit_exceeded") {
+                const auto advice = message.find("use at least ");
+                QVERIFY2(message.find(" mm needs about") != std::string::npos && advice != std::string::npos,
+                         message.c_str());
+                const double better = std::stod(message.substr(advice + 13));
+                QVERIFY2(better > s.resolution && better < 0.2, message.c_str());
+                s.resolution = better;
+                ++refused;
+            }
+            QVERIFY2(refused >= 1 && refused <= 3, qPrintable(QString::number(refused)));
+        }
     }
 
     /// A channel half a millimetre deep over the rim of a block is a gouge of that depth: how long a probe on
