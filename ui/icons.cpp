@@ -126,16 +126,21 @@ QIcon icon(Icon which) {
 }
 
 QIcon application_icon() {
-    QIcon result;
-    QSvgRenderer drawing(read(QStringLiteral("facetmill.svg")));
-    for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
-        QPixmap pixmap(side, side);
-        pixmap.fill(Qt::transparent);
-        QPainter p(&pixmap);
-        drawing.render(&p);
-        result.addPixmap(pixmap);
-    }
-    return result;
+    // Drawn once: what every window drew anew would be kept in Qt's cache of pixmaps once more for each of
+    // them.
+    static const QIcon made = [] {
+        QIcon result;
+        QSvgRenderer drawing(read(QStringLiteral("facetmill.svg")));
+        for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
+            QPixmap pixmap(side, side);
+            pixmap.fill(Qt::transparent);
+            QPainter p(&pixmap);
+            drawing.render(&p);
+            result.addPixmap(pixmap);
+        }
+        return result;
+    }();
+    return made;
 }
 
 QPixmap swatch(const Rgb& color, qreal device_pixel_ratio) {

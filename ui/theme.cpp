@@ -94,12 +94,16 @@ QString theme_name(Theme theme) {
     return QStringLiteral("system");
 }
 
+// Made once: what the style draws it keeps by palette, and a palette made anew, though of the same colours,
+// is another one.
 QPalette light_palette() {
-    return palette_of(colors_of(Palette::light).widgets);
+    static const QPalette made = palette_of(colors_of(Palette::light).widgets);
+    return made;
 }
 
 QPalette dark_palette() {
-    return palette_of(colors_of(Palette::dark).widgets);
+    static const QPalette made = palette_of(colors_of(Palette::dark).widgets);
+    return made;
 }
 
 QColor to_qt(const Rgb& color) {
