@@ -4,9 +4,9 @@
 #include "ui/settings.h"
 #include "ui/text.h"
 
+#include <QBuffer>
 #include <QFileDialog>
 #include <QObject>
-#include <QSaveFile>
 
 namespace facetmill::ui {
 
@@ -38,10 +38,12 @@ void export_file(QWidget* window, const QString& title, ExportFormat format, con
 }
 
 QString write_picture(const QString& path, const QImage& picture) {
-    QSaveFile file(path);
-    if (!picture.isNull() && file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit())
-        return {};
-    return QObject::tr("%1: the picture cannot be written (%2)").arg(path, file.errorString());
+    // In memory first: Qt's writer of pictures does not say that the disk was full.
+    QByteArray png;
+    QBuffer buffer(&png);
+    if (picture.isNull() || !buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
+        return QObject::tr("%1: there is no picture to write").arg(path);
+    return write_table(path, {png.constData(), std::size_t(png.size())});
 }
 
 QString write_table(const QString& path, std::string_view lines) {
