@@ -20,6 +20,21 @@
 using namespace facetmill;
 using namespace facetmill::test;
 
+namespace {
+
+/// A level crease of 90 degrees, what a ball of 10 leaves in it, and a ball of 4 to clean it up.
+struct Crease {
+    static constexpr double tolerance = 0.05;
+    const Mesh part =
+        height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+    const CutterOver before{part, ball_tool(10)}, ball{part, ball_tool(4)};
+    const ValleyInput in = before.valleys(tolerance);
+    const Valleys valleys = find_valleys(in, Progress());
+    const std::vector<RestBand> bands = rest_bands(in, valleys, Progress());
+};
+
+} // namespace
+
 class TestCleanupParts : public QObject {
     Q_OBJECT
 private slots:
@@ -205,11 +220,9 @@ private slots:
     /// A crease of 90 degrees, its valley level: a ball of radius R touches R away from it along both flanks,
     /// and leaves R (sqrt 2 - 1) in it.
     void a_crease_has_the_band_that_geometry_says() {
-        const Mesh part =
-            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const CutterOver ball(part, ball_tool(10));
-        const ValleyInput in = ball.valleys(0.05);
-        const Valleys valleys = find_valleys(in, Progress());
+        const Crease crease;
+        const auto& valleys = crease.valleys;
+        const auto& bands = crease.bands;
         QCOMPARE(valleys.curves.size(), std::size_t(1));
         for (const PencilPoint& p : valleys.curves[0].points) {
             if (std::abs(p.center.x()) > 14) continue; // the ends
@@ -217,7 +230,6 @@ private slots:
             QVERIFY(std::abs(p.gap - 5 * (std::sqrt(2.0) - 1)) < 1e-4);
             QVERIFY((p.up - Vec3::UnitZ()).norm() < 1e-4);
         }
-        const auto bands = rest_bands(in, valleys, Progress());
         QCOMPARE(bands.size(), std::size_t(1));
         QCOMPARE(bands[0].boundaries.size(), std::size_t(1));
         // The distance is the tolerance at s from the point that is touched: sqrt(R^2 + s^2) = R + tolerance.
@@ -228,13 +240,11 @@ private slots:
 
     /// Whole passes over a crease are taken away: as little is left as with them.
     void what_passes_leave_is_touched_up() {
-        const Mesh part =
-            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const double tolerance = 0.05;
-        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
-        const ValleyInput in = before.valleys(tolerance);
-        const Valleys valleys = find_valleys(in, Progress());
-        const auto bands = rest_bands(in, valleys, Progress());
+        const double tolerance = Crease::tolerance;
+        const Crease crease;
+        const auto& valleys = crease.valleys;
+        const auto& bands = crease.bands;
+        const CutterOver& ball = crease.ball;
         QCOMPARE(bands.size(), std::size_t(1));
         StripCutting with = ball.cutting();
         with.cusp = tolerance;
@@ -289,12 +299,10 @@ private slots:
     /// Passes beside the band, over what is finished, are left out, and of those along it what runs on over
     /// the part beyond it.
     void passes_that_take_nothing_away_are_left_out() {
-        const Mesh part =
-            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
-        const ValleyInput in = before.valleys(0.05);
-        const Valleys valleys = find_valleys(in, Progress());
-        const auto bands = rest_bands(in, valleys, Progress());
+        const Crease crease;
+        const auto& valleys = crease.valleys;
+        const auto& bands = crease.bands;
+        const CutterOver& ball = crease.ball;
         QCOMPARE(bands.size(), std::size_t(1));
         QCOMPARE(bands[0].left.size(), bands[0].band.size());
         StripCutting with = ball.cutting();
@@ -340,12 +348,10 @@ private slots:
     /// Passes that run over each other, as beside a crooked valley, and lines across them: about as much is
     /// kept as of one set, and it cuts the whole band.
     void of_passes_over_each_other_one_set_is_kept() {
-        const Mesh part =
-            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
-        const CutterOver before(part, ball_tool(10)), ball(part, ball_tool(4));
-        const ValleyInput in = before.valleys(0.05);
-        const Valleys valleys = find_valleys(in, Progress());
-        const auto bands = rest_bands(in, valleys, Progress());
+        const Crease crease;
+        const auto& valleys = crease.valleys;
+        const auto& bands = crease.bands;
+        const CutterOver& ball = crease.ball;
         QCOMPARE(bands.size(), std::size_t(1));
         const StripCutting with = ball.cutting();
         const StripCut one = cut_valley(with, valleys.curves[0], bands[0], Progress());
