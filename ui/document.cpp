@@ -216,11 +216,7 @@ void Document::move_operation(std::size_t i, int by) {
 }
 
 long Document::free_tool_number() const {
-    long n = 1;
-    while (std::any_of(project_.tools.begin(), project_.tools.end(),
-                       [&](const Tool& t) { return t.number == n; }))
-        ++n;
-    return n;
+    return facetmill::free_tool_number(project_.tools);
 }
 
 void Document::add_tool(const Tool& tool) {

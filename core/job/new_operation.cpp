@@ -139,8 +139,7 @@ private:
         if (!before) before = neighbor();
         const Tool* previous = &project_.tools.front();
         if (before) {
-            const auto its = std::ranges::find(project_.tools, before->common().tool, &Tool::number);
-            if (its != project_.tools.end()) previous = &*its;
+            if (const Tool* its = find_tool(project_.tools, before->common().tool)) previous = its;
             common().tolerance = before->common().tolerance;
             common().allowance = before->purpose() == Purpose::finishing ? before->common().allowance : 0;
         }
@@ -158,9 +157,7 @@ private:
     /// A ball of half its size, as slim as that above its flutes.
     Tool half_of(const Tool& tool) const {
         Tool half = tool;
-        half.number = 1;
-        while (std::ranges::find(project_.tools, half.number, &Tool::number) != project_.tools.end())
-            ++half.number;
+        half.number = free_tool_number(project_.tools);
         half.diameter = half.shank_diameter = 0.5 * tool.diameter;
         half.corner_radius = 0.5 * half.diameter;
         half.bottom_angle = half.taper_angle = 0;

@@ -105,11 +105,10 @@ Machine project_machine(const Project& project) {
 namespace {
 
 const Tool& tool_by_number(const std::vector<Tool>& tools, long number, const Operation& operation) {
+    if (const Tool* tool = find_tool(tools, number)) return *tool;
     std::string known;
-    for (const Tool& t : tools) {
-        if (t.number == number) return t;
+    for (const Tool& t : tools)
         known += (known.empty() ? "" : ", ") + std::to_string(t.number);
-    }
     throw Error(ErrorCode::missing_reference, "operation '" + printable(operation.common().name) + "'",
                 "there is no tool " + std::to_string(number),
                 known.empty() ? "the project has no tools: add one" : "tools there are: " + known);

@@ -2,8 +2,6 @@
 
 #include "core/strategy/plan/plan_text.h"
 
-#include <algorithm>
-
 namespace facetmill {
 
 namespace {
@@ -14,7 +12,7 @@ public:
         : project_(project), operation_(operation), text_{project.unit} {}
 
     std::vector<SettingRemark> run() {
-        if (const Tool* tool = tool_of(operation_.common().tool)) {
+        if (const Tool* tool = find_tool(project_.tools, operation_.common().tool)) {
             lengths(*tool);
             further_tools(*tool);
         }
@@ -24,11 +22,6 @@ public:
 
 private:
     void add(const char* key, std::string message) { remarks_.push_back({key, std::move(message)}); }
-
-    const Tool* tool_of(long number) const {
-        const auto t = std::ranges::find(project_.tools, number, &Tool::number);
-        return t != project_.tools.end() ? &*t : nullptr;
-    }
 
     /// The number of a parameter that may also be a word; 0 where it is one, or there is none.
     double number(const char* key) const {
@@ -54,7 +47,7 @@ private:
         for (const char* key : {"previous_tool", "rework_tool"}) {
             if (!operation_.has(key)) continue;
             const bool cleans = operation_.purpose() == Purpose::cleaning;
-            const Tool* other = tool_of(std::get<long>(operation_.get(key)));
+            const Tool* other = find_tool(project_.tools, std::get<long>(operation_.get(key)));
             if (!other) continue;
             if (other == &tool)
                 add(key, cleans ? "The operation's own tool: it cannot clean up what it leaves itself"

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/cutter/refuse.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
@@ -178,6 +179,18 @@ void check_tool(const Tool& tool) {
                "the holder of " + mm(tool.holder.front().diameter) + " cannot hold a shank of "
                    + mm(tool.shank_diameter),
                "enter a smaller shank_diameter or a larger holder");
+}
+
+const Tool* find_tool(const std::vector<Tool>& tools, long number) {
+    const auto found = std::ranges::find(tools, number, &Tool::number);
+    return found != tools.end() ? &*found : nullptr;
+}
+
+long free_tool_number(const std::vector<Tool>& tools) {
+    long number = 1;
+    while (find_tool(tools, number))
+        ++number;
+    return number;
 }
 
 } // namespace facetmill

@@ -39,6 +39,11 @@ struct Tool {
     std::string shape_name() const;
 };
 
+/// The tool of a list with this number; null where there is none.
+const Tool* find_tool(const std::vector<Tool>& tools, long number);
+/// The smallest number that no tool of a list has.
+long free_tool_number(const std::vector<Tool>& tools);
+
 const ParameterTable<HolderSection>& holder_parameters();
 inline constexpr RecordList<HolderSection> holder_list{"holder", holder_parameters};
 const ParameterTable<Tool>& tool_parameters();
