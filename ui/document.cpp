@@ -120,11 +120,8 @@ void Document::saved(const Project& written) {
             good[i] = it->second.fingerprint == fingerprint(project_, i);
     const std::filesystem::path before = project_.part_path();
     project_.path = written.path;
-    project_.part.file = written.part.file;
+    take_inputs(project_, written);
     note_copy(copies_, before, project_.part_path());
-    project_.stock.file = written.stock.file;
-    project_.machine = written.machine;
-    project_.programs.post = written.programs.post;
     if (current) part_key_ = part_key(project_);
     for (std::size_t i = 0; i < good.size(); ++i)
         if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);

@@ -35,14 +35,6 @@ QString named(const ProjectInput& input) {
     return QObject::tr("the %1's file “%2”").arg(text(input_name(input.kind)), file_name(input));
 }
 
-/// Takes over which files a project names, and nothing else.
-void take_files(Project& to, const Project& from) {
-    to.part.file = from.part.file;
-    to.stock.file = from.stock.file;
-    to.machine = from.machine;
-    to.programs.post = from.programs.post;
-}
-
 } // namespace
 
 InputsController::InputsController(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job,
@@ -158,7 +150,7 @@ void InputsController::take_located(const Project& candidate, const ProjectInput
     if (Document::part_key(candidate) == Document::part_key(document_.project())) {
         // No mesh is another one.
         missing_ = missing_inputs(candidate);
-        document_.change(step, [&](Project& p) { take_files(p, candidate); });
+        document_.change(step, [&](Project& p) { take_inputs(p, candidate); });
         tell(found);
         return;
     }
@@ -183,7 +175,7 @@ void InputsController::take(const Project& candidate, const QString& step, const
             if (refused || !end.done()) return;
             messages_.succeeded();
             missing_ = missing_inputs(candidate); // told with the rest
-            part_.show_with_step(*loaded, step, [&](Project& p) { take_files(p, candidate); });
+            part_.show_with_step(*loaded, step, [&](Project& p) { take_inputs(p, candidate); });
             QStringList said{found, part_.taken_change()};
             if (bad_stock) said << sentence(loaded->stock_failure);
             said.removeAll(QString());

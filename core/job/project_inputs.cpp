@@ -90,6 +90,13 @@ void set_input(Project& project, ProjectInput::Kind kind, const fs::path& file) 
     input_file(project, kind) = named.generic_string();
 }
 
+void take_inputs(Project& to, const Project& from) {
+    to.part.file = from.part.file;
+    to.stock.file = from.stock.file;
+    to.machine = from.machine;
+    to.programs.post = from.programs.post;
+}
+
 std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& missing, const fs::path& file) {
     const std::vector<ProjectInput> others = missing_inputs(project);
     std::error_code ec;

@@ -33,6 +33,8 @@ void check_inputs(const Project& project);
 /// Names another file, relative to the project's where that has a place on disk and links on the way do not
 /// lead elsewhere.
 void set_input(Project& project, ProjectInput::Kind kind, const std::filesystem::path& file);
+/// Takes over which files another project names, and nothing else.
+void take_inputs(Project& to, const Project& from);
 /// Names `file` in place of a missing one. Other missing files that lie as they did beside it, or under their
 /// old names in its folder, are named as well: those are returned.
 std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& missing,
