@@ -149,8 +149,8 @@ private:
         return !with_.standing || best <= allowed_ || with_.standing->stands(p, l.before, best + allowed_);
     }
 
-    /// Where more is left than need be. Most places where it may be turn out well: so they are asked to the
-    /// end some at a time, and only those are kept of which it is true.
+    /// Where more is left than need be. Places are asked to the end some at a time, so that only those are
+    /// kept of which it is true.
     void find(const Progress& progress) {
         const std::vector<Place> all = places(progress.part(0, 0.1));
         // Where the cutter does not touch, what is left changes less from place to place.
