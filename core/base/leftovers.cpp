@@ -1,5 +1,7 @@
 #include "core/base/leftovers.h"
 
+#include "core/base/file_lock.h"
+
 #include <cerrno>
 #include <charconv>
 #include <optional>
@@ -31,45 +33,6 @@ std::string random_name() {
     return name;
 }
 
-bool is_same_file(int fd, const fs::path& path) {
-    struct ::stat open {
-    }, named{};
-    return ::fstat(fd, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev
-           && open.st_ino == named.st_ino;
-}
-
-/// A file that a killed run of this user left, locked as long as this lives.
-class Leftover {
-public:
-    explicit Leftover(const fs::path& path)
-        : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)) {
-        struct ::stat info {};
-        const bool ours = fd_ >= 0 && ::fstat(fd_, &info) == 0 && S_ISREG(info.st_mode)
-                          && info.st_uid == ::geteuid() && ::flock(fd_, LOCK_EX | LOCK_NB) == 0
-                          && is_same_file(fd_, path);
-        if (!ours) close();
-    }
-    ~Leftover() { close(); }
-    Leftover(const Leftover&) = delete;
-    Leftover& operator=(const Leftover&) = delete;
-
-    explicit operator bool() const { return fd_ >= 0; }
-    std::string bytes() const {
-        std::string all;
-        char block[4096];
-        for (ssize_t n = 0; (n = ::read(fd_, block, sizeof block)) > 0;)
-            all.append(block, std::size_t(n));
-        return all;
-    }
-
-private:
-    void close() {
-        if (fd_ >= 0) ::close(fd_);
-        fd_ = -1;
-    }
-    int fd_;
-};
-
 /// What stands after the letters of such a file's name: "", ".set", ".before"; none for any other file.
 std::optional<std::string> ending_of(const std::string& name) {
     if (!name.starts_with(beside) || name.size() < beside.size() + random_letters) return std::nullopt;
@@ -94,7 +57,7 @@ void clear(const fs::path& folder) {
     const std::vector<std::string> second_names = leftovers_in(folder, before_ending);
     bool committing = false;
     for (const std::string& name : leftovers_in(folder, set_ending)) {
-        const Leftover record(folder / name);
+        const FileLock record(folder / name);
         if (!record) {
             committing = true;
             continue;
@@ -103,7 +66,7 @@ void clear(const fs::path& folder) {
         fs::remove(folder / name, ec);
     }
     for (const std::string& name : leftovers_in(folder, {}))
-        if (const Leftover file(folder / name); file) fs::remove(folder / name, ec);
+        if (const FileLock file(folder / name); file) fs::remove(folder / name, ec);
     if (committing) return;
     for (const std::string& name : second_names) {
         struct ::stat info {};

@@ -1,5 +1,6 @@
 // Outputs under attack: killed at every step, on full disks, over what must stay.
 #include "core/base/file.h"
+#include "core/base/file_lock.h"
 #include "core/base/leftovers.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
@@ -291,6 +292,44 @@ private slots:
         QCOMPARE(contents(folder)["in"], std::string("before"));
         OutputFile after(folder / "in"); // a workbench saves what it has opened
         after.commit();
+    }
+
+    void locks_go_with_their_process() {
+        QTemporaryDir dir;
+        const fs::path path = dir.path().toStdString() + "/a";
+        using detail::FileLock;
+        QVERIFY(!FileLock(path)); // there is none
+        QVERIFY(!fs::exists(path));
+        FileLock first(path, FileLock::Open::or_make);
+        QVERIFY(bool(first));
+        QVERIFY(!FileLock(path) && !FileLock(path, FileLock::Open::or_make));
+        FileLock moved = std::move(first);
+        QVERIFY(!first && moved && !FileLock(path));
+        moved.unlock();
+        QVERIFY(bool(FileLock(path)));
+        // Another process holds it, and is killed.
+        int ready[2];
+        QVERIFY(::pipe(ready) == 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const FileLock theirs(path);
+            const char locked = theirs ? 'y' : 'n';
+            if (::write(ready[1], &locked, 1) == 1) ::pause();
+            ::_exit(1);
+        }
+        char locked = 0;
+        QVERIFY(::read(ready[0], &locked, 1) == 1);
+        QCOMPARE(locked, 'y');
+        QVERIFY(!FileLock(path));
+        ::kill(child, SIGKILL);
+        QCOMPARE(::waitpid(child, nullptr, 0), child);
+        QVERIFY(bool(FileLock(path)));
+        ::close(ready[0]);
+        ::close(ready[1]);
+        // Through a link it would be somebody else's file.
+        fs::create_symlink("a", dir.path().toStdString() + "/link");
+        QVERIFY(!FileLock(dir.path().toStdString() + "/link"));
+        QVERIFY(!FileLock(dir.path().toStdString())); // a folder
     }
 };
 
