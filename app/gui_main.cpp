@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/mesh/mesh_format.h"
 #include "facetmill_version.h"
+#include "ui/export.h"
 #include "ui/main_window.h"
 #include "ui/project_files.h"
 #include "ui/settings.h"
@@ -182,10 +183,10 @@ private:
         if (!window_.busy()) QTimer::singleShot(0, this, &Script::next); // nothing to wait for
     }
     void take_picture() {
-        bool good = window_.grab().save(options_.screenshot, "PNG");
-        if (!good)
-            std::fprintf(stderr, "facetmill: %s: the picture cannot be written (choose another place)\n",
-                         qPrintable(options_.screenshot));
+        const QString wrong =
+            ui::write_picture(window_.document(), options_.screenshot, window_.grab().toImage());
+        bool good = wrong.isEmpty();
+        if (!good) std::fprintf(stderr, "facetmill: %s\n", qPrintable(wrong));
         if (!window_.last_failure().isEmpty()) {
             std::fprintf(stderr, "facetmill: %s\n", qPrintable(window_.last_failure()));
             good = false;

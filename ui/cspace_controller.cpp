@@ -356,12 +356,13 @@ bool CSpaceController::save_picture(const QString& path) {
     scene.set_title(utf8(heading()), free);
     const QImage picture = panel_->view()->export_picture(cspace_picture_size);
     scene.set_title({}, free);
-    return report_written(path, write_picture(path, picture));
+    return report_written(path, write_picture(document_, path, picture));
 }
 
 bool CSpaceController::save_table(const QString& path) {
     if (!shown_ || !studies_->study()) return false;
-    return report_written(path, write_table(path, cspace_csv(*studies_->study(), *shown_, document_.unit())));
+    return report_written(
+        path, write_table(document_, path, cspace_csv(*studies_->study(), *shown_, document_.unit())));
 }
 
 QString CSpaceController::export_name() const {

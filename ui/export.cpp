@@ -1,6 +1,7 @@
 #include "ui/export.h"
 
 #include "core/base/file.h"
+#include "ui/document.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 
@@ -31,23 +32,35 @@ QString ask(QWidget* window, const QString& title, ExportFormat format, QString 
 
 } // namespace
 
+void keep_files(const Document& document, const std::filesystem::path& output) {
+    keep_inputs(document.project(), output);
+    keep_program(document, output);
+}
+
+void keep_program(const Document& document, const std::filesystem::path& output) {
+    if (const auto& program = document.program())
+        for (const std::filesystem::path& file : program->files)
+            refuse_to_overwrite(file, output);
+}
+
 void export_file(QWidget* window, const QString& title, ExportFormat format, const QString& name,
                  const std::function<void(const QString& path)>& write) {
     const QString path = ask(window, title, format, name);
     if (!path.isEmpty()) write(path);
 }
 
-QString write_picture(const QString& path, const QImage& picture) {
+QString write_picture(const Document& document, const QString& path, const QImage& picture) {
     // In memory first: Qt's writer of pictures does not say that the disk was full.
     QByteArray png;
     QBuffer buffer(&png);
     if (picture.isNull() || !buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
         return QObject::tr("%1: there is no picture to write").arg(path);
-    return write_table(path, {png.constData(), std::size_t(png.size())});
+    return write_table(document, path, {png.constData(), std::size_t(png.size())});
 }
 
-QString write_table(const QString& path, std::string_view lines) {
+QString write_table(const Document& document, const QString& path, std::string_view lines) {
     try {
+        keep_files(document, path_of(path));
         OutputFile file(path_of(path));
         file.write(lines);
         file.commit();

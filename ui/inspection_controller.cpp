@@ -245,12 +245,13 @@ QString InspectionController::export_name() const {
 
 bool InspectionController::save_picture(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    return report_written(path, write_picture(path, panel_->plot()->picture(inspection_picture_size)));
+    return report_written(path,
+                          write_picture(document_, path, panel_->plot()->picture(inspection_picture_size)));
 }
 
 bool InspectionController::save_table(const QString& path) {
     if (panel_->plot()->empty()) return false;
-    return report_written(path, write_table(path, chart_.table()));
+    return report_written(path, write_table(document_, path, chart_.table()));
 }
 
 } // namespace facetmill::ui

@@ -153,6 +153,12 @@ void ProgramExport::save_sheet(const QString& path) {
     const auto plan = document_.complete_plan(); // what was verified, with what is said of the stock
     const auto verification = verification_.model().outcome().verification;
     const std::filesystem::path target = path_of(path);
+    try {
+        keep_files(document_, target);
+    } catch (const Error& e) {
+        messages_.fail(text(e.what()));
+        return;
+    }
     job_.start(
         tr("Writing the setup sheet"),
         [=](const Progress& p) {
@@ -177,7 +183,7 @@ void ProgramExport::picture_with_dialog() {
 }
 
 bool ProgramExport::save_picture(const QString& path) {
-    if (const QString wrong = write_picture(path, viewport_.full_picture()); !wrong.isEmpty()) {
+    if (const QString wrong = write_picture(document_, path, viewport_.full_picture()); !wrong.isEmpty()) {
         messages_.fail(wrong);
         return false;
     }

@@ -4,6 +4,7 @@
 #include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
+#include "ui/export.h"
 #include "ui/messages.h"
 #include "ui/part_dialog.h"
 #include "ui/properties_panel.h"
@@ -290,6 +291,7 @@ bool ProjectFiles::save_to(const QString& path) {
     }
     try {
         const std::filesystem::path target = path_of(QFileInfo(path).absoluteFilePath());
+        keep_program(document_, target);
         Project copy = document_.project();
         const std::filesystem::path part = copy.part_path();
         move_project(copy, target);

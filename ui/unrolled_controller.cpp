@@ -132,7 +132,7 @@ QString UnrolledController::export_name() const {
 }
 
 bool UnrolledController::save_picture(const QString& path) {
-    return report_written(path, write_picture(path, view_->picture(unrolled_picture_size)));
+    return report_written(path, write_picture(document_, path, view_->picture(unrolled_picture_size)));
 }
 
 } // namespace facetmill::ui

@@ -68,6 +68,7 @@ OpenedProgram open_program(const Project& project, const std::vector<std::filesy
         std::move(cl.remarks.begin(), cl.remarks.end(), std::back_inserter(opened.remarks));
     }
     opened.name = name_of(files);
+    opened.files = files;
     progress.set(1.0);
     return opened;
 }
@@ -79,6 +80,7 @@ OpenedProgram open_posted(const Project& project, const PreparedPart& part, cons
     opened.remarks.push_back(posted_remark(post, read.blocks, read.seconds));
     add_programs(opened, project, std::move(read.programs), read.sections, progress.part(0.7, 1));
     opened.name = name_of(files);
+    opened.files = files;
     progress.set(1.0);
     return opened;
 }

@@ -11,7 +11,8 @@
 namespace facetmill {
 
 struct OpenedProgram {
-    std::string name;                    ///< of the file, "a.apt", or "a.apt and 2 more"
+    std::string name; ///< of the file, "a.apt", or "a.apt and 2 more"
+    std::vector<std::filesystem::path> files;
     std::vector<VerifyProgram> programs; ///< in machining order
     /// One for each: its section of the file and what it takes. Their paths are empty.
     std::vector<std::shared_ptr<const OperationResult>> operations;

@@ -1,14 +1,23 @@
 // What users do that nobody planned for: other files in the middle of a job, bad places, keys only.
+#include "core/output/post/post.h"
+#include "core/setup/machine.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/cspace_controller.h"
+#include "ui/inspection_controller.h"
+#include "ui/message_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/text.h"
 #include "ui/tool_dialog.h"
+#include "ui/unrolled_controller.h"
+#include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QElapsedTimer>
 #include <QFile>
@@ -18,6 +27,9 @@
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
+
+#include <functional>
+#include <map>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -35,6 +47,16 @@ class TestWindowMishaps : public QObject, private WindowFixture {
         QTest::keyClick(&w(), Qt::Key_F5);
         QTest::qWait(100);
         return w().job().running() && w().document().state(0) == OperationState::planning;
+    }
+
+    static bool write(const QString& path, const std::string& text) {
+        QFile file(path);
+        return file.open(QIODevice::WriteOnly)
+               && file.write(QByteArray::fromStdString(text)) == qint64(text.size());
+    }
+    static QByteArray bytes(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
 private slots:
@@ -212,6 +234,98 @@ private slots:
             QTest::keyClick(box, Qt::Key_Escape);
             QTRY_VERIFY(!w().findChild<QMessageBox*>());
         }
+    }
+
+    /// Whatever is exported, by name, by a second name of the same file and through a link.
+    void outputs_over_what_was_read() {
+        QVERIFY(plan_five_axes());
+        const QString folder = scratch_folder(QStringLiteral("inputs"));
+        const auto path = [&](const char* name) { return folder + QChar('/') + QLatin1String(name); };
+        QVERIFY(write(path("own.json"), find_machine("tarus-tpi-2000").source));
+        QVERIFY(write(path("post.json"), find_post("linuxcnc").source));
+        QVERIFY(QFile::copy(ui::path_text(w().document().project().part_path()), path("surface.stl")));
+        write_block(path("block.stl"), w().document().part()->box);
+        w().document().change(QStringLiteral("Files"), [&](Project& p) {
+            p.part.file = path("surface.stl").toStdString();
+            p.stock.kind = StockSpec::Kind::mesh;
+            p.stock.file = path("block.stl").toStdString();
+            p.stock.unit = LengthUnit::inch;
+            p.machine = path("own.json").toStdString();
+        });
+        QVERIFY(w().files().save_to(path("job.facetmill")));
+        QVERIFY(wait_until_settled(w()));
+        QTest::keyClick(&w(), Qt::Key_F6); // plans first
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().verification().model().current() && w().document().complete_plan());
+        w().findChild<QDockWidget*>(QStringLiteral("chart_dock"))->toggleViewAction()->trigger();
+        QVERIFY(wait_until_settled(w()));
+
+        using Write = std::function<void(const QString&)>;
+        const std::map<std::string, Write> outputs{
+            {"picture", [&](const QString& to) { w().exports().save_picture(to); }},
+            {"sheet", [&](const QString& to) { w().exports().save_sheet(to); }},
+            {"chart", [&](const QString& to) { w().inspection().save_picture(to); }},
+            {"values", [&](const QString& to) { w().inspection().save_table(to); }},
+            {"configuration space", [&](const QString& to) { w().cspace().save_picture(to); }},
+            {"postures", [&](const QString& to) { w().cspace().save_table(to); }},
+            {"unrolled", [&](const QString& to) { w().unrolled().save_picture(to); }},
+            {"project", [&](const QString& to) { w().files().save_to(to); }},
+            {"programs", [&](const QString& to) {
+                 const QString out = scratch_folder(QStringLiteral("programs"));
+                 std::filesystem::create_hard_link(to.toStdString(), (out + "/report.json").toStdString());
+                 w().exports().save_programs(out);
+             }}};
+        QStringList inputs{"surface.stl", "block.stl", "own.json", "job.facetmill"};
+        const auto attack = [&](const QString& input, const std::string& what, const Write& output) {
+            const QString file = folder + QChar('/') + input;
+            const QByteArray before = bytes(file);
+            const QString second = path("second"), link = path("link");
+            std::filesystem::create_hard_link(file.toStdString(), second.toStdString());
+            std::filesystem::create_symlink(file.toStdString(), link.toStdString());
+            QStringList fell;
+            // All of them ask the same question: one is asked in every way.
+            for (const QString& to :
+                 what == "picture" ? QStringList{file, second, link} : QStringList{second}) {
+                w().message_bar().dismiss();
+                output(to);
+                if (!wait_until_settled(w())) fell << QStringLiteral("hangs");
+                if (!w().message_bar().message().contains(QStringLiteral("is a file that the job reads")))
+                    fell << to + QStringLiteral(" is not refused");
+                if (bytes(file) != before || bytes(to) != before) fell << to + QStringLiteral(" is written");
+            }
+            QFile::remove(second);
+            QFile::remove(link);
+            return fell.isEmpty() ? QByteArray()
+                                  : (QString::fromStdString(what) + QStringLiteral(": ")
+                                     + fell.join(QStringLiteral(", ")))
+                                        .toUtf8();
+        };
+        for (const auto& [what, output] : outputs) {
+            for (const QString& input : inputs) {
+                if (what == "project" && input == QStringLiteral("job.facetmill")) continue;
+                const QByteArray fell = attack(input, what, output);
+                QVERIFY2(fell.isEmpty(), fell.constData());
+            }
+            // The same goes through where nothing is read.
+            const QString free = path("free");
+            if (what == "programs") continue;
+            if (what != "project") output(free);
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY2(what == "project" || !bytes(free).isEmpty(), what.c_str());
+            QFile::remove(free);
+        }
+        // The post, which this machine's plan need not have been posted with, and a program that is shown.
+        w().document().change(QStringLiteral("Post"),
+                              [&](Project& p) { p.programs.post = path("post.json").toStdString(); });
+        QVERIFY(write(path("shown.apt"), "PARTNO X\nUNITS/INCHES\nCUTTER/0.5,0.25,0,0.25,0,0,1\nLOADTL/7\n"
+                                         "GOTO/0,0,9\nGOTO/1,0,9\nFINI\n"));
+        w().files().open_program({path("shown.apt")});
+        QVERIFY(wait_until_settled(w()) && w().document().program());
+        for (const char* input : {"post.json", "shown.apt"})
+            for (const char* what : {"picture", "unrolled", "project"}) {
+                const QByteArray fell = attack(QLatin1String(input), what, outputs.at(what));
+                QVERIFY2(fell.isEmpty(), fell.constData());
+            }
     }
 };
 FACETMILL_TEST(TestWindowMishaps)
