@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/mesh/mesh_format.h"
 #include "facetmill_version.h"
+#include "ui/autosave.h"
 #include "ui/export.h"
 #include "ui/main_window.h"
 #include "ui/project_files.h"
@@ -158,6 +159,8 @@ private:
         if (window_.busy()) return;
         switch (step_++) {
         case 0:
+            // A picture is taken without anybody there to ask.
+            if (options_.screenshot.isEmpty() && window_.files().autosave().offer(options_.file)) break;
             if (!options_.file.isEmpty()) window_.open_file(options_.file, options_.unit);
             break;
         case 1:

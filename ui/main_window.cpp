@@ -101,8 +101,8 @@ void MainWindow::build_parts() {
         {document_, job_, planner_, *viewport_, *layers_, *tree_, *properties_, *status_, *messages_}, this);
     planning_ = new PlanRunner(document_, planner_, job_, *messages_, controllers_->part(), *properties_,
                                verification(), this);
-    files_ = new ProjectFiles(document_, planner_, job_, *messages_, controllers_->part(), *properties_,
-                              *tree_, this);
+    files_ = std::make_unique<ProjectFiles>(document_, planner_, job_, *messages_, controllers_->part(),
+                                            *properties_, *tree_, this);
     exports_ = new ProgramExport(document_, job_, *messages_, *properties_, *viewport_, verification(), this);
 
     auto* column = new QVBoxLayout(center);
@@ -157,7 +157,7 @@ void MainWindow::build_commands() {
         regions().dialog()->addAction(commands_->action(name));
     status_->follow(job_, commands_->action("cancel"));
     hint_ = new StartHint(samples, viewport_);
-    connect(hint_, &StartHint::open_requested, files_, &ProjectFiles::open_with_dialog);
+    connect(hint_, &StartHint::open_requested, files_.get(), &ProjectFiles::open_with_dialog);
 }
 
 /// Comes after what the controllers do for the same signals.
@@ -194,7 +194,7 @@ void MainWindow::connect_panels() {
     });
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
-    connect(properties_, &PropertiesPanel::choose_stock, files_, &ProjectFiles::choose_stock);
+    connect(properties_, &PropertiesPanel::choose_stock, files_.get(), &ProjectFiles::choose_stock);
     connect(properties_, &PropertiesPanel::edit_regions, &regions(), &RegionController::open);
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());
@@ -220,8 +220,8 @@ void MainWindow::connect_jobs() {
         if (!node || node->kind != TreeNode::Kind::operation)
             tree_->select({TreeNode::Kind::operation, first});
     });
-    connect(files_, &ProjectFiles::renamed, this, &MainWindow::update_title);
-    connect(files_, &ProjectFiles::settled, this, &MainWindow::check_settled);
+    connect(files_.get(), &ProjectFiles::renamed, this, &MainWindow::update_title);
+    connect(files_.get(), &ProjectFiles::settled, this, &MainWindow::check_settled);
     connect(exports_, &ProgramExport::verify_wanted, this, &MainWindow::verify);
     connect(&job_, &BackgroundJob::started, this, &MainWindow::update_commands);
     connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
@@ -361,7 +361,7 @@ void MainWindow::check_settled() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!files_->may_discard()) {
+    if (!files_->may_close()) {
         event->ignore();
         return;
     }

@@ -127,7 +127,7 @@ private:
 
     Controllers* controllers_ = nullptr;
     PlanRunner* planning_ = nullptr;
-    ProjectFiles* files_ = nullptr;
+    std::unique_ptr<ProjectFiles> files_; // keeps what is not saved: goes before the document
     ProgramExport* exports_ = nullptr;
     BackgroundJob job_; // last, so that it ends first: its work uses the planner
 };

@@ -4,6 +4,7 @@
 #include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
+#include "ui/autosave.h"
 #include "ui/export.h"
 #include "ui/messages.h"
 #include "ui/part_dialog.h"
@@ -55,7 +56,10 @@ ProjectFiles::ProjectFiles(Document& document, std::shared_ptr<Planner> planner,
     : QObject(window), document_(document), planner_(std::move(planner)), job_(job), messages_(messages),
       part_(part), properties_(properties), tree_(tree), window_(window),
       sample_folder_(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)
-                     + QStringLiteral("/samples")) {}
+                     + QStringLiteral("/samples")),
+      autosave_(std::make_unique<Autosave>(document, job, *this, messages, window)) {}
+
+ProjectFiles::~ProjectFiles() = default;
 
 bool ProjectFiles::may_discard() {
     if (!document_.has_part() || !document_.modified()) return true;
@@ -72,6 +76,12 @@ bool ProjectFiles::may_discard() {
     default:
         return false;
     }
+}
+
+bool ProjectFiles::may_close() {
+    if (!may_discard()) return false;
+    autosave_->discard();
+    return true;
 }
 
 void ProjectFiles::close_project() {
@@ -152,10 +162,7 @@ void ProjectFiles::open(const QString& path, std::optional<LengthUnit> unit) {
 
 void ProjectFiles::open_project(const std::filesystem::path& path) {
     try {
-        Project project = load_project(path);
-        project.path = path;
-        messages_.succeeded();
-        document_.open(std::move(project), QString(), false); // tells what is missing
+        show_project(load_project(path), QString(), false);
     } catch (const Error& e) {
         settings::remove_recent_file(path_text(path));
         messages_.fail(text(e.what()));
@@ -164,6 +171,15 @@ void ProjectFiles::open_project(const std::filesystem::path& path) {
     }
     settings::add_recent_file(path_text(path));
     messages_.information(tr("Opened %1.").arg(path_text(path)), false);
+}
+
+void ProjectFiles::restore(Project project, const QString& name) {
+    show_project(std::move(project), name, true);
+}
+
+void ProjectFiles::show_project(Project project, const QString& name, bool unsaved) {
+    messages_.succeeded();
+    document_.open(std::move(project), name, unsaved); // tells what is missing
     tree_.select({document_.operation_count() > 0 ? TreeNode::Kind::operation : TreeNode::Kind::part, 0});
     part_.reload();
 }

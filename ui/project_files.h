@@ -11,6 +11,7 @@
 
 namespace facetmill::ui {
 
+class Autosave;
 class Messages;
 class PropertiesPanel;
 
@@ -20,13 +21,20 @@ public:
     ProjectFiles(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job, Messages& messages,
                  PartController& part, PropertiesPanel& properties, ProjectTree& tree, QWidget* window);
 
+    ~ProjectFiles() override;
+
     /// Asks what to do with unsaved changes. False: the user would rather stay.
     bool may_discard();
+    /// The same as the window closes: what is not saved by then is not wanted.
+    bool may_close();
+    Autosave& autosave() { return *autosave_; }
     void close_project();
     void open_with_dialog();
     /// Opens a project or a mesh, after asking what to do with unsaved changes. `unit` answers the question
     /// in which unit a mesh is; without it the user is asked.
     void open(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
+    /// Shows a project as one that is not saved; `name` calls it while it has no path.
+    void restore(Project project, const QString& name);
     void new_from_sample(const std::string& name);
     void open_program_with_dialog();
     /// Shows CL files, which run one after the other, in place of the plan.
@@ -47,6 +55,7 @@ signals:
 
 private:
     void open_project(const std::filesystem::path& path);
+    void show_project(Project project, const QString& name, bool unsaved);
     void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
     void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
     void ask_unit(const std::filesystem::path& path, const LoadedPart& loaded);
@@ -63,6 +72,7 @@ private:
     ProjectTree& tree_;
     QWidget* window_;
     QString sample_folder_;
+    std::unique_ptr<Autosave> autosave_;
 };
 
 } // namespace facetmill::ui

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     facetmill::test::scratch = home.path();
     qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
     qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
+    qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
     vtkObject::GlobalWarningDisplayOff();
     facetmill::ui::Viewport::set_default_format();
     QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
