@@ -21,4 +21,14 @@ inline double leg_length(double a, double b) {
     return std::sqrt(std::max(0.0, (a - b) * (a + b)));
 }
 
+/// Eigenvalues of a symmetric matrix of two rows, `high` not below `low`, and the angle from the first axis
+/// to the eigenvector of `high`, radians in (-pi / 2, pi / 2].
+struct PrincipalForm {
+    double high, low, angle;
+};
+inline PrincipalForm principal_form(double xx, double xy, double yy) {
+    const double middle = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
+    return {middle + radius, middle - radius, 0.5 * std::atan2(xy, half)};
+}
+
 } // namespace facetmill

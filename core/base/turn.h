@@ -5,9 +5,9 @@
 
 namespace facetmill {
 
-/// The shortest turn that takes the direction of `from` to that of `to`, neither of which is zero. Stands in
-/// a file of its own: Eigen decides opposite directions by a singular value decomposition, which takes longer
-/// to compile than most files here.
+/// The shortest turn that takes the direction of `from` to that of `to`, neither of which is zero. Opposite
+/// directions are turned half way round about Z, or about X where they are closer to Z than 45 degrees, as
+/// far as those are square to them.
 Eigen::Quaterniond turn_between(const Vec3& from, const Vec3& to);
 
 } // namespace facetmill

@@ -123,18 +123,16 @@ bool fit_principal(const Mesh& mesh, Index vertex, const Vec3& normal, const std
     Eigen::Matrix2d inverse_l;
     inverse_l << 1.0 / l00, 0.0, -l10 / (l00 * l11), 1.0 / l11;
     const Eigen::Matrix2d shape = inverse_l * second * inverse_l.transpose();
-    const double middle = 0.5 * (shape(0, 0) + shape(1, 1)), half = 0.5 * (shape(0, 0) - shape(1, 1));
-    const double off = 0.5 * (shape(0, 1) + shape(1, 0));
-    const double radius = std::hypot(half, off);
-    result.k1 = middle + radius;
-    result.k2 = middle - radius;
-    const double turn = 0.5 * std::atan2(off, half);
+    const PrincipalForm principal =
+        principal_form(shape(0, 0), 0.5 * (shape(0, 1) + shape(1, 0)), shape(1, 1));
+    result.k1 = principal.high;
+    result.k2 = principal.low;
     const auto tangent = [&](double qx, double qy) {
         const Vec2 w = inverse_l.transpose() * Vec2(qx, qy);
         return signed_direction((w.x() * (ex + hx * normal) + w.y() * (ey + hy * normal)).normalized());
     };
-    result.direction1 = tangent(std::cos(turn), std::sin(turn));
-    result.direction2 = tangent(-std::sin(turn), std::cos(turn));
+    result.direction1 = tangent(std::cos(principal.angle), std::sin(principal.angle));
+    result.direction2 = tangent(-std::sin(principal.angle), std::cos(principal.angle));
     return true;
 }
 

@@ -1,10 +1,10 @@
 #include "core/mesh/refine.h"
 
 #include "core/base/error.h"
+#include "core/base/plane_geometry.h"
 #include "core/mesh/index_pair.h"
 #include "core/mesh/topology.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -279,12 +279,10 @@ std::vector<VertexCurvature> carried_curvatures(const DerivedMesh& derived,
         x.normalize();
         const Vec3 y = n.cross(x);
         const Mat3 s = (1 - v.t) * shape(a) + v.t * shape(b);
-        Eigen::Matrix2d in_plane;
-        in_plane << x.dot(s * x), x.dot(s * y), x.dot(s * y), y.dot(s * y);
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solved(in_plane);
-        c.k1 = solved.eigenvalues()[1];
-        c.k2 = solved.eigenvalues()[0];
-        c.direction1 = solved.eigenvectors()(0, 1) * x + solved.eigenvectors()(1, 1) * y;
+        const PrincipalForm principal = principal_form(x.dot(s * x), x.dot(s * y), y.dot(s * y));
+        c.k1 = principal.high;
+        c.k2 = principal.low;
+        c.direction1 = std::cos(principal.angle) * x + std::sin(principal.angle) * y;
         c.direction2 = n.cross(c.direction1);
         all.push_back(c);
     }

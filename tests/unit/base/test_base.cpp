@@ -2,6 +2,8 @@
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/base/parameter.h"
+#include "core/base/plane_geometry.h"
+#include "core/base/turn.h"
 #include "core/base/vec.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
@@ -98,6 +100,60 @@ const ParameterTable<Sample>& table() {
 class TestBase : public QObject {
     Q_OBJECT
 private slots:
+    /// One direction ends in the other by the shortest turn, close to the opposite one and at it, too.
+    void directions_turn_into_each_other() {
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal;
+        const auto direction = [&] {
+            return Vec3(normal(random), normal(random), normal(random)).normalized();
+        };
+        double worst = 0;
+        const auto check = [&](const Vec3& from, const Vec3& to) {
+            const Eigen::Quaterniond q = turn_between(from, to);
+            worst = std::max({worst, std::abs(q.norm() - 1), (q * from.normalized() - to.normalized()).norm(),
+                              std::abs(2 * std::atan2(q.vec().norm(), q.w()) - angle_between(from, to))});
+        };
+        for (int i = 0; i < 20000; ++i) {
+            const Vec3 from = (0.1 + i) * direction();
+            check(from, direction());
+            check(from, from);
+            check(from, -from);
+            check(from, -from.normalized() + std::pow(10.0, -1 - i % 16) * direction());
+        }
+        for (int k = 0; k < 3; ++k)
+            for (const double sign : {-1.0, 1.0}) {
+                const Vec3 from = sign * Vec3::Unit(k);
+                check(from, -from);
+                // Half way round about Z, and the upright one about X.
+                const Vec3 axis = turn_between(from, -from).vec();
+                QVERIFY(axis.cwiseAbs() == (k == 2 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitZ())));
+            }
+        QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
+    }
+
+    void principal_forms_are_eigenvectors() {
+        std::mt19937 random(8);
+        std::normal_distribution<double> normal;
+        double worst = 0;
+        const auto check = [&](double xx, double xy, double yy) {
+            const PrincipalForm p = principal_form(xx, xy, yy);
+            const double size = std::max({std::abs(xx), std::abs(xy), std::abs(yy)});
+            const Vec2 high(std::cos(p.angle), std::sin(p.angle)), low(-high.y(), high.x());
+            const auto form = [&](const Vec2& v) {
+                return Vec2(xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y());
+            };
+            QVERIFY(p.high >= p.low);
+            const double off = (form(high) - p.high * high).norm() + (form(low) - p.low * low).norm();
+            if (off > 0) worst = std::max(worst, off / size);
+        };
+        for (int i = 0; i < 20000; ++i)
+            check(normal(random), std::pow(10.0, -(i % 20)) * normal(random), normal(random));
+        check(0, 0, 0);
+        check(2, 0, 2);
+        check(-3, 0, 5);
+        check(1, -4, 1);
+        QVERIFY2(worst < 1e-14, qPrintable(QString::number(worst)));
+    }
 
     /// In a row, as in loops over vertices, where the compiler converts two at once.
     void vectors_are_rounded_to_floats() {
