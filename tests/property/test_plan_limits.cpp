@@ -80,7 +80,7 @@ Mesh waves(double high, int columns = 60, const Vec2& corner = Vec2(9, 7)) {
 
 /// Waves in stock 2 mm higher, on a machine of five axes.
 PlanContext five_axis_waves(const Tool& tool) {
-    PlanContext context = context_of(waves(0.5, 28, Vec2(7, 5)), tool);
+    PlanContext context = context_of(waves(0.5, 20, Vec2(5, 3.5)), tool);
     context.machine = find_machine("tarus-tpi-2000");
     context.stock_box.hi.z() += 2;
     return context;

@@ -170,6 +170,13 @@ bool WindowFixture::open_part() {
 
 bool WindowFixture::open_and_plan() {
     if (!open_part()) return false;
+    // Twice as thick a tool as a new project has: the stock's lattice follows the smallest cutter's radius.
+    w().document().change(QStringLiteral("Thicker"), [](Project& p) {
+        Tool& tool = p.tools.front();
+        tool.diameter *= 2;
+        tool.corner_radius *= 2;
+        tool.shank_diameter *= 2;
+    });
     w().tree().select({ui::TreeNode::Kind::operation, 0});
     enter(w(), "tolerance", QStringLiteral("0.02"));
     QTest::keyClick(&w(), Qt::Key_F5);

@@ -59,7 +59,8 @@ class Workplace {
     QTemporaryDir dir_;
 
 public:
-    Workplace() : folder(dir_.path().toStdString()) {
+    /// With a sheet of `size` (mm) as part.
+    explicit Workplace(double size = 10) : folder(dir_.path().toStdString()), size_(size) {
         write_part(1.0);
         project.path = folder / "p.facetmill";
         project.part.file = "part.stl";
@@ -84,11 +85,14 @@ public:
         project.operations[1]->common().direction = {0, "y"};
     }
     void write_part(double height) {
-        save_stl(wavy_sheet(6, 10, height), folder / "part.stl", LengthUnit::mm, {});
+        save_stl(wavy_sheet(6, size_, height), folder / "part.stl", LengthUnit::mm, {});
     }
 
     fs::path folder;
     Project project;
+
+private:
+    double size_;
 };
 
 std::string apt_of(const OperationResult& o) {
@@ -355,7 +359,7 @@ private slots:
     }
 
     void only_what_changed_runs_again() {
-        Workplace w;
+        Workplace w(6); // planned some fifty times
         Planner planner;
         Project& p = w.project;
         std::shared_ptr<const PlanResult> plan;
