@@ -156,6 +156,7 @@ void PassEstimator::spread_over_bins(EstimatedPass& pass,
     pass.end_lo.assign(bins_.count(), 0);
     pass.end_hi.assign(bins_.count(), 0);
     pass.comes.assign(bins_.count(), false);
+    pass.unfree.assign(bins_.count(), false);
     const double least = min_width_share * field_.radius(), most = StripWidth::max_width(field_);
     const auto count = [&](const EstimatedContact& c, double beyond_lo, double beyond_hi) {
         const auto [from, to] = cleared(c.place.u, pass.travel);
@@ -165,6 +166,7 @@ void PassEstimator::spread_over_bins(EstimatedPass& pass,
             // What no posture serves is no fault of the step: it is left to clean-up, as far as a pass can
             // answer for.
             const bool counts = c.usable && !c.left;
+            if (!c.usable) pass.unfree[b] = true;
             pass.end_lo[b] = std::max(pass.end_lo[b], counts ? c.end_lo : most);
             pass.end_hi[b] = std::max(pass.end_hi[b], counts ? c.end_hi : most);
             if (!counts) continue;

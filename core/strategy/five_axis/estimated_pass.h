@@ -20,6 +20,7 @@ struct EstimatedPass {
     std::vector<double> width_lo, width_hi;
     std::vector<double> end_lo, end_hi; ///< per bin, where the width is +inf: as far as is answered for
     std::vector<bool> comes;
+    std::vector<bool> unfree; ///< per bin: some contact has no posture
 };
 
 /// Neighbouring bins of u; `beyond`: how far a partial pass goes on beyond them, mm.

@@ -30,6 +30,9 @@ constexpr std::size_t max_drive_planes = 100000;
 constexpr double max_contacts = 2e7;
 /// The step that the search starts with, in diameters.
 constexpr double first_step_share = 0.4;
+/// The share of its travel that partial passes have to save on a whole part: they begin and end on the
+/// surface, and what they cut there they cut twice.
+constexpr double min_partial_gain = 0.1;
 
 /// What is said about a path, beside what it knows itself.
 struct Told {
@@ -66,7 +69,9 @@ public:
              bool is_piece = false, double leave = 0, const Mat3& view = Mat3::Identity())
         : settings_(settings), text_{context.unit}, progress_(progress), is_piece_(is_piece),
           field_(context, settings, progress.part(0, 0.05), false, view), stepover_(field_, leave),
-          partial_(stepover_, settings.pattern == Finish5Settings::Pattern::zigzag), cutter_(field_) {}
+          partial_(stepover_, settings.pattern == Finish5Settings::Pattern::zigzag,
+                   is_piece ? 0 : min_partial_gain),
+          cutter_(field_) {}
 
     StrategyResult run() {
         const auto& lines = field_.lines();
@@ -124,45 +129,18 @@ private:
     }
 
     void plan_adaptive() {
-        const auto& lines = field_.lines();
-        double usual = first_step_share * 2 * field_.radius();
-        std::optional<EstimatedPass> last;
-        std::vector<double> border_lo;
+        const double usual = first_step_share * 2 * field_.radius();
         result_.stepover_min = infinity;
-        while (true) {
-            const Progress here = at(last ? last->v : lines.lo());
-            if (last && is_piece_) break;
-            if (last && timed([&] { return stepover_.reaches_border(*last); })) break;
-            if (result_.drive_planes >= int(max_drive_planes))
-                refuse_planes("tolerance", "the tolerance asks for");
-            // Nothing more to meet: the border is a line no plane cuts.
-            if (last && lines.beyond(lines.hi(), lines.lo()) - last->plane <= 1) break;
-            auto step = timed([&] {
-                return stepover_.next(last ? &*last : nullptr, travel(result_.drive_planes + (last ? 1 : 0)),
-                                      last ? usual : 0.5 * usual, here);
-            });
-            if (!step.satisfied) ++unsatisfied_;
-            if (last) {
-                const double width = step.pass.v - last->v;
-                usual = width;
-                result_.stepover_min = std::min(result_.stepover_min, width);
-                result_.stepover_max = std::max(result_.stepover_max, width);
-                const auto border = stepover_.borders(*last, step.pass);
-                finish_pass(*last, border_lo, border, here);
-                border_lo = border;
-            }
-            last = std::move(step.pass);
-        }
-        if (last && is_piece_)
-            plan_with_partial(std::move(*last), usual);
-        else if (last)
-            finish_pass(*last, border_lo, {}, at(last->v));
+        auto first =
+            timed([&] { return stepover_.next(nullptr, travel(0), 0.5 * usual, at(field_.lines().lo())); });
+        if (!first.satisfied) ++unsatisfied_;
+        plan_after(std::move(first.pass), usual);
         if (result_.stepover_max == 0) result_.stepover_min = 0;
     }
 
-    /// A piece of a part has holes and tongues: passes all along it would be as close together as the
-    /// narrowest of its strips asks for.
-    void plan_with_partial(EstimatedPass last, double usual) {
+    /// The passes from the first one on. Were all of them as long as the part, they would be as close
+    /// together as the narrowest of their strips asks for.
+    void plan_after(EstimatedPass last, double usual) {
         const auto& lines = field_.lines();
         std::vector<double> border_lo;
         while (true) {

@@ -4,10 +4,12 @@
 // Contact points lie in drive planes, on the surface; at each the tool touches with an inclination and a yaw
 // against the surface's normal and the travel (core/cspace says how they are measured). The step over to the
 // next plane is the largest at which a posture close to the curvature-matched one (CM2) on either side leaves
-// no cusp above the tolerance (tilted_stepover.h). The strips between planes being fixed, every contact point
-// has its configuration space, and the postures are chosen in it: `cm2`, `local` (Lu) or `global`
-// (core/cspace/choose.h). Between contact points the motion is checked and divided until it neither gouges
-// nor leaves the configuration space (posture_path.h). Points without a free posture are left to clean-up.
+// no cusp above the tolerance (tilted_stepover.h), or a larger one with partial passes over the ranges where
+// that leaves too much, where that makes less travel (partial_passes.h). The strips between planes being
+// fixed, every contact point has its configuration space, and the postures are chosen in it: `cm2`, `local`
+// (Lu) or `global` (core/cspace/choose.h). Between contact points the motion is checked and divided until it
+// neither gouges nor leaves the configuration space (posture_path.h). Points without a free posture are left
+// to clean-up.
 //
 // As with three axes (finish3.h), the part's tessellation tolerances are taken off the tolerance, and the
 // tool stays away from the part by the inner one.
@@ -61,9 +63,9 @@ struct Finish5Settings : OperationCommon {
 
 const ParameterTable<Finish5Settings>& finish5_parameters();
 
-/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. Where
-/// strips are narrow, partial passes stand between those that go all along (partial_passes.h). Places whose
-/// strips are narrower than `leave` (mm) are cut in passing only. There are no warnings about what is left,
+/// Finishes a piece of a part: `context.part` is the piece, `context.contact` what must not be cut. Partial
+/// passes stand wherever they make less travel. Places whose strips are narrower than `leave` (mm) are cut in
+/// passing only. There are no warnings about what is left,
 /// and no passes where nothing can be cut. Otherwise as Finish5::plan.
 StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& context,
                             const Progress& progress, double leave = 0);

@@ -1,5 +1,6 @@
 #include "core/strategy/five_axis/partial_passes.h"
 
+#include "core/base/tolerances.h"
 #include "core/strategy/five_axis/strip_width.h"
 
 #include <algorithm>
@@ -19,17 +20,49 @@ constexpr double partial_cost = 2;
 constexpr double max_partial = 0.6;
 /// Partial passes have partial passes between them, so deep at most.
 constexpr int deepest_partial = 3;
+/// Beside contacts without a posture passes are no closer than this, in radii of the cutter.
+constexpr double min_unfree_gap = 0.2;
 
 } // namespace
 
-PassGap PartialPasses::next(const EstimatedPass& last, double usual, const Progress& progress) const {
+PassGap PartialPasses::next(const EstimatedPass& last, double usual, const Progress& progress) {
     PassGap gap;
-    gap.next = cheapest(last, nullptr, bins_.all(), usual, progress);
+    Step whole = whole_step(last, nullptr, bins_.all(), usual, progress);
+    unfree_gap_ =
+        min_gain_ > 0 ? std::max(whole.pass.v - last.v, min_unfree_gap * field_.radius()) : infinity;
+    if (min_gain_ > 0 && whole.satisfied && !may_gain(last, whole.pass)) {
+        gap.next = std::move(whole.pass);
+    } else {
+        const double most = whole.satisfied && min_gain_ > 0
+                                ? (1 - min_gain_) * travel_per_width(last, whole.pass, bins_.all())
+                                : infinity;
+        gap.next = cheapest(last, nullptr, bins_.all(), whole, usual, progress);
+        if (gap.next && !(travel_per_width(last, *gap.next, bins_.all()) < most))
+            gap.next = std::move(whole.pass);
+    }
     fill(last, gap.next ? &*gap.next : nullptr, bins_.all(), 0, gap, progress);
     std::stable_sort(gap.partial.begin(), gap.partial.end(),
                      [](const PartialPass& a, const PartialPass& b) { return a.pass.plane < b.pass.plane; });
     find_borders(last, gap);
     return gap;
+}
+
+TiltedStepOver::Step PartialPasses::whole_step(const EstimatedPass& last, const EstimatedPass* limit,
+                                               const BinRange& within, double usual,
+                                               const Progress& progress) const {
+    return stepover_.next(&last, turns_ ? -last.travel : last.travel, usual, limit, within, progress);
+}
+
+bool PartialPasses::fits(const EstimatedPass& a, const EstimatedPass* b, std::size_t i) const {
+    const double gap = (b ? b->v : field_.lines().hi()) - a.v;
+    if (gap > unfree_gap_ + tolerance::level_angle && (a.unfree[i] || (b && b->unfree[i]))) return false;
+    return stepover_.fits(&a, b, i);
+}
+
+bool PartialPasses::fits(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within) const {
+    for (std::size_t i = within.first; i <= within.last; ++i)
+        if (!fits(a, b, i)) return false;
+    return true;
 }
 
 void PartialPasses::find_borders(const EstimatedPass& last, PassGap& gap) const {
@@ -61,7 +94,7 @@ std::vector<BinRange> PartialPasses::narrow_ranges(const EstimatedPass& a, const
     const double beyond = stepover_.passes().behind() + r - std::sqrt(r * r - aside * aside);
     std::vector<BinRange> ranges;
     for (std::size_t i = within.first; i <= within.last; ++i) {
-        if (stepover_.fits(&a, b, i)) continue;
+        if (fits(a, b, i)) continue;
         // Two that would run into each other, or whose ends cost as much as the travel between them, are one.
         if (!ranges.empty()
             && double(i - ranges.back().last) * bins_.width() <= 2 * beyond + partial_cost * r)
@@ -72,17 +105,44 @@ std::vector<BinRange> PartialPasses::narrow_ranges(const EstimatedPass& a, const
     return ranges;
 }
 
+bool PartialPasses::may_gain(const EstimatedPass& last, const EstimatedPass& whole) const {
+    // In each bin by itself the passes were as far apart as its own strips allow.
+    const double step = whole.v - last.v;
+    double least = 0, travelled = 0;
+    for (std::size_t i = 0; i < bins_.count(); ++i) {
+        if (!last.comes[i] && !whole.comes[i]) continue;
+        const double allowed =
+            last.unfree[i] || whole.unfree[i] ? step : last.width_hi[i] + whole.width_lo[i];
+        least += step / std::clamp(allowed, step, std::max(step, largest_));
+        travelled += 1;
+    }
+    return least < (1 - min_gain_) * travelled;
+}
+
+double PartialPasses::partial_count(const EstimatedPass& a, const EstimatedPass* b, std::size_t i) const {
+    const double gap = (b ? b->v : field_.lines().hi()) - a.v;
+    double width = 0;
+    if (a.comes[i] && std::isfinite(a.width_hi[i])) width += a.width_hi[i];
+    if (b && b->comes[i] && std::isfinite(b->width_lo[i])) width += b->width_lo[i];
+    if (a.unfree[i] || (b && b->unfree[i])) width = std::max(width, std::min(unfree_gap_, gap));
+    return std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+}
+
+double PartialPasses::travel_per_width(const EstimatedPass& last, const EstimatedPass& next,
+                                       const BinRange& within) const {
+    double travelled = partial_travel(last, &next, within);
+    for (const SurfaceLine& line : next.lines)
+        travelled += std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
+    return travelled / (next.v - last.v);
+}
+
 double PartialPasses::partial_travel(const EstimatedPass& a, const EstimatedPass* b,
                                      const BinRange& within) const {
-    const double gap = (b ? b->v : field_.lines().hi()) - a.v;
     double travel = 0;
     for (const BinRange& range : narrow_ranges(a, b, within)) {
         double most = 1;
         for (std::size_t i = range.first; i <= range.last; ++i) {
-            double width = 0;
-            if (a.comes[i] && std::isfinite(a.width_hi[i])) width += a.width_hi[i];
-            if (b && b->comes[i] && std::isfinite(b->width_lo[i])) width += b->width_lo[i];
-            const double passes = std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+            const double passes = partial_count(a, b, i);
             travel += passes * bins_.width();
             most = std::max(most, passes);
         }
@@ -102,7 +162,7 @@ double PartialPasses::partial_share(const EstimatedPass& a, const EstimatedPass&
 }
 
 std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, const EstimatedPass* limit,
-                                                     const BinRange& within, double usual,
+                                                     const BinRange& within, Step whole, double usual,
                                                      const Progress& progress) const {
     const auto& lines = field_.lines();
     const long end = limit ? limit->plane : lines.beyond(lines.hi(), lines.lo());
@@ -110,18 +170,13 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
     const double rest = lines.v(end) - last.v;
     std::optional<EstimatedPass> best;
     double least = infinity;
-    // As far as nothing is asked for between.
-    TiltedStepOver::Step whole = stepover_.next(&last, travel, usual, limit, within, progress);
     const auto better = [&](EstimatedPass&& p) {
-        double travelled = partial_travel(last, &p, within);
-        for (const SurfaceLine& line : p.lines)
-            travelled +=
-                std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
-        if (!(travelled < least * (p.v - last.v))) return false;
+        const double travelled = travel_per_width(last, p, within);
+        if (!(travelled < least)) return false;
         // Where most of the travel asks for passes between, the last of them would come close to its
         // neighbour.
         if (whole.satisfied && partial_share(last, p, within) > max_partial) return false;
-        least = travelled / (p.v - last.v);
+        least = travelled;
         best = std::move(p);
         return true;
     };
@@ -154,22 +209,27 @@ void PartialPasses::fill(const EstimatedPass& a, const EstimatedPass* b, const B
         const EstimatedPass* last = &a;
         const long end = b ? b->plane : lines.beyond(lines.hi(), lines.lo());
         double usual = 0.5 * (lines.v(end) - a.v);
-        while (!stepover_.fits(last, b, range)) {
+        while (!fits(*last, b, range)) {
             if (end - last->plane <= 1) {
                 gap.satisfied = false;
                 break;
             }
             std::optional<EstimatedPass> next;
             if (depth < deepest_partial) {
-                next = cheapest(*last, b, range, usual, progress);
+                next =
+                    cheapest(*last, b, range, whole_step(*last, b, range, usual, progress), usual, progress);
                 // Narrow in a part of the range only.
                 if (!next) {
                     fill(*last, b, range, depth + 1, gap, progress);
                     break;
                 }
             } else {
-                TiltedStepOver::Step step =
-                    stepover_.next(last, turns_ ? -last->travel : last->travel, usual, b, range, progress);
+                Step step = whole_step(*last, b, range, usual, progress);
+                if (step.satisfied && !fits(*last, &step.pass, range)) {
+                    const long planes = std::max(1L, long(unfree_gap_ / lines.spacing()));
+                    step.pass = stepover_.passes().estimate(last->plane + planes, step.pass.travel,
+                                                            unfree_gap_, range, progress.part(0, 0));
+                }
                 if (!step.satisfied && b && b->v - last->v <= smallest_) {
                     gap.satisfied = false;
                     break;

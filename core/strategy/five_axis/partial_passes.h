@@ -1,7 +1,6 @@
-// Partial passes. A piece of a part is cut otherwise than a whole one: full passes as far apart as makes
-// least travel, and where the widths of two of them do not add up to the gap (tilted_stepover.h) partial
-// passes between them, over the bins of u where they are wanted. Partial passes may have partial passes
-// between them.
+// Partial passes. Full passes lie as far apart as makes least travel, and where the widths of two of them do
+// not add up to the gap (tilted_stepover.h) partial passes between them, over the bins of u where they are
+// wanted. Partial passes may have partial passes between them.
 #pragma once
 
 #include "core/strategy/five_axis/tilted_stepover.h"
@@ -30,27 +29,45 @@ struct PassGap {
 
 class PartialPasses {
 public:
-    /// `turns`: every pass travels against the one before.
-    PartialPasses(const TiltedStepOver& stepover, bool turns)
+    /// `turns`: every pass travels against the one before. `min_gain`: the share of the travel that partial
+    /// passes have to save; where they do not, the next full pass is as far away as needs none. Where they
+    /// do, they come as near to contacts without a posture as the full passes would have.
+    PartialPasses(const TiltedStepOver& stepover, bool turns, double min_gain = 0)
         : stepover_(stepover), field_(stepover.field()), bins_(stepover.bins()), turns_(turns),
-          smallest_(stepover.passes().smallest_step()), largest_(stepover.passes().largest_step()) {}
+          min_gain_(min_gain), smallest_(stepover.passes().smallest_step()),
+          largest_(stepover.passes().largest_step()) {}
 
     /// The next full pass after `last`, so far away that as little as possible is travelled per width, and
     /// the partial passes between the two; `usual` is where the search starts, mm.
-    PassGap next(const EstimatedPass& last, double usual, const Progress& progress) const;
+    PassGap next(const EstimatedPass& last, double usual, const Progress& progress);
 
 private:
+    using Step = TiltedStepOver::Step;
+
+    /// The same without partial passes.
+    Step whole_step(const EstimatedPass& last, const EstimatedPass* limit, const BinRange& within,
+                    double usual, const Progress& progress) const;
+    /// Whether partial passes could save the least gain beside a pass after `last` that needs none.
+    bool may_gain(const EstimatedPass& last, const EstimatedPass& whole) const;
+    /// Whether nothing is asked for between two passes (nullptr: the part's border).
+    bool fits(const EstimatedPass& a, const EstimatedPass* b, std::size_t bin) const;
+    bool fits(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within) const;
     /// Where two passes leave too much between them, as ranges for partial passes.
     std::vector<BinRange> narrow_ranges(const EstimatedPass& a, const EstimatedPass* b,
                                         const BinRange& within) const;
+    /// How many partial passes a bin between two passes asks for, about.
+    double partial_count(const EstimatedPass& a, const EstimatedPass* b, std::size_t bin) const;
     /// What the partial passes between two passes travel, mm.
     double partial_travel(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within) const;
+    /// What a pass after `last` travels with the partial ones before it, mm for each mm of width.
+    double travel_per_width(const EstimatedPass& last, const EstimatedPass& next,
+                            const BinRange& within) const;
     /// What share of the travel two passes ask for partial ones on, these as far as they go beyond it.
     double partial_share(const EstimatedPass& a, const EstimatedPass& b, const BinRange& within) const;
     /// The pass after `last` that makes least travel per width, itself and the partial ones; none: these
-    /// alone up to `limit` are less.
+    /// alone up to `limit` are less. `whole`: the pass that asks for none.
     std::optional<EstimatedPass> cheapest(const EstimatedPass& last, const EstimatedPass* limit,
-                                          const BinRange& within, double usual,
+                                          const BinRange& within, Step whole, double usual,
                                           const Progress& progress) const;
     /// Adds partial passes between `a` and `b` to the gap; `depth`: how many partial passes it is within.
     void fill(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within, int depth, PassGap& gap,
@@ -61,7 +78,9 @@ private:
     const FiveAxisField& field_;
     const TravelBins& bins_;
     bool turns_;
-    double smallest_, largest_; ///< steps, mm
+    double min_gain_;
+    double smallest_, largest_;    ///< steps, mm
+    double unfree_gap_ = infinity; ///< between passes beside contacts without a posture, at most, mm
 };
 
 } // namespace facetmill

@@ -255,7 +255,7 @@ private slots:
             [=](double x, double y) { return 1.5 * std::exp(-(std::pow(x + from, 2) + y * y) / 20); },
             Vec2(32, 9), flat_tool(2 * radius), settings(0, 45));
         const TravelBins& bins = bench.stepover->bins();
-        const PartialPasses partial(*bench.stepover, true);
+        PartialPasses partial(*bench.stepover, true);
         const EstimatedPass last = bench.pass(-2);
         const PassGap gap = partial.next(last, 2.4, Progress());
         QVERIFY(gap.satisfied && gap.next && !gap.partial.empty());
@@ -286,6 +286,50 @@ private slots:
                 looked += bench.left_between({&last, &*gap.next}, x, last.v, gap.next->v) > 0;
         }
         QVERIFY(looked > 0); // without the partial ones something is left
+    }
+
+    /// A hump, and a pit that the tool does not enter: full passes are farther apart since partial ones serve
+    /// the hump, but beside the pit no farther than full passes alone would be.
+    void passes_come_near_what_has_no_posture() {
+        const Bench bench(
+            [](double x, double y) {
+                return 1.5 * std::exp(-(std::pow(x + 20, 2) + y * y) / 20)
+                       - 2 * std::exp(-(std::pow(x - 15, 2) + std::pow(y + 2, 2)) / 0.5);
+            },
+            Vec2(32, 9), flat_tool(2 * radius), settings(0, 45));
+        const EstimatedPass last = bench.pass(-2);
+        const double whole = bench.stepover->next(&last, -1, 2.4, Progress()).pass.v - last.v;
+        const PassGap gap = PartialPasses(*bench.stepover, true, 0.1).next(last, 2.4, Progress());
+        QVERIFY(gap.satisfied && gap.next && gap.next->v - last.v > 1.2 * whole);
+        int looked = 0;
+        for (std::size_t i = 0; i < bench.stepover->bins().count(); ++i) {
+            if (!last.unfree[i]) continue;
+            ++looked;
+            double from = last.v;
+            for (const PartialPass& p : gap.partial) {
+                if (i < p.bins.first || i > p.bins.last) continue;
+                QVERIFY2(p.pass.v - from <= whole + 1e-9, qPrintable(QString("%1 of %2, next %3")
+                                                                         .arg(p.pass.v - from)
+                                                                         .arg(whole)
+                                                                         .arg(gap.next->v - last.v)));
+                from = p.pass.v;
+                // The pit ends where the next pass has postures.
+                if (!p.pass.unfree[i]) break;
+            }
+            QVERIFY2(from > last.v, "no pass comes near the pit");
+        }
+        QVERIFY(looked > 0);
+    }
+
+    /// A step that whole passes are as good for is theirs: partial ones have to save a tenth of the travel.
+    void partial_passes_save_a_tenth() {
+        const Bench bench([](double x, double) { return 0.002 * x * x; }, Vec2(12, 9), flat_tool(2 * radius),
+                          settings(0, 45));
+        const EstimatedPass last = bench.pass(-4);
+        const auto whole = bench.stepover->next(&last, -1, 2.4, Progress());
+        const PassGap gap = PartialPasses(*bench.stepover, true, 0.1).next(last, 2.4, Progress());
+        QVERIFY(gap.next && gap.partial.empty());
+        QCOMPARE(gap.next->plane, whole.pass.plane);
     }
 
     /// A placed pass clears what its borders say, begins and ends beyond the part, and goes as it travels.
