@@ -103,17 +103,17 @@ private slots:
             const double got = lift.lift(pose);
             const BruteCutter brute(c.cutter);
             const Mesh local = turned(*mesh, pose);
-            double lowest = infinity, highest = -infinity;
-            const double digit = 1e-12;
-            for (const auto& [dx, dy] :
-                 {std::pair{0.0, 0.0}, {digit, 0.0}, {-digit, 0.0}, {0.0, digit}, {0.0, -digit}}) {
+            double lowest = brute_lift(brute, local, 0, 0), highest = lowest;
+            touched += got > -infinity;
+            const double accuracy = 10 * tolerance::lift_accuracy, digit = 1e-12;
+            if (got == lowest || std::abs(got - lowest) <= accuracy) continue;
+            // At the edge of what the cutter reaches the last digit of the place decides.
+            ++borderline;
+            for (const auto& [dx, dy] : {std::pair{digit, 0.0}, {-digit, 0.0}, {0.0, digit}, {0.0, -digit}}) {
                 const double wanted = brute_lift(brute, local, dx, dy);
                 lowest = std::min(lowest, wanted);
                 highest = std::max(highest, wanted);
             }
-            touched += got > -infinity;
-            const double accuracy = 10 * tolerance::lift_accuracy;
-            if (highest - lowest > accuracy) ++borderline;
             QVERIFY2(got >= lowest - accuracy && got <= highest + accuracy,
                      qPrintable(QString("case %1 (%2): %3, the reference says %4 to %5")
                                     .arg(i)
