@@ -303,10 +303,11 @@ void Planner::look_for_remaining(const Progress& progress) {
 
 void Planner::add_warnings() {
     auto& warnings = result_.warnings;
-    if (result_.cusp_max > settings_.tolerance * (1 + tolerance::figure_rounding))
+    // Layers of a stated depth leave their steps by intent: how high they are is a figure of the result.
+    if (!settings_.depth.is_number()
+        && result_.cusp_max > settings_.tolerance * (1 + tolerance::figure_rounding))
         warnings.push_back("up to " + text_(result_.cusp_max)
-                           + " stays above the allowance; the tolerance is " + text_(settings_.tolerance)
-                           + (settings_.depth.is_number() ? ": choose a smaller depth or step-over" : ""));
+                           + " stays above the allowance; the tolerance is " + text_(settings_.tolerance));
     if (const RoughPasses::LeftOut& left = cut_.blocked(); left.length > 0)
         warnings.push_back("shank or holder would hit the stock: " + text_(left.length)
                            + " of cuts are left out, the first at " + text_(left.at) + ": use a longer tool");

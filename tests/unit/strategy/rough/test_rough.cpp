@@ -176,6 +176,20 @@ private slots:
         QVERIFY(r.warnings.empty());
     }
 
+    /// Layers as deep as was asked for stand on a slope as steps: a figure, and nothing to warn of.
+    void steps_of_a_stated_depth_are_no_warning() {
+        const Mesh slope =
+            height_field([](double x, double) { return 0.5 * x; }, Vec2(-15, -10), Vec2(15, 10), 30, 20);
+        PlanContext c = context(slope, flat_tool(6), 1);
+        c.stock_box.lo -= Vec3(8, 8, 0);
+        c.stock_box.hi += Vec3(8, 8, 0);
+        RoughSettings s = settings(3);
+        s.tolerance = 0.2;
+        const StrategyResult r = Rough(s).plan(c, Progress());
+        QVERIFY(r.cusp_max > 1 && r.cusp_max < 4);
+        QVERIFY2(r.warnings.empty(), r.warnings.empty() ? "" : r.warnings.front().c_str());
+    }
+
     /// The island keeps its allowance all round, and the pocket is cleared on all its sides.
     void islands_are_gone_round() {
         const Tool tool = flat_tool(6);
