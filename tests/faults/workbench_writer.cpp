@@ -1,22 +1,43 @@
 // Writes what the workbench writes, by the window's own functions, for tests/faults/attack_files, which kills
 // it meanwhile, fills the disk or takes away the right to write.
 //
-//     workbench_writer save|programs|sheet|picture TARGET [--user NUMBER] PROJECT ...
+//     workbench_writer save|programs|sheet|picture|chart|values TARGET [--user NUMBER] PROJECT ...
+//     workbench_writer autosave TARGET PROJECT
+//     workbench_writer restore TARGET
 //
 // One project after the other is opened, planned and verified as the output needs it, and written to the same
 // target. Says "writing" before every output, "written" after it. --user: has from then on no more rights
 // than that user. Ends with 1, and says why, at the first output that cannot be written.
+//
+// autosave: saves the project as the target, changes it again and again, to larger and larger ones, and has
+// it kept; says the number of the change each time. Ends with 1, as if it were killed, when it cannot be
+// kept. restore: writes what such a run left to the target, and says how many projects that were.
+//
+// What is kept without a project lies in a folder of the run's own, or in XDG_DATA_HOME where TARGET is that
+// of autosave or restore.
+#include "core/base/file.h"
+#include "ui/autosave.h"
 #include "ui/document.h"
+#include "ui/inspection_controller.h"
+#include "ui/inspection_panel.h"
+#include "ui/kept_work.h"
 #include "ui/main_window.h"
+#include "ui/message_bar.h"
 #include "ui/program_export.h"
 #include "ui/project_files.h"
+#include "ui/text.h"
 #include "ui/viewport.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
 #include <QTemporaryDir>
 #include <QThread>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <unistd.h>
 
 using namespace facetmill;
@@ -36,6 +57,15 @@ void say(const char* word) {
     std::fflush(stdout);
 }
 
+/// The chart of the last operation.
+void show_chart(ui::MainWindow& window) {
+    ui::InspectionPanel* panel = window.inspection().panel();
+    if (!panel->isVisible())
+        window.findChild<QDockWidget*>(QStringLiteral("chart_dock"))->toggleViewAction()->trigger();
+    panel->operation_box()->setCurrentIndex(panel->operation_box()->count() - 1);
+    wait_until_settled(window);
+}
+
 /// What went wrong, empty where nothing did.
 QString write(ui::MainWindow& window, const QString& what, const QString& target) {
     bool done = true;
@@ -47,6 +77,10 @@ QString write(ui::MainWindow& window, const QString& what, const QString& target
         window.exports().save_sheet(target);
     else if (what == QLatin1String("picture"))
         done = window.exports().save_picture(target);
+    else if (what == QLatin1String("chart"))
+        done = window.inspection().save_picture(target);
+    else if (what == QLatin1String("values"))
+        done = window.inspection().save_table(target);
     else
         return QStringLiteral("there is no output ") + what;
     wait_until_settled(window);
@@ -69,12 +103,53 @@ QString run(const QStringList& words) {
         wait_until_settled(window);
         if (words[0] == QLatin1String("sheet")) window.verify();
         wait_until_settled(window);
+        if (words[0] == QLatin1String("chart") || words[0] == QLatin1String("values")) show_chart(window);
         if (!window.last_failure().isEmpty()) return window.last_failure();
+        // The view was turned to the part at whatever size the window had by then.
+        window.viewport().fit();
+        wait_until_settled(window);
         if (user > 0 && (setgid(gid_t(user)) != 0 || setuid(uid_t(user)) != 0))
             return QStringLiteral("cannot become another user");
         say("writing");
         if (const QString wrong = write(window, words[0], words[1]); !wrong.isEmpty()) return wrong;
         say("written");
+    }
+    return {};
+}
+
+/// Ends the program itself: a window that ends in order would take what it has kept along.
+[[noreturn]] void keep_for_ever(const QStringList& words) {
+    ui::MainWindow window;
+    window.show();
+    window.open_file(words[2]);
+    wait_until_settled(window);
+    if (!window.files().save_to(words[1])) std::_Exit(2);
+    say("writing");
+    for (int change = 1;; ++change) {
+        window.document().change(QStringLiteral("Edit"), [change](Project& p) {
+            p.operations[0]->common().feed = change;
+            Tool tool = p.tools[0];
+            tool.number = change + 1000;
+            p.tools.push_back(tool);
+        });
+        window.files().autosave().keep();
+        if (window.message_bar().message().contains(QStringLiteral("cannot be kept"))) std::_Exit(1);
+        say(std::to_string(change).c_str());
+    }
+}
+
+QString restore(const QString& target) {
+    const auto left = ui::KeptWork::abandoned();
+    say(std::to_string(left.size()).c_str());
+    try {
+        for (const auto& work : left) {
+            OutputFile file(ui::path_of(target));
+            file.write(project_to_json(work->read()));
+            file.commit();
+            work->remove();
+        }
+    } catch (const Error& e) {
+        return ui::text(e.what());
     }
     return {};
 }
@@ -85,11 +160,16 @@ int main(int argc, char** argv) {
     const QTemporaryDir home;
     qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
     qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
+    const QByteArray task(argc > 1 ? argv[1] : "");
+    const bool outlives = task == "autosave" || task == "restore";
+    if (!outlives) qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
     ui::Viewport::set_default_format();
     QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
     QApplication::setApplicationName(QStringLiteral("facetmill-writer"));
     const QApplication app(argc, argv);
-    const QString wrong = run(QApplication::arguments().mid(1));
+    const QStringList words = QApplication::arguments().mid(1);
+    if (task == "autosave") keep_for_ever(words);
+    const QString wrong = task == "restore" ? restore(words[1]) : run(words);
     if (wrong.isEmpty()) return 0;
     std::fprintf(stderr, "%s\n", qPrintable(wrong));
     return 1;
