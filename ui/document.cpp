@@ -41,7 +41,7 @@ void move_step(Project& project, const std::filesystem::path& path, const Copies
 Project part_and_machine(const Project& project) {
     Project alone;
     alone.path = project.path;
-    alone.part = project.part;
+    alone.part = project.placed_part();
     alone.part.file = project.part_path().lexically_normal().string();
     alone.stock = project.stock;
     alone.stock.file = project.stock_path().lexically_normal().string();
@@ -162,13 +162,7 @@ std::optional<std::size_t> Document::index_of(int id) const {
 }
 
 std::string Document::free_operation_name(const std::string& wish) const {
-    const auto taken = [&](const std::string& name) {
-        return std::any_of(project_.operations.begin(), project_.operations.end(),
-                           [&](const auto& o) { return o->common().name == name; });
-    };
-    if (!taken(wish)) return wish;
-    for (int n = 2;; ++n)
-        if (const std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
+    return facetmill::free_operation_name(project_, wish);
 }
 
 std::size_t Document::add_operation(const std::string& kind) {
@@ -224,7 +218,7 @@ void Document::set_tool(std::size_t i, const Tool& tool) {
     change(tr("Edit tool"), [&](Project& p) {
         const long old_number = p.tools.at(i).number;
         p.tools[i] = tool;
-        for (auto& o : p.operations) // the operations stay with their tool when its number changes
+        for (Operation* o : all_operations(p)) // the operations stay with their tool when its number changes
             o->renumber_tool(old_number, tool.number);
     });
 }
@@ -238,7 +232,7 @@ void Document::duplicate_tool(std::size_t i) {
 
 void Document::remove_tool(std::size_t i) {
     const Tool& tool = project_.tools.at(i);
-    for (const auto& o : project_.operations)
+    for (const Operation* o : all_operations(std::as_const(project_)))
         if (const auto further = o->further_tools();
             o->common().tool == tool.number
             || std::find(further.begin(), further.end(), tool.number) != further.end())
@@ -264,7 +258,7 @@ std::string Document::part_key(const Project& project) {
                 key += "|" + format_number(v, 17);
         return key;
     };
-    std::string key = placed(project.part_path(), project.part);
+    std::string key = placed(project.part_path(), project.placed_part());
     if (project.part.flip) key += "|flip";
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
         key += "|" + placed(stock, project.stock);

@@ -63,19 +63,19 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
         const Mesh* m = mesh();
         if (m)
             change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
-                   mirrored(placement_of(document_.project().part), axis, m->box().center()[axis]));
+                   mirrored(placement_of(document_.project().placed_part()), axis, m->box().center()[axis]));
     });
     connect(panel_, &PlacePanel::drop_wanted, this, [this] {
         if (const Mesh* m = mesh())
             change(tr("Drop part to Z 0"),
-                   moved(placement_of(document_.project().part), Vec3(0, 0, -m->box().lo.z())));
+                   moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -m->box().lo.z())));
     });
     connect(panel_, &PlacePanel::centre_wanted, this, [this] {
         const Mesh* m = mesh();
         if (!m) return;
         const Vec3 middle = m->box().center();
         change(tr("Centre part"),
-               moved(placement_of(document_.project().part), Vec3(-middle.x(), -middle.y(), 0)));
+               moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)));
     });
     connect(panel_, &PlacePanel::zero_wanted, this, [this](bool on_part, const std::array<double, 3>& place) {
         change_zero([&](ProgramSpec& spec) {
@@ -336,23 +336,25 @@ void PlaceController::take_edge(const PartPick& pick) {
 void PlaceController::lay(const QString& what, const Mat3& turn) {
     const Mesh* m = mesh();
     if (!m) return;
-    change(what, laid(placement_of(document_.project().part), *m, turn));
+    change(what, laid(placement_of(document_.project().placed_part()), *m, turn));
 }
 
 void PlaceController::change(const QString& what, const Placement& placement) {
-    if (placement == placement_of(document_.project().part)) {
+    if (placement == placement_of(document_.project().placed_part())) {
         messages_.information(tr("The part lies so already."));
         return;
     }
     viewport_.scene().marks().set_marker(std::nullopt);
     try {
         document_.change(what, [&](Project& p) {
-            PartSpec part = p.part;
-            ParameterView<PartSpec> values(part, part_parameters());
-            values.set("rotate", placement.rotate);
-            values.set("translate", placement.translate);
-            part.mirror = placement.mirror;
-            p.part = part;
+            lay_part(p, placement);
+            // Numbers that no file can hold are refused.
+            ParameterView<PartSpec> part(p.part, part_parameters());
+            ParameterView<SetupPlace> place(p.place, place_parameters());
+            for (Parameterized* values :
+                 {static_cast<Parameterized*>(&part), static_cast<Parameterized*>(&place)})
+                for (const char* key : {"rotate", "translate"})
+                    values->set(key, values->get(key));
         });
     } catch (const Error& e) {
         messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));

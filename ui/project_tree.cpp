@@ -231,6 +231,8 @@ QString stock_label(const Project& project) {
         return ProjectTree::tr("Stock: cylinder");
     case StockSpec::Kind::mesh:
         return ProjectTree::tr("Stock: %1").arg(path_text(project.stock_path().filename()));
+    case StockSpec::Kind::rest:
+        return ProjectTree::tr("Stock: rest");
     }
     return {};
 }

@@ -121,6 +121,15 @@ std::array<double, 3> margins_for(const std::array<double, 3>& size, const Box3&
     return margin;
 }
 
+/// The kinds of stock that the setup can have: the first has nothing before it that left some.
+std::vector<FormChoice> stock_kinds(const Project& project) {
+    std::vector<FormChoice> kinds;
+    for (const std::string& word : stock_parameters().find("kind")->info.words)
+        if (chosen_setup(project) > 0 || word != stock_kind_name(StockSpec::Kind::rest))
+            kinds.push_back({text(word), word});
+    return kinds;
+}
+
 JoinedView<StockSpec, StockSize> stock_view(StockSpec& stock, StockSize& size) {
     return {{stock, stock_parameters()}, {size, stock_size()}, "margin"};
 }
@@ -301,7 +310,7 @@ void PropertiesPanel::refresh() {
         std::vector<std::string> hidden;
         for (const ParameterInfo* info : view.parameters())
             if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
-        show(view, {}, hidden);
+        show(view, {{"kind", stock_kinds(project)}}, hidden);
         mesh_stock = copy.kind == StockSpec::Kind::mesh;
     } else if (node_->kind == Kind::limits) {
         title = tr("Verification limits");
@@ -397,8 +406,8 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
     if (node.kind == Kind::operation && key == "name") {
         const QString name = text(std::get<std::string>(value)).trimmed();
         if (name.isEmpty()) return wrong(tr("Give the operation a name"));
-        for (std::size_t i = 0; i < document_.operation_count(); ++i)
-            if (i != node.index && text(document_.operation(i).common().name) == name)
+        for (const Operation* o : all_operations(document_.project()))
+            if (o != &document_.operation(node.index) && text(o->common().name) == name)
                 return wrong(tr("Another operation has this name"));
     }
     if (node.kind == Kind::stock && key == "kind" && std::get<std::string>(value) == "mesh"

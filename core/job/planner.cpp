@@ -155,6 +155,13 @@ MeshPtr load_stock(const fs::path& path, const StockSpec& stock, const Progress&
     return mesh;
 }
 
+std::string rest_key(const std::shared_ptr<const CarriedStock>& carried) {
+    if (!carried)
+        throw Error(ErrorCode::missing_reference, "stock", "what the setup before leaves is not known yet",
+                    "plan the setups before this one");
+    return "rest" + carried->key;
+}
+
 MachineRun machine_run(const MachineMotion& motion, const Machine& machine, LengthUnit unit) {
     MachineRun run;
     for (int j = 0; j < machine.joints(); ++j) {
@@ -325,6 +332,7 @@ struct Planner::Cache {
     std::vector<Planned> planned;
     std::size_t last_motions = 0;
     PlannerWork work;
+    std::shared_ptr<const CarriedStock> carried;
     std::string left_key; ///< of `rest`
     std::shared_ptr<const EarlierLeft> rest;
 
@@ -383,25 +391,32 @@ const PlannerWork& Planner::work() const {
     return cache_->work;
 }
 
+void Planner::carry(std::shared_ptr<const CarriedStock> stock) {
+    cache_->carried = std::move(stock);
+}
+
 std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, const Progress& progress) {
     Cache& c = *cache_;
     const fs::path path = project.part_path();
+    const PartSpec spec = project.placed_part();
     Key load_key;
     load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
-    const std::string part_key = mesh_key(path, project.part) + (project.part.flip ? "flip" : "");
+    const std::string part_key = mesh_key(path, spec) + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
-    const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock) : std::string();
+    const bool rests = project.stock.kind == StockSpec::Kind::rest;
+    const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock)
+                                  : rests   ? rest_key(c.carried)
+                                            : std::string();
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
         if (!c.loaded || c.load_key != load_key.text()) {
-            LoadedMesh loaded =
-                load_mesh(path, project.part.unit, reading.part(0.0, 0.6, "Reading the part"));
+            LoadedMesh loaded = load_mesh(path, spec.unit, reading.part(0.0, 0.6, "Reading the part"));
             ++c.work.loads;
             c.loaded = std::move(loaded);
             c.load_key = load_key.text();
         }
         auto part = std::make_shared<PreparedPart>();
-        part->mesh = placed(c.loaded->mesh, project.part, reading.part(0.6, 0.62));
+        part->mesh = placed(c.loaded->mesh, spec, reading.part(0.6, 0.62));
         // What the part is has one answer, for planners and verifier alike.
         const OutwardSides sides = outward_sides(*part->mesh, reading.part(0.62, 0.68),
                                                  project.part.flip ? OpenSide::other : OpenSide::found);
@@ -421,8 +436,10 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     }
     if (c.stock_key != stock_key) {
         auto part = std::make_shared<PreparedPart>(*c.part);
-        part->stock_mesh =
-            has_stock ? load_stock(project.stock_path(), project.stock, progress.part(0.7, 1.0)) : nullptr;
+        part->stock_mesh = has_stock
+                               ? load_stock(project.stock_path(), project.stock, progress.part(0.7, 1.0))
+                           : rests ? c.carried->mesh
+                                   : nullptr;
         c.part = std::move(part);
         c.stock_key = stock_key;
     }

@@ -25,7 +25,7 @@ struct PreparedPart {
     std::shared_ptr<const MeshGeometry> geometry;
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
-    MeshPtr stock_mesh;            ///< in place; null where the project's stock is none
+    MeshPtr stock_mesh;            ///< in place; null where the stock is neither one nor a rest
 };
 
 /// How a program of several axes runs on its machine (motion_time.h).
@@ -65,6 +65,12 @@ struct OperationResult {
 std::vector<std::shared_ptr<const OperationResult>>
 programs_of(const std::shared_ptr<const OperationResult>& operation);
 
+/// What the setups before left of their stock, in a setup's coordinates.
+struct CarriedStock {
+    MeshPtr mesh;    ///< closed
+    std::string key; ///< the same for the same mesh, and for no other
+};
+
 /// How often a Planner ran each stage; what was reused is not counted.
 struct PlannerWork {
     int loads = 0, placements = 0, indexes = 0, strategies = 0, links = 0, programs = 0;
@@ -101,6 +107,9 @@ public:
     /// placement are the same. Throws Error(files, coordinate_range; of a stock that is not closed or holds
     /// nothing out_of_range).
     std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
+    /// The stock of projects whose stock is the rest of the setups before, from now on. Without it `prepare`
+    /// throws Error(missing_reference) for them.
+    void carry(std::shared_ptr<const CarriedStock> stock);
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;
     /// the cache stays good then.

@@ -1,6 +1,7 @@
 #include "core/job/project.h"
 
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/job/project_inputs.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
@@ -50,19 +51,6 @@ const ParameterTable<PartSpec>& part_parameters() {
     return table;
 }
 
-Project::Project(const Project& other)
-    : path(other.path), unit(other.unit), part(other.part), stock(other.stock), machine(other.machine),
-      limits(other.limits), programs(other.programs), tools(other.tools) {
-    operations.reserve(other.operations.size());
-    for (const auto& o : other.operations)
-        operations.push_back(o->clone());
-}
-
-Project& Project::operator=(const Project& other) {
-    if (this != &other) *this = Project(other);
-    return *this;
-}
-
 namespace {
 
 fs::path from_project(const fs::path& project, const fs::path& file) {
@@ -77,6 +65,16 @@ fs::path Project::part_path() const {
 
 fs::path Project::stock_path() const {
     return stock.kind == StockSpec::Kind::mesh ? from_project(path, stock.file) : fs::path();
+}
+
+PartSpec Project::placed_part() const {
+    const SetupFrame frame = frame_of(place);
+    if (frame.is_identity()) return part;
+    PartSpec placed = part;
+    const Placement all = moved(turned(placement_of(part), frame.turn, Vec3::Zero()), frame.move);
+    placed.rotate = all.rotate;
+    placed.translate = all.translate;
+    return placed;
 }
 
 fs::path Project::machine_path() const {
@@ -128,8 +126,9 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
 }
 
 void keep_referenced(const Project& project, const fs::path& output) {
-    for (const ProjectInput& input : project_inputs(project))
-        refuse_to_overwrite(input.path, output);
+    for (std::size_t i = 0; i < setup_count(project); ++i)
+        for (const ProjectInput& input : project_inputs(view_of_setup(project, i)))
+            refuse_to_overwrite(input.path, output);
 }
 
 void keep_inputs(const Project& project, const fs::path& output) {
@@ -149,9 +148,12 @@ void move_project(Project& project, const fs::path& path) {
         return (below || (file.is_relative() && !relative.empty()) ? relative : target).generic_string();
     };
     project.part.file = moved(project.part.file);
-    project.stock.file = moved(project.stock.file);
-    if (is_machine_file(project.machine)) project.machine = moved(project.machine);
-    if (is_post_file(project.programs.post)) project.programs.post = moved(project.programs.post);
+    for (std::size_t i = 0; i < setup_count(project); ++i) {
+        Setup& setup = setup_at(project, i);
+        setup.stock.file = moved(setup.stock.file);
+        if (is_machine_file(setup.machine)) setup.machine = moved(setup.machine);
+        if (is_post_file(setup.programs.post)) setup.programs.post = moved(setup.programs.post);
+    }
     project.path = path;
 }
 
@@ -200,6 +202,10 @@ void check_part(const Project& p) {
 void check_stock(const Project& p) {
     check_struct(p.stock, stock_parameters(), "stock", p.unit);
     if (p.stock.kind == StockSpec::Kind::mesh) check_mesh_file(p.stock.file, "stock");
+    if (p.stock.kind == StockSpec::Kind::rest && chosen_setup(p) == 0)
+        throw Error(ErrorCode::missing_reference, "stock.kind",
+                    "no setup comes before the first, so there is no rest of its stock",
+                    "give the stock of the first setup as box, cylinder or mesh");
 }
 
 void check_tools(const Project& p) {
@@ -222,6 +228,7 @@ void check_tools(const Project& p) {
 }
 
 void check_operations(const Project& p) {
+    const std::vector<const Operation*> all = all_operations(p);
     for (std::size_t i = 0; i < p.operations.size(); ++i) {
         const Operation& operation = *p.operations[i];
         const std::string place = at("operations", i);
@@ -230,11 +237,13 @@ void check_operations(const Project& p) {
         if (name.find_first_not_of(' ') == std::string::npos)
             throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
                         "give the operation a name");
-        for (std::size_t k = 0; k < i; ++k)
-            if (p.operations[k]->common().name == name)
+        for (const Operation* earlier : all) {
+            if (earlier == &operation) break; // those after it ask for themselves
+            if (earlier->common().name == name)
                 throw Error(ErrorCode::out_of_range, place + ".name",
                             "the name '" + printable(name) + "' occurs twice",
                             "give every operation its own name");
+        }
         try {
             p.tool_of(operation);
         } catch (const Error& e) {
@@ -257,17 +266,41 @@ void check_programs(const Project& p) {
     if (!copy.post.empty() && !is_post_file(copy.post)) find_post(copy.post);
 }
 
+/// All that is said of the setup that the project is the view on.
+void check_setup(const Project& p) {
+    check_struct(p.place, place_parameters(), "place", p.unit);
+    if (p.name.find_first_not_of(' ') == std::string::npos)
+        throw Error(ErrorCode::out_of_range, "name", "the name is empty", "give the setup a name");
+    check_text(p.name, "name");
+    for (const Setup& earlier : p.before)
+        if (earlier.name == p.name)
+            throw Error(ErrorCode::out_of_range, "name",
+                        "the setup's name '" + printable(p.name) + "' occurs twice",
+                        "give every setup its own name");
+    check_stock(p);
+    check_programs(p);
+    // Until the project has a place, nobody knows where a relative file is.
+    if (!is_machine_file(p.machine) || !p.path.empty()) project_machine(p);
+    check_operations(p);
+}
+
 } // namespace
 
 void check_project(const Project& project) {
     check_part(project);
-    check_stock(project);
     check_struct(project.limits, verify_limit_parameters(), "verification", project.unit);
-    check_programs(project);
-    // Until the project has a place, nobody knows where a relative file is.
-    if (!is_machine_file(project.machine) || !project.path.empty()) project_machine(project);
     check_tools(project);
-    check_operations(project);
+    const std::size_t n = setup_count(project);
+    if (n == 1) return check_setup(project);
+    for (std::size_t i = 0; i < n; ++i) {
+        try {
+            check_setup(view_of_setup(project, i));
+        } catch (const Error& e) {
+            const std::string setup = at("setups", i);
+            throw Error(e.code(), e.where().empty() ? setup : setup + "." + e.where(), e.message(),
+                        e.remedy());
+        }
+    }
 }
 
 void apply_setting(Project& project, std::string_view setting) {
@@ -279,8 +312,9 @@ void apply_setting(Project& project, std::string_view setting) {
     Operation* operation = nullptr;
     std::size_t length = 0;
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < project.operations.size(); ++i) {
-        Operation* o = project.operations[i].get();
+    const std::vector<Operation*> all = all_operations(project);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Operation* o = all[i];
         names.push_back(o->common().name);
         for (const std::string& name : {o->common().name, std::to_string(i + 1)}) {
             const bool fits =

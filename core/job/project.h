@@ -1,11 +1,9 @@
-// The project: part, stock, machine, tools, operations, as the project file has them.
+// The project: part, tools, and setups with stock, machine and operations, as the project file has them.
 #pragma once
 
 #include "core/base/parameter.h"
-#include "core/job/program_spec.h"
+#include "core/job/project_setup.h"
 #include "core/job/verify_limits.h"
-#include "core/setup/placement.h"
-#include "core/setup/stock.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/operation.h"
 
@@ -29,28 +27,24 @@ struct PartSpec {
 
 const ParameterTable<PartSpec>& part_parameters();
 
-/// Newest version of the project file that is read, and the one that is written: key "facetmill".
-inline constexpr long project_version = 1;
+/// Newest version of the project file that is read: key "facetmill".
+inline constexpr long project_version = 2;
+/// The version that is written where a project has one setup, which holds the part where it is.
+inline constexpr long single_setup_version = 1;
 
-struct Project {
+/// The view on one of its setups: all that is said of stock, machine, programs and operations is that one's.
+struct Project : Setup {
     std::filesystem::path path; ///< where it was read from or last saved; empty when new
     LengthUnit unit = LengthUnit::mm;
     PartSpec part;
-    StockSpec stock;
-    std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
-    VerifyLimits limits;                    ///< key "verification"
-    ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs", "arcs"
+    VerifyLimits limits; ///< key "verification"
     std::vector<Tool> tools;
-    std::vector<std::unique_ptr<Operation>> operations;
-
-    Project() = default;
-    Project(const Project& other);
-    Project& operator=(const Project& other);
-    Project(Project&&) = default;
-    Project& operator=(Project&&) = default;
+    std::vector<Setup> before, after; ///< the other setups, in machining order
 
     std::filesystem::path part_path() const;
-    std::filesystem::path stock_path() const; ///< of the mesh; empty where the stock is none
+    std::filesystem::path stock_path() const; ///< of the stock's file; empty where it has none
+    /// The part as the chosen setup holds it: its own placement, then that of the setup.
+    PartSpec placed_part() const;
     /// The machine's file; the project's `machine` may also be the name of a machine of the program.
     std::filesystem::path machine_path() const;
     std::filesystem::path post_path() const;
@@ -66,10 +60,12 @@ struct Project {
 /// described default (`part.units`, `stock.units`: the project's; `shank_diameter`: the tool's diameter).
 /// Throws Error(syntax, truncated, encoding, limit_exceeded, unknown_key, wrong_type, out_of_range,
 /// missing_key, missing_reference, newer_version, files ...) whose place is "file: operations[0].tolerance".
-/// Older versions are migrated.
+/// Older versions are migrated. In a file of version 2 the place is "file:
+/// setups[0].operations[0].tolerance"; the view is on its first setup.
 Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
-/// Parsing and writing again gives the same text. Throws Error(out_of_range) for a value that is not finite.
+/// Parsing and writing again gives the same text; which setup the view is on makes no difference. Throws
+/// Error(out_of_range) for a value that is not finite.
 std::string project_to_json(const Project& project);
 /// The machine by its name or from its file. Throws Error(missing_reference, files, load_machine) that names
 /// `machine` or the file.
@@ -88,14 +84,14 @@ void move_project(Project& project, const std::filesystem::path& path);
 /// also for the file of its part, stock or machine; what check_text throws).
 void save_project(const Project& project, const std::filesystem::path& path);
 
-/// Checks everything that needs no mesh: values, references, tools, machine, names that occur twice. A
-/// machine file is read only once the project has a path. The place in the error is
-/// "operations[0].tolerance", without the file.
+/// Checks everything that needs no mesh, of all setups: values, references, tools, machine, names that occur
+/// twice. A machine file is read only once the project has a path. The place in the error is
+/// "operations[0].tolerance", without the file; of several setups "setups[1].operations[0].tolerance".
 void check_project(const Project& project);
 
-/// "NAME.key=value" as on the command line; NAME is an operation's name or its place from 1. Only the one
-/// value is checked: `check_project` follows. Throws Error(usage, missing_reference, unknown_key, wrong_type,
-/// out_of_range); nothing changes then.
+/// "NAME.key=value" as on the command line; NAME is an operation's name or its place in the project, from 1.
+/// Only the one value is checked: `check_project` follows. Throws Error(usage, missing_reference,
+/// unknown_key, wrong_type, out_of_range); nothing changes then.
 void apply_setting(Project& project, std::string_view setting);
 
 /// A new project around a part with one sensible tool and one finish3 operation for its size; `unit` is that

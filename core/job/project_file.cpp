@@ -39,10 +39,10 @@ std::unique_ptr<Operation> read_operation(const Json& object, const std::string&
     return operation;
 }
 
-void read_stock(const Json& object, StockSpec& stock, LengthUnit unit) {
+void read_stock(const Json& object, const std::string& place, StockSpec& stock, LengthUnit unit) {
     stock.unit = unit;
     ParameterView<StockSpec> view(stock, stock_parameters());
-    read_parameters(object, "stock", view, unit);
+    read_parameters(object, place, view, unit);
     // What says nothing of this kind was meant for another one.
     const std::vector<std::string>& keys = stock_keys(stock.kind);
     for (auto it = object.begin(); it != object.end(); ++it) {
@@ -50,19 +50,78 @@ void read_stock(const Json& object, StockSpec& stock, LengthUnit unit) {
         std::string list;
         for (const auto& k : keys)
             list += (list.empty() ? "" : ", ") + k;
-        throw Error(ErrorCode::unknown_key, member("stock", it.key()),
+        throw Error(ErrorCode::unknown_key, member(place, it.key()),
                     "a stock of kind '" + stock_kind_name(stock.kind) + "' has no such key",
                     "known keys: " + list);
     }
-    if (stock.kind == StockSpec::Kind::mesh) require(object, "stock", "file", "name the stock's mesh file");
+    if (stock.kind == StockSpec::Kind::mesh) require(object, place, "file", "name the stock's mesh file");
+}
+
+/// Members of a setup, which in a file of version 1 are those of the file.
+const std::vector<std::string> setup_members = {"stock", "machine", "operations"};
+
+/// `own`: keys of `object` that say something else. Machine and programs stay as they are where it says
+/// nothing of them.
+void read_setup(const Json& object, const std::string& place, std::vector<std::string> own, Setup& setup,
+                LengthUnit unit) {
+    const auto at = [&](const char* key) { return member(place, key); };
+    setup.stock.unit = unit;
+    if (object.contains("stock")) read_stock(object["stock"], at("stock"), setup.stock, unit);
+    ParameterView<ProgramSpec> programs(setup.programs, program_parameters());
+    own.insert(own.end(), setup_members.begin(), setup_members.end());
+    read_parameters(object, place, programs, unit, own);
+    if (object.contains("machine")) setup.machine = read_text(object["machine"], at("machine"));
+    if (!object.contains("operations")) return;
+    const Json& operations = expect_list(object["operations"], at("operations"));
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        setup.operations.push_back(read_operation(operations[i], element(at("operations"), i), unit));
+}
+
+/// The setups of a file of version 2. What it says of machine and programs itself holds for those that say
+/// nothing of them.
+void read_setups(const Json& file, const std::vector<std::string>& shared, Project& project) {
+    std::vector<std::string> known = shared;
+    known.insert(known.end(), {"setups", "machine"});
+    Setup usual;
+    ParameterView<ProgramSpec> programs(usual.programs, program_parameters());
+    read_parameters(file, "", programs, project.unit, known);
+    if (file.contains("machine")) usual.machine = read_text(file["machine"], "machine");
+    const Json& setups = expect_list(require(file, "", "setups", "list at least one setup"), "setups");
+    if (setups.empty())
+        throw Error(ErrorCode::missing_key, "setups", "the project has no setup", "list at least one setup");
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        const std::string place = element("setups", i);
+        expect_object(setups[i], place);
+        Setup setup = usual;
+        setup.name = usual_setup_name(i);
+        if (i > 0) setup.stock.kind = StockSpec::Kind::rest;
+        if (setups[i].contains("name")) setup.name = read_text(setups[i]["name"], member(place, "name"));
+        if (setups[i].contains("place")) {
+            ParameterView<SetupPlace> held(setup.place, place_parameters());
+            read_parameters(setups[i]["place"], member(place, "place"), held, project.unit);
+        }
+        if (setups[i].contains("stock")) setup.stock = {};
+        read_setup(setups[i], place, {"name", "place"}, setup, project.unit);
+        if (i == 0)
+            static_cast<Setup&>(project) = std::move(setup);
+        else
+            project.after.push_back(std::move(setup));
+    }
 }
 
 Project read_project(Json file) {
     if (!file.is_object()) wrong_type("", file, "an object with the key \"facetmill\"");
-    migrate_project(file);
-    std::vector<std::string> known = {"facetmill", "units", "part",       "stock",
-                                      "machine",   "tools", "operations", "verification"};
-    const std::size_t others = known.size();
+    const bool several = migrate_project(file) > single_setup_version;
+    const std::vector<std::string> shared = {"facetmill", "units", "part", "tools", "verification"};
+    std::vector<std::string> known = shared;
+    if (several)
+        known.insert(known.end(), {"setups", "machine"});
+    else
+        known.insert(known.end(), setup_members.begin(), setup_members.end());
+    for (const std::string key : {"stock", "operations"})
+        if (several && file.contains(key))
+            throw Error(ErrorCode::unknown_key, key, "in a file of version 2 every setup has its own",
+                        "put it into one of \"setups\"");
     for (const ParameterInfo* info : program_parameters().infos())
         known.push_back(info->key);
     for (auto it = file.begin(); it != file.end(); ++it)
@@ -75,26 +134,19 @@ Project read_project(Json file) {
     project.part.unit = unit;
     ParameterView<PartSpec> part_view(project.part, part_parameters());
     read_parameters(part, "part", part_view, unit);
-    project.stock.unit = unit;
-    if (file.contains("stock")) read_stock(file["stock"], project.stock, unit);
     if (file.contains("verification")) {
         ParameterView<VerifyLimits> limits(project.limits, verify_limit_parameters());
         read_parameters(file["verification"], "verification", limits, unit);
     }
-    ParameterView<ProgramSpec> programs(project.programs, program_parameters());
-    known.resize(others);
-    read_parameters(file, "", programs, unit, known);
-    if (file.contains("machine")) project.machine = read_text(file["machine"], "machine");
     if (file.contains("tools")) {
         const Json& tools = expect_list(file["tools"], "tools");
         for (std::size_t i = 0; i < tools.size(); ++i)
             project.tools.push_back(read_tool(tools[i], element("tools", i), unit));
     }
-    if (file.contains("operations")) {
-        const Json& operations = expect_list(file["operations"], "operations");
-        for (std::size_t i = 0; i < operations.size(); ++i)
-            project.operations.push_back(read_operation(operations[i], element("operations", i), unit));
-    }
+    if (several)
+        read_setups(file, shared, project);
+    else
+        read_setup(file, "", shared, project, unit);
     check_project(project);
     return project;
 }
@@ -126,36 +178,70 @@ Project load_project(const std::filesystem::path& path) {
     return project;
 }
 
-std::string project_to_json(const Project& project) {
-    const LengthUnit unit = project.unit;
-    Json file = Json::object();
-    file["facetmill"] = project_version;
-    file["units"] = std::string(unit_name(unit));
-    file["part"] = write_struct(project.part, part_parameters(), "part", unit);
-    file["stock"] = Json::object();
-    StockSpec stock = project.stock;
+namespace {
+
+void write_machining(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
+    const auto at = [&](const char* key) { return member(place, key); };
+    to["stock"] = Json::object();
+    StockSpec stock = setup.stock;
     const ParameterView<StockSpec> view(stock, stock_parameters());
     for (const std::string& key : stock_keys(stock.kind))
-        write_parameter(file["stock"], "stock", view, view.parameter(key), unit);
-    check_text(project.machine, "machine");
-    file["machine"] = project.machine;
-    ProgramSpec spec = project.programs;
+        write_parameter(to["stock"], at("stock"), view, view.parameter(key), unit);
+    check_text(setup.machine, at("machine"));
+    to["machine"] = setup.machine;
+    ProgramSpec spec = setup.programs;
     const ParameterView<ProgramSpec> programs(spec, program_parameters());
     ProgramSpec usual;
     const ParameterView<ProgramSpec> defaults(usual, program_parameters());
     for (const ParameterInfo* info : programs.parameters())
         if (programs.get(info->key) != defaults.get(info->key))
-            write_parameter(file, "", programs, *info, unit);
+            write_parameter(to, place, programs, *info, unit);
+}
+
+void write_operations(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
+    to["operations"] = Json::array();
+    for (std::size_t i = 0; i < setup.operations.size(); ++i) {
+        Json object = Json::object();
+        object["kind"] = std::string(setup.operations[i]->kind());
+        write_parameters(object, element(member(place, "operations"), i), *setup.operations[i], unit);
+        to["operations"].push_back(std::move(object));
+    }
+}
+
+/// What a file of version 1 has no words for.
+bool needs_setups(const Project& project) {
+    return setup_count(project) > 1 || project.name != usual_setup_name(0) || project.place != SetupPlace();
+}
+
+} // namespace
+
+std::string project_to_json(const Project& project) {
+    const LengthUnit unit = project.unit;
+    const bool several = needs_setups(project);
+    Json file = Json::object();
+    file["facetmill"] = several ? project_version : single_setup_version;
+    file["units"] = std::string(unit_name(unit));
+    file["part"] = write_struct(project.part, part_parameters(), "part", unit);
+    if (!several) write_machining(file, project, "", unit);
     file["verification"] = write_struct(project.limits, verify_limit_parameters(), "verification", unit);
     file["tools"] = Json::array();
     for (std::size_t i = 0; i < project.tools.size(); ++i)
         file["tools"].push_back(write_struct(project.tools[i], tool_parameters(), element("tools", i), unit));
-    file["operations"] = Json::array();
-    for (std::size_t i = 0; i < project.operations.size(); ++i) {
+    if (!several) {
+        write_operations(file, project, "", unit);
+        return pretty_json(file);
+    }
+    file["setups"] = Json::array();
+    for (std::size_t i = 0; i < setup_count(project); ++i) {
+        const Setup& setup = setup_at(project, i);
+        const std::string place = element("setups", i);
         Json object = Json::object();
-        object["kind"] = std::string(project.operations[i]->kind());
-        write_parameters(object, element("operations", i), *project.operations[i], unit);
-        file["operations"].push_back(std::move(object));
+        check_text(setup.name, member(place, "name"));
+        object["name"] = setup.name;
+        object["place"] = write_struct(setup.place, place_parameters(), member(place, "place"), unit);
+        write_machining(object, setup, place, unit);
+        write_operations(object, setup, place, unit);
+        file["setups"].push_back(std::move(object));
     }
     return pretty_json(file);
 }

@@ -92,9 +92,13 @@ void set_input(Project& project, ProjectInput::Kind kind, const fs::path& file) 
 
 void take_inputs(Project& to, const Project& from) {
     to.part.file = from.part.file;
-    to.stock.file = from.stock.file;
-    to.machine = from.machine;
-    to.programs.post = from.programs.post;
+    for (std::size_t i = 0; i < setup_count(to); ++i) {
+        Setup& setup = setup_at(to, i);
+        const Setup& named = setup_at(from, i);
+        setup.stock.file = named.stock.file;
+        setup.machine = named.machine;
+        setup.programs.post = named.programs.post;
+    }
 }
 
 std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& missing, const fs::path& file) {

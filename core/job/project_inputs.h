@@ -23,7 +23,8 @@ std::string_view input_name(ProjectInput::Kind kind);
 
 /// There is nothing at this place, neither a file nor anything else.
 bool is_missing(const std::filesystem::path& path);
-/// The part first. A stock that is no mesh, machines and posts of the program have no file.
+/// Those of the part, which come first, and of the setup that the project is the view on. A stock that is no
+/// mesh, machines and posts of the program have no file.
 std::vector<ProjectInput> project_inputs(const Project& project);
 /// Those that are missing. A folder in the place of a file, or a file that may not be read, is another error.
 std::vector<ProjectInput> missing_inputs(const Project& project);
@@ -33,7 +34,7 @@ void check_inputs(const Project& project);
 /// Names another file, relative to the project's where that has a place on disk and links on the way do not
 /// lead elsewhere.
 void set_input(Project& project, ProjectInput::Kind kind, const std::filesystem::path& file);
-/// Takes over which files another project names, and nothing else.
+/// Takes over which files another project of the same setups names, and nothing else.
 void take_inputs(Project& to, const Project& from);
 /// Names `file` in place of a missing one. Other missing files that lie as they did beside it, or under their
 /// old names in its folder, are named as well: those are returned.

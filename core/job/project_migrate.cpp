@@ -37,34 +37,38 @@ void from_0(Json& file) {
     });
 }
 
-/// steps[v] makes version v + 1 of version v.
-constexpr std::array<void (*)(Json&), std::size_t(project_version)> steps = {from_0};
+/// steps[v] makes version v + 1 of version v. A file of one setup stays one: it is read as it is, so that
+/// messages name the places that it has.
+constexpr std::array<void (*)(Json&), std::size_t(single_setup_version)> steps = {from_0};
 
 } // namespace
 
-void migrate_project(Json& file) {
+long migrate_project(Json& file) {
     const std::string key = "facetmill";
     if (!file.contains(key))
         throw Error(ErrorCode::missing_key, key, "the version of the project file is missing",
-                    "add \"facetmill\": " + std::to_string(project_version) + "; is this a project file?");
+                    "add \"facetmill\": " + std::to_string(single_setup_version)
+                        + "; is this a project file?");
     const Json& version = file[key];
     if (!version.is_number_integer())
         throw Error(ErrorCode::wrong_type, key, "the version is not a whole number",
-                    "write " + std::to_string(project_version));
+                    "write " + std::to_string(single_setup_version));
     const auto read = version.is_number_unsigned()
                           ? long(std::min<std::uint64_t>(version.get<std::uint64_t>(), 1000000))
                           : version.get<long>();
     if (read < 0)
         throw Error(ErrorCode::out_of_range, key, "the version is negative",
-                    "write " + std::to_string(project_version));
+                    "write " + std::to_string(single_setup_version));
     if (read > project_version)
         throw Error(ErrorCode::newer_version, key,
                     "the file has version " + std::to_string(read) + ", this program reads up to "
                         + std::to_string(project_version),
                     "use a newer Facetmill");
-    for (long v = read; v < project_version; ++v)
+    for (long v = read; v < single_setup_version; ++v)
         steps[std::size_t(v)](file);
-    file[key] = project_version;
+    const long reached = std::max(read, single_setup_version);
+    file[key] = reached;
+    return reached;
 }
 
 } // namespace facetmill

@@ -128,8 +128,8 @@ std::string reference_page() {
         "errors that name the key.\n\n"
         "| key | meaning |\n|---|---|\n"
         "| `facetmill` | Version of the file: "
-        + std::to_string(project_version)
-        + ". Older files are migrated. Required. |\n"
+        + std::to_string(single_setup_version) + ", or " + std::to_string(project_version)
+        + " where it lists `setups`. Older files are migrated. Required. |\n"
           "| `units` | `mm` or `in`: unit of every length in the file. Required. |\n"
           "| `part` | The part, see below. Required. |\n"
           "| `stock` | The raw material, see below. Default: the part's box. |\n"
@@ -141,7 +141,26 @@ std::string reference_page() {
           "| `tools` | List of tools, see below. |\n"
           "| `operations` | List of operations in machining order; each has a `kind` and the keys of that "
           "kind. |\n\n"
-          "## Part\n\n";
+          "## Setups\n\n"
+          "A file of version "
+        + std::to_string(project_version)
+        + " has `setups`, a list in machining order. Each has its own `stock`, `operations`, `machine`\n"
+          "and keys of programs (`post`, `wcs`, `zero`, ...), as above; what the file itself says of machine "
+          "and programs\n"
+          "holds for setups that say nothing of them. `units`, `part`, `tools` and `verification` are "
+          "shared. "
+          "Names of\n"
+          "operations occur once in a project. In a setup, all places are those of the part as the setup "
+          "holds it.\n\n"
+          "| key | meaning |\n|---|---|\n"
+          "| `name` | Each setup has its own. Default: `"
+        + usual_setup_name(0)
+        + "`, and so on. |\n"
+          "| `place` | How the part lies in this setup, see below. Default: as `part` places it. |\n"
+          "| `stock` | Default after the first setup: `rest`, what the setup before left. |\n\n"
+          "### `place`\n\n";
+    table(page, place_parameters().infos(), "###");
+    page += "## Part\n\n";
     table(page, part_parameters().infos(), "###");
     page += "## Stock\n\n";
     for (const std::string& kind : stock_parameters().find("kind")->info.words) {
@@ -150,7 +169,7 @@ std::string reference_page() {
         std::string keys;
         for (const std::string& key : stock_keys(stock.kind))
             if (key != "kind") keys += (keys.empty() ? "`" : ", `") + key + "`";
-        page += "- `" + kind + "`: " + keys
+        page += "- `" + kind + "`" + (keys.empty() ? "" : ": ") + keys
                 + (stock.kind == StockSpec::Kind::mesh ? "; `file` is required" : "") + "\n";
     }
     page += "\n";

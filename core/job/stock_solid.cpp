@@ -33,6 +33,7 @@ StockSolid stock_solid(const StockSpec& stock, const PreparedPart& part) {
         break;
     }
     case StockSpec::Kind::mesh:
+    case StockSpec::Kind::rest:
         solid.kind = StockSolid::Kind::mesh;
         solid.mesh = part.stock_mesh;
         if (part.stock_mesh) solid.box = part.stock_mesh->box();

@@ -10,8 +10,10 @@ const ParameterTable<StockSpec>& stock_parameters() {
         ParameterTable<StockSpec> t;
         t.add_choice(&StockSpec::kind, {.key = "kind",
                                         .label = "Kind",
-                                        .help = "Shape of the raw material.",
-                                        .words = {"box", "cylinder", "mesh"},
+                                        .help = "Shape of the raw material. `rest`: what the setup before "
+                                                "left of its stock, as it was verified; not in the first "
+                                                "setup.",
+                                        .words = {"box", "cylinder", "mesh", "rest"},
                                         .stage = Stage::contact});
         t.add(&StockSpec::margin,
               {.key = "margin",
@@ -64,10 +66,11 @@ const std::string& stock_kind_name(StockSpec::Kind kind) {
 }
 
 const std::vector<std::string>& stock_keys(StockSpec::Kind kind) {
-    static const std::array<std::vector<std::string>, 3> keys{
+    static const std::array<std::vector<std::string>, 4> keys{
         {{"kind", "margin"},
          {"kind", "margin", "axis", "diameter"},
-         {"kind", "file", "units", "scale", "mirror", "rotate", "translate"}}};
+         {"kind", "file", "units", "scale", "mirror", "rotate", "translate"},
+         {"kind"}}};
     return keys.at(std::size_t(kind));
 }
 

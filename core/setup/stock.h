@@ -12,7 +12,8 @@
 namespace facetmill {
 
 struct StockSpec {
-    enum class Kind { box, cylinder, mesh };
+    /// rest: what the setup before left, as it was verified; the first setup of a project has none.
+    enum class Kind { box, cylinder, mesh, rest };
     enum class Axis { x, y, z };
     Kind kind = Kind::box;
     /// Box and cylinder. mm added to the part's box on both sides in x and y, on top in z.
@@ -27,7 +28,7 @@ struct StockSpec {
 };
 
 const ParameterTable<StockSpec>& stock_parameters();
-/// "box", "cylinder", "mesh".
+/// "box", "cylinder", "mesh", "rest".
 const std::string& stock_kind_name(StockSpec::Kind kind);
 /// Keys of the parameters that a kind has; the others say nothing of it.
 const std::vector<std::string>& stock_keys(StockSpec::Kind kind);

@@ -454,7 +454,7 @@ private slots:
         row("control character", changed("\"name\": \"Finish\"", "\"name\": \"a\\u0000b\""), "out_of_range",
             "p.facetmill: operations[0].name");
         row("version missing", changed("\"facetmill\": 1,", ""), "missing_key", "p.facetmill: facetmill");
-        row("version 2", changed("\"facetmill\": 1", "\"facetmill\": 2"), "newer_version",
+        row("version 3", changed("\"facetmill\": 1", "\"facetmill\": 3"), "newer_version",
             "p.facetmill: facetmill");
         row("version huge", changed("\"facetmill\": 1", "\"facetmill\": 18446744073709551615"),
             "newer_version", "p.facetmill: facetmill");
