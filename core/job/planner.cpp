@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/asked_operations.h"
+#include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/link/link.h"
@@ -153,13 +154,6 @@ MeshPtr load_stock(const fs::path& path, const StockSpec& stock, const Progress&
     const MeshPtr mesh = placed(loaded.mesh, stock, progress.part(0.9, 1.0));
     check_coordinates(mesh->box(), "stock");
     return mesh;
-}
-
-std::string rest_key(const std::shared_ptr<const CarriedStock>& carried) {
-    if (!carried)
-        throw Error(ErrorCode::missing_reference, "stock", "what the setup before leaves is not known yet",
-                    "plan the setups before this one");
-    return "rest" + carried->key;
 }
 
 MachineRun machine_run(const MachineMotion& motion, const Machine& machine, LengthUnit unit) {
@@ -395,6 +389,31 @@ void Planner::carry(std::shared_ptr<const CarriedStock> stock) {
     cache_->carried = std::move(stock);
 }
 
+std::string stock_source(const Project& project) {
+    if (project.stock.kind != StockSpec::Kind::rest || project.before.empty()) return {};
+    Project earlier = view_of_setup(project, chosen_setup(project) - 1);
+    earlier.after.clear();
+    Key key;
+    key.add(std::string_view(project_to_json(earlier)))
+        .add(project.place.rotate)
+        .add(project.place.translate);
+    for (std::size_t i = 0; i < setup_count(earlier); ++i)
+        for (const ProjectInput& input : project_inputs(view_of_setup(earlier, i)))
+            if (input.kind != ProjectInput::Kind::post) key.add(std::string_view(file_stamp(input.path)));
+    return key.text();
+}
+
+namespace {
+
+std::string rest_key(const std::shared_ptr<const CarriedStock>& carried, const Project& project) {
+    if (!carried || carried->source != stock_source(project))
+        throw Error(ErrorCode::missing_reference, "stock", "what the setup before leaves is not known yet",
+                    "plan the setups before this one");
+    return "rest" + carried->key;
+}
+
+} // namespace
+
 std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, const Progress& progress) {
     Cache& c = *cache_;
     const fs::path path = project.part_path();
@@ -405,7 +424,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
     const bool rests = project.stock.kind == StockSpec::Kind::rest;
     const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock)
-                                  : rests   ? rest_key(c.carried)
+                                  : rests   ? rest_key(c.carried, project)
                                             : std::string();
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {

@@ -67,9 +67,15 @@ programs_of(const std::shared_ptr<const OperationResult>& operation);
 
 /// What the setups before left of their stock, in a setup's coordinates.
 struct CarriedStock {
-    MeshPtr mesh;    ///< closed
-    std::string key; ///< the same for the same mesh, and for no other
+    MeshPtr mesh;       ///< closed
+    std::string key;    ///< the same for the same mesh, and for no other
+    std::string source; ///< what it was made from: stock_source of the setup that it is for
 };
+
+/// All that the stock which the chosen setup begins with comes from, as text, where that is a rest; else
+/// empty: the part, the setups before, how this one holds the part, and the files of all that as they are on
+/// disk.
+std::string stock_source(const Project& project);
 
 /// How often a Planner ran each stage; what was reused is not counted.
 struct PlannerWork {
@@ -107,8 +113,8 @@ public:
     /// placement are the same. Throws Error(files, coordinate_range; of a stock that is not closed or holds
     /// nothing out_of_range).
     std::shared_ptr<const PreparedPart> prepare(const Project& project, const Progress& progress);
-    /// The stock of projects whose stock is the rest of the setups before, from now on. Without it `prepare`
-    /// throws Error(missing_reference) for them.
+    /// The stock of projects whose stock is the rest of the setups before, from now on. Where it is none, or
+    /// was made from anything else than the project says now, `prepare` throws Error(missing_reference).
     void carry(std::shared_ptr<const CarriedStock> stock);
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;

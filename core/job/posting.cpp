@@ -182,6 +182,52 @@ void check_posting(const Project& project) {
     }
 }
 
+namespace {
+
+/// Whether programs are known to a control by their number.
+bool numbers_programs(const Post& post) {
+    return std::any_of(post.start.begin(), post.start.end(),
+                       [](const std::string& line) { return line.find("{program}") != std::string::npos; });
+}
+
+/// The first and the last number of a setup's programs; a rework tool has one of its own.
+std::pair<long, long> program_numbers(const Setup& setup) {
+    long count = 1;
+    if (setup.programs.files == ProgramSpec::Files::each) {
+        count = 0;
+        for (const auto& o : setup.operations)
+            count += o->rework() ? 2 : 1;
+    }
+    return {setup.programs.number, setup.programs.number + count - 1};
+}
+
+} // namespace
+
+void check_all_posting(const Project& project) {
+    const std::size_t n = setup_count(project);
+    if (n == 1) return check_posting(project);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Project view = view_of_setup(project, i);
+        const std::string place = "setup '" + printable(view.name) + "'";
+        try {
+            check_posting(view);
+        } catch (const Error& e) {
+            throw e.within(place);
+        }
+        if (view.programs.post.empty() || !numbers_programs(project_post(view, view.programs.post))) continue;
+        const auto [first, last] = program_numbers(view);
+        for (const Setup& earlier : view.before) {
+            const auto [from, to] = program_numbers(earlier);
+            if (earlier.programs.post != view.programs.post || first > to || from > last) continue;
+            throw Error(ErrorCode::out_of_range, place + ": program_number",
+                        "its programs have the numbers " + std::to_string(first) + " to "
+                            + std::to_string(last) + ", and those of setup '" + printable(earlier.name) + "' "
+                            + std::to_string(from) + " to " + std::to_string(to),
+                        "give numbers that no other setup has, from " + std::to_string(to + 1));
+        }
+    }
+}
+
 std::vector<PostedFile> post_plan(const Project& project, const PlanResult& result,
                                   const Progress& progress) {
     if (project.programs.post.empty()) return {};

@@ -23,6 +23,10 @@ Post project_post(const Project& project, const std::string& name);
 /// Error(out_of_range) and what project_post does.
 void check_posting(const Project& project);
 
+/// The same for all setups; of several within "setup 'Bottom'". Besides, programs of two setups must not have
+/// one number on one control, which would write one over the other. Throws Error(out_of_range) likewise.
+void check_all_posting(const Project& project);
+
 /// What a project's programs are posted for, but for the tolerance, which is each program's own. The work
 /// zero stands for the part's origin: sections are moved by minus work_zero.
 PostSetup post_setup(const Project& project, const PlanResult& result);

@@ -16,12 +16,17 @@ namespace {
 constexpr std::size_t longest_name = 60;
 constexpr const char* report_file_name = "report.json";
 
-std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
+std::size_t place_in_setup(const Project& project, const PlanResult& result, std::size_t program) {
     const std::string& owner = result.operations[result.owner(program)]->name;
     std::size_t place = 0;
     while (place < project.operations.size() && project.operations[place]->common().name != owner)
         ++place;
     return place;
+}
+
+/// Counted through all setups, so that no two files of a project have one name.
+std::size_t place_in_project(const Project& project, const PlanResult& result, std::size_t program) {
+    return operations_before(project) + place_in_setup(project, result, program);
 }
 
 /// "01-Finish": program_file_name without the extension.
@@ -60,7 +65,7 @@ std::string program_stem(const std::string& text) {
 }
 
 const Operation& operation_of(const Project& project, const PlanResult& result, std::size_t program) {
-    return *project.operations.at(place_in_project(project, result, program));
+    return *project.operations.at(place_in_setup(project, result, program));
 }
 
 std::string program_file_name(std::size_t place, const std::string& operation_name) {
@@ -73,33 +78,38 @@ std::string program_file_name(const Project& project, const PlanResult& result, 
 }
 
 std::string joined_program_name(const Project& project, const std::string& extension) {
-    return program_stem(fs::path(project.part.file).stem().string()) + extension;
+    std::string stem = program_stem(fs::path(project.part.file).stem().string());
+    if (setup_count(project) > 1)
+        stem += "-" + std::to_string(chosen_setup(project) + 1) + "-" + program_stem(project.name);
+    return stem + extension;
 }
 
 std::vector<std::string> program_file_names(const Project& project) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < project.operations.size(); ++i)
-        names.push_back(program_file_name(i + 1, project.operations[i]->common().name));
-    if (const std::string& name = project.programs.post; !name.empty()) {
-        const std::string extension = project_post(project, name).extension;
-        if (project.programs.files == ProgramSpec::Files::one)
-            names.push_back(joined_program_name(project, extension));
+    for (std::size_t k = 0; k < setup_count(project); ++k) {
+        const Project view = view_of_setup(project, k);
+        const std::size_t n = view.operations.size(), first = operations_before(view) + 1;
+        const auto name = [&](std::size_t i) { return view.operations[i]->common().name; };
+        for (std::size_t i = 0; i < n; ++i)
+            names.push_back(program_file_name(first + i, name(i)));
+        if (view.programs.post.empty()) continue;
+        const std::string extension = project_post(view, view.programs.post).extension;
+        if (view.programs.files == ProgramSpec::Files::one)
+            names.push_back(joined_program_name(view, extension));
         else
-            for (std::size_t i = 0; i < project.operations.size(); ++i)
-                names.push_back(file_stem(i + 1, project.operations[i]->common().name) + extension);
+            for (std::size_t i = 0; i < n; ++i)
+                names.push_back(file_stem(first + i, name(i)) + extension);
     }
     names.emplace_back(report_file_name);
     return names;
 }
 
-std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
-                                 const Progress& progress, const std::vector<double>& air,
-                                 const std::function<void()>& before) {
-    result.check_programs();
-    result.check_reach();
-    const std::vector<PostedFile> posted_files = post_plan(project, result, progress.part(0, 0.5));
-    const NewFolder made(folder);
-    OutputSet files;
+namespace {
+
+/// Programs of a setup into the files of a set. Returns their paths.
+std::vector<fs::path> add_programs(const Project& project, const PlanResult& result, const fs::path& folder,
+                                   const std::vector<PostedFile>& posted_files, OutputSet& files,
+                                   const Progress& progress) {
     const auto add = [&](const fs::path& path) -> OutputFile& {
         keep_inputs(project, path);
         return files.add(path);
@@ -110,8 +120,7 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         const ClProgram program = program_of(project, result.operations[i]);
         const std::string stem =
             file_stem(place_in_project(project, result, i) + 1, result.operations[i]->name);
-        const Progress part =
-            progress.part(0.5 + 0.5 * double(i) / n, 0.5 + 0.5 * double(i + 1) / n, "Writing");
+        const Progress part = progress.part(double(i) / n, double(i + 1) / n, "Writing");
         for (const ProgramWriter& writer : program_writers()) {
             const std::vector<std::string> endings = writer.files(program);
             for (std::size_t k = 0; k < endings.size(); ++k) {
@@ -124,8 +133,54 @@ std::vector<fs::path> write_plan(const Project& project, const PlanResult& resul
         paths.push_back(folder / posted.name);
         add(paths.back()).write(posted.program.text);
     }
+    return paths;
+}
+
+} // namespace
+
+std::vector<fs::path> write_plan(const Project& project, const PlanResult& result, const fs::path& folder,
+                                 const Progress& progress, const std::vector<double>& air,
+                                 const std::function<void()>& before) {
+    result.check_programs();
+    result.check_reach();
+    const std::vector<PostedFile> posted_files = post_plan(project, result, progress.part(0, 0.5));
+    const NewFolder made(folder);
+    OutputSet files;
+    std::vector<fs::path> paths =
+        add_programs(project, result, folder, posted_files, files, progress.part(0.5, 1));
     paths.push_back(folder / report_file_name);
-    add(paths.back()).write(report_json(project, result, air));
+    keep_inputs(project, paths.back());
+    files.add(paths.back()).write(report_json(project, result, air));
+    progress.check();
+    files.commit(before);
+    return paths;
+}
+
+std::vector<fs::path> write_setups(std::span<const SetupPlan> setups, const fs::path& folder,
+                                   const Progress& progress, const std::vector<std::vector<double>>& air,
+                                   const std::function<void()>& before) {
+    std::vector<std::vector<PostedFile>> posted(setups.size());
+    const double n = double(setups.size());
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        if (!setups[i].asked) continue;
+        setups[i].plan->check_programs();
+        setups[i].plan->check_reach();
+        posted[i] = post_plan(setups[i].project, *setups[i].plan,
+                              progress.part(0.5 * double(i) / n, 0.5 * double(i + 1) / n));
+    }
+    const NewFolder made(folder);
+    OutputSet files;
+    std::vector<fs::path> paths;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        if (!setups[i].asked) continue;
+        const std::vector<fs::path> own =
+            add_programs(setups[i].project, *setups[i].plan, folder, posted[i], files,
+                         progress.part(0.5 + 0.5 * double(i) / n, 0.5 + 0.5 * double(i + 1) / n));
+        paths.insert(paths.end(), own.begin(), own.end());
+    }
+    paths.push_back(folder / report_file_name);
+    keep_inputs(setups.front().project, paths.back());
+    files.add(paths.back()).write(setups_report_json(setups, air));
     progress.check();
     files.commit(before);
     return paths;

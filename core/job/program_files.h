@@ -3,9 +3,11 @@
 
 #include "core/base/progress.h"
 #include "core/job/planner.h"
+#include "core/job/setup_plan.h"
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,11 @@ std::string program_file_name(const Project& project, const PlanResult& result, 
 /// A name in which '-' stands for what file systems or shells might stumble over, and "operation" for none.
 std::string program_stem(const std::string& name);
 
-/// The posted program that holds all operations of a project.
+/// The posted program that holds all operations of a project; of several setups those of the chosen one, with
+/// its number and name.
 std::string joined_program_name(const Project& project, const std::string& extension);
 
-/// The names of the files that a plan of the project writes for certain: one program an operation, the posted
+/// The names of the files that a plan of all setups writes for certain: one program an operation, the posted
 /// programs, and the report.
 std::vector<std::string> program_file_names(const Project& project);
 
@@ -40,5 +43,11 @@ std::vector<std::filesystem::path> write_plan(const Project& project, const Plan
                                               const std::filesystem::path& folder, const Progress& progress,
                                               const std::vector<double>& air = {},
                                               const std::function<void()>& before = {});
+
+/// The same for the setups that were asked for; the report is that of them all. `air`: for each setup.
+std::vector<std::filesystem::path> write_setups(std::span<const SetupPlan> setups,
+                                                const std::filesystem::path& folder, const Progress& progress,
+                                                const std::vector<std::vector<double>>& air,
+                                                const std::function<void()>& before = {});
 
 } // namespace facetmill

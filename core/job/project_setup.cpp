@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace facetmill {
 
@@ -125,15 +127,52 @@ std::size_t operations_before(const Project& project) {
     return n;
 }
 
-std::string free_operation_name(const Project& project, const std::string& wish) {
-    const std::vector<const Operation*> all = all_operations(project);
-    const auto taken = [&](const std::string& name) {
-        return std::any_of(all.begin(), all.end(),
-                           [&](const Operation* o) { return o->common().name == name; });
-    };
+namespace {
+
+/// The wish, or with the first number from 2 that makes it one of its own.
+template <class Taken>
+std::string free_name(const std::string& wish, const Taken& taken) {
     if (!taken(wish)) return wish;
     for (int n = 2;; ++n)
         if (const std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
+}
+
+} // namespace
+
+std::string free_operation_name(const Project& project, const std::string& wish) {
+    const std::vector<const Operation*> all = all_operations(project);
+    return free_name(wish, [&](const std::string& name) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const Operation* o) { return o->common().name == name; });
+    });
+}
+
+std::string free_setup_name(const Project& project, const std::string& wish) {
+    return free_name(wish, [&](const std::string& name) {
+        for (std::size_t i = 0; i < setup_count(project); ++i)
+            if (setup_at(project, i).name == name) return true;
+        return false;
+    });
+}
+
+std::vector<Setup> take_setups(Project& project) {
+    std::vector<Setup> all = std::move(project.before);
+    all.push_back(std::move(static_cast<Setup&>(project)));
+    std::move(project.after.begin(), project.after.end(), std::back_inserter(all));
+    project.before.clear();
+    project.after.clear();
+    return all;
+}
+
+void put_setups(Project& project, std::vector<Setup> setups, std::size_t chosen) {
+    if (setups.at(0).stock.kind == StockSpec::Kind::rest)
+        throw Error(ErrorCode::missing_reference, "setup '" + printable(setups[0].name) + "'",
+                    "it goes on with what the setup before it leaves, and would be the first",
+                    "give it a stock of its own before");
+    static_cast<Setup&>(project) = std::move(setups[0]);
+    project.before.clear();
+    project.after.assign(std::make_move_iterator(setups.begin() + 1), std::make_move_iterator(setups.end()));
+    choose_setup(project, chosen);
 }
 
 Mat3 exact_turn(const Mat3& turn) {
@@ -146,6 +185,13 @@ SetupFrame frame_of(const SetupPlace& place) {
             Vec3(place.translate[0], place.translate[1], place.translate[2])};
 }
 
+SetupFrame flip_about(int axis, const Box3& box) {
+    Vec3 signs = -Vec3::Ones();
+    signs[axis] = 1;
+    const Vec3 middle = box.center();
+    return {signs.asDiagonal(), middle - signs.cwiseProduct(middle)};
+}
+
 void lay_part(Project& project, const Placement& placement) {
     PartSpec& part = project.part;
     if (setup_count(project) == 1 && project.place == SetupPlace()) {
@@ -155,7 +201,8 @@ void lay_part(Project& project, const Placement& placement) {
         return;
     }
     if (placement.mirror != part.mirror)
-        throw Error(ErrorCode::out_of_range, "place", "a setup turns and moves the part, and cannot mirror it",
+        throw Error(ErrorCode::out_of_range, "place",
+                    "a setup turns and moves the part, and cannot mirror it",
                     "mirror the part itself, which all setups have");
     const auto frame = [](const Placement& p) { return frame_of({p.rotate, p.translate}); };
     project.place = place_of(frame(placement).after(frame(placement_of(part)).inverse()));

@@ -68,6 +68,14 @@ std::size_t operations_before(const Project& project);
 /// "Finish", or "Finish 2" where an operation of the project has that name.
 std::string free_operation_name(const Project& project, const std::string& wish);
 
+/// "Setup 2", or what else no setup of the project is called.
+std::string free_setup_name(const Project& project, const std::string& wish);
+/// All setups, in machining order, taken out of the project, which is no good until they are put back.
+std::vector<Setup> take_setups(Project& project);
+/// Puts setups into a project as the view on one of them. Throws Error(missing_reference) where the first
+/// would go on with the rest of one before it; the project is no good then.
+void put_setups(Project& project, std::vector<Setup> setups, std::size_t chosen);
+
 /// A turn that is one of quarter turns, to rounding, without that rounding: then boxes stay boxes.
 Mat3 exact_turn(const Mat3& turn);
 
@@ -90,6 +98,9 @@ SetupFrame frame_of(const SetupPlace& place);
 /// other setup and this one holds the part as it is, else by the setup's. Throws Error(out_of_range) where a
 /// setup would have to mirror it.
 void lay_part(Project& project, const Placement& placement);
+/// A half turn about a line along X (0) or Y (1) through the middle of a box, which then is where it was: the
+/// zero on it as well.
+SetupFrame flip_about(int axis, const Box3& box);
 /// Its numbers rounded as those of all placements that are found.
 SetupPlace place_of(const SetupFrame& frame);
 

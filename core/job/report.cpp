@@ -1,5 +1,6 @@
 #include "core/job/report.h"
 
+#include "core/base/parameter_json.h"
 #include "core/base/strict_json.h"
 #include "core/strategy/global_local/rework_plan.h"
 
@@ -117,9 +118,8 @@ void add_rework(Json& entry, const OperationResult& o, double per) {
     entry["remaining_fraction"] = number(plan.part_area > 0 ? plan.remaining_area / plan.part_area : 0);
 }
 
-} // namespace
-
-std::string report_json(const Project& project, const PlanResult& result, const std::vector<double>& air) {
+/// All that is said of one setup.
+Json report_of(const Project& project, const PlanResult& result, const std::vector<double>& air) {
     const double per = mm_per(project.unit);
     Json operations = Json::array();
     for (std::size_t i = 0; i < result.operations.size(); ++i) {
@@ -184,6 +184,37 @@ std::string report_json(const Project& project, const PlanResult& result, const 
     report["machine"] = project.machine;
     report["operations"] = std::move(operations);
     if (!result.idle.empty()) report["idle_operations"] = std::move(idle);
+    return report;
+}
+
+} // namespace
+
+std::string report_json(const Project& project, const PlanResult& result, const std::vector<double>& air) {
+    return pretty_json(report_of(project, result, air));
+}
+
+std::string setups_report_json(std::span<const SetupPlan> setups,
+                               const std::vector<std::vector<double>>& air) {
+    const Project& project = setups.front().project;
+    if (setup_count(project) == 1) return report_json(project, *setups.front().plan, air.front());
+    Json report;
+    report["units"] = std::string(unit_name(project.unit));
+    Json all = Json::array();
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        if (!setups[i].asked) continue;
+        const Project& view = setups[i].project;
+        Json entry;
+        entry["name"] = printable(view.name, 200);
+        Json place = Json::object();
+        SetupPlace held = view.place;
+        write_parameters(place, "place", ParameterView<SetupPlace>(held, place_parameters()), view.unit);
+        entry["place"] = std::move(place);
+        const Json own = report_of(view, *setups[i].plan, air.at(i));
+        for (auto member = own.begin(); member != own.end(); ++member)
+            entry[member.key()] = *member;
+        all.push_back(std::move(entry));
+    }
+    report["setups"] = std::move(all);
     return pretty_json(report);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/job/planner.h"
+#include "core/job/setup_plan.h"
 
 #include <string>
 
@@ -12,5 +13,10 @@ namespace facetmill {
 /// not known.
 std::string report_json(const Project& project, const PlanResult& result,
                         const std::vector<double>& air = {});
+
+/// The report of a project: that of its setup, or of several `setups[]`, those that were asked for, each with
+/// its `name`, `place` and all that the report of a single one has. `air`: for each setup.
+std::string setups_report_json(std::span<const SetupPlan> setups,
+                               const std::vector<std::vector<double>>& air);
 
 } // namespace facetmill

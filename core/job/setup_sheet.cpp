@@ -130,6 +130,9 @@ public:
     }
     void end_wide_table() { text += "</table></div>\n"; }
 
+    /// The setup's name and how it holds the part, where there are several.
+    void setup_title();
+    void pictures(std::span<const SheetPicture> all);
     void part_and_stock();
     void tools();
     void operations();
@@ -143,6 +146,31 @@ private:
     std::string columns_;
 };
 
+void Sheet::setup_title() {
+    if (setup_count(project_) == 1) return;
+    text += "<h1 style=\"break-before: page; margin-top: 40px\">Setup "
+            + std::to_string(chosen_setup(project_) + 1) + " \u00b7 " + html(project_.name) + "</h1>\n";
+    const auto& [turn, move] = project_.place;
+    std::string held;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (turn[k] != 0)
+            held += (held.empty() ? "turned by " : ", then by ") + format_number(degrees(turn[k]), 6)
+                    + "\u00b0 about " + std::string(1, "XYZ"[k]);
+    if (const Vec3 by(move[0], move[1], move[2]); by != Vec3::Zero())
+        held += (held.empty() ? "moved by " : ", then moved by ") + point(by);
+    text +=
+        "<p class=\"quiet\">The part lies as in the project" + (held.empty() ? "" : ", " + held) + ".</p>\n";
+}
+
+void Sheet::pictures(std::span<const SheetPicture> all) {
+    if (all.empty()) return;
+    text += "<div class=\"pictures\">\n";
+    for (const SheetPicture& p : all)
+        text += "<figure><img alt=\"" + html(p.caption) + "\" src=\"data:image/png;base64," + base64(p.png)
+                + "\"><figcaption>" + html(p.caption) + "</figcaption></figure>\n";
+    text += "</div>\n";
+}
+
 void Sheet::part_and_stock() {
     heading("Part, stock and machine");
     begin_facts();
@@ -153,6 +181,8 @@ void Sheet::part_and_stock() {
     fact("Part to", point(part.hi));
     const StockSolid& stock = plan_.stock;
     std::string kind = stock_kind_name(project_.stock.kind);
+    if (project_.stock.kind == StockSpec::Kind::rest && !project_.before.empty())
+        kind = "what setup '" + project_.before.back().name + "' left";
     if (stock.kind == StockSolid::Kind::cylinder)
         kind += ", diameter " + length(2 * stock.radius) + ", along " + std::string(1, "XYZ"[stock.axis]);
     if (!project_.stock_path().empty()) kind += ", " + project_.stock_path().filename().string();
@@ -339,44 +369,87 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
         text += "<p class=\"quiet\">" + html(remark) + "</p>\n";
 }
 
+/// Up to the verdict.
+std::string sheet_head(const Project& project, std::size_t setups, std::size_t programs, double time,
+                       const std::string& findings, bool passed) {
+    const std::string title =
+        project.path.empty() ? project.part_path().stem().string() : project.path.stem().string();
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+                       + html(title) + " \u00b7 Setup sheet</title>\n<style>" + style
+                       + "</style>\n</head>\n<body>\n";
+    text += "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">Setup sheet \u00b7 "
+            + (setups > 1 ? std::to_string(setups) + " setups \u00b7 " : std::string())
+            + std::to_string(programs) + (programs == 1 ? " program" : " programs") + " \u00b7 "
+            + duration_text(time) + " \u00b7 lengths in " + std::string(unit_name(project.unit)) + "</p>\n";
+    if (passed)
+        text += "<p class=\"verdict good\">Verified: no gouge, no collision.</p>\n";
+    else
+        text += "<p class=\"verdict bad\">Not verified, do not run: " + html(findings) + "</p>\n";
+    return text;
+}
+
+double time_of(const PlanResult& plan) {
+    double time = 0;
+    for (const auto& o : plan.operations)
+        time += o->totals.time_seconds;
+    return time;
+}
+
+/// All that is said of one setup but its verdict.
+void add_setup(Sheet& sheet, std::span<const SheetPicture> pictures) {
+    sheet.setup_title();
+    sheet.pictures(pictures);
+    sheet.part_and_stock();
+    sheet.tools();
+    sheet.operations();
+    sheet.posted_programs();
+}
+
 } // namespace
 
 std::string setup_sheet(const Project& project, const PlanResult& plan,
                         std::span<const VerifyProgram> programs, const Verification& verification,
                         std::span<const SheetPicture> pictures) {
-    const std::string title =
-        project.path.empty() ? project.part_path().stem().string() : project.path.stem().string();
     Sheet sheet(project, plan);
-    sheet.text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                 "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-                 + html(title) + " \u00b7 Setup sheet</title>\n<style>" + style
-                 + "</style>\n</head>\n<body>\n";
-    double time = 0;
-    for (const auto& o : plan.operations)
-        time += o->totals.time_seconds;
-    sheet.text += "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">Setup sheet \u00b7 "
-                  + std::to_string(plan.operations.size())
-                  + (plan.operations.size() == 1 ? " program" : " programs") + " \u00b7 "
-                  + duration_text(time) + " \u00b7 lengths in " + sheet.unit() + "</p>\n";
-    if (verification.passed())
-        sheet.text += "<p class=\"verdict good\">Verified: no gouge, no collision.</p>\n";
-    else
-        sheet.text += "<p class=\"verdict bad\">Not verified, do not run: "
-                      + html(findings_line(project, programs, verification)) + "</p>\n";
-    if (!pictures.empty()) {
-        sheet.text += "<div class=\"pictures\">\n";
-        for (const SheetPicture& p : pictures)
-            sheet.text += "<figure><img alt=\"" + html(p.caption) + "\" src=\"data:image/png;base64,"
-                          + base64(p.png) + "\"><figcaption>" + html(p.caption) + "</figcaption></figure>\n";
-        sheet.text += "</div>\n";
-    }
-    sheet.part_and_stock();
-    sheet.tools();
-    sheet.operations();
-    sheet.posted_programs();
+    sheet.text = sheet_head(project, 1, plan.operations.size(), time_of(plan),
+                            findings_line(project, programs, verification), verification.passed());
+    add_setup(sheet, pictures);
     sheet.verification(programs, verification);
     sheet.text += "</body>\n</html>\n";
     return std::move(sheet.text);
+}
+
+std::string setup_sheet(std::span<const JudgedChain> chains,
+                        const std::vector<std::vector<SheetPicture>>& pictures) {
+    const SetupPlan& first = chains.front().setups.front();
+    std::size_t programs = 0, setups = 0;
+    double time = 0;
+    for (const JudgedChain& chain : chains)
+        for (const SetupPlan& setup : chain.setups) {
+            ++setups;
+            programs += setup.plan->operations.size();
+            time += time_of(*setup.plan);
+        }
+    std::string text = sheet_head(first.project, setups, programs, time, findings_line(chains),
+                                  verdict_of(chains) == Verdict::verified);
+    std::size_t i = 0;
+    for (const JudgedChain& chain : chains)
+        for (const SetupPlan& setup : chain.setups) {
+            Sheet sheet(setup.project, *setup.plan);
+            add_setup(sheet, i < pictures.size() ? std::span(pictures[i]) : std::span<const SheetPicture>());
+            text += sheet.text;
+            ++i;
+        }
+    for (const JudgedChain& chain : chains) {
+        Sheet sheet(chain.setups.front().project, *chain.setups.front().plan);
+        sheet.verification(chain.programs.programs, *chain.result);
+        if (chains.size() > 1)
+            sheet.text += "<p class=\"quiet\">Of the stock that begins in setup '"
+                          + html(chain.setups.front().project.name) + "'.</p>\n";
+        text += sheet.text;
+    }
+    return text + "</body>\n</html>\n";
 }
 
 } // namespace facetmill

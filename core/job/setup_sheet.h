@@ -2,11 +2,13 @@
 // complete in itself and prints on paper.
 #pragma once
 
+#include "core/job/chain_verification.h"
 #include "core/job/planner.h"
 #include "core/job/verification.h"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace facetmill {
 
@@ -22,5 +24,11 @@ struct SheetPicture {
 std::string setup_sheet(const Project& project, const PlanResult& plan,
                         std::span<const VerifyProgram> programs, const Verification& verification,
                         std::span<const SheetPicture> pictures);
+
+/// The sheet of several setups: the verdict on them all, then for each its name, how it holds the part, and
+/// what the sheet of a single one has; the figures of the verification at the end. `pictures`: for each
+/// setup.
+std::string setup_sheet(std::span<const JudgedChain> chains,
+                        const std::vector<std::vector<SheetPicture>>& pictures);
 
 } // namespace facetmill

@@ -2,6 +2,7 @@
 
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
+#include "core/job/verify_object.h"
 #include "core/output/apt.h"
 #include "core/strategy/plan/budget.h"
 
@@ -325,11 +326,11 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     if (project.limits.gouge_limit.is_number()) settings.gouge_limit = project.limits.gouge_limit.number;
     settings.uncut_limit = project.limits.uncut_limit;
     if (project.part.flip) settings.open_side = OpenSide::other;
+    settings.cut_before = project.stock.kind == StockSpec::Kind::rest;
     return settings;
 }
 
-std::string verify_json(const Project& project, std::span<const VerifyProgram> programs,
-                        const Verification& v) {
+Json verify_object(const Project& project, std::span<const VerifyProgram> programs, const Verification& v) {
     const Numbers n(project);
     Json out;
     out["units"] = std::string(unit_name(project.unit));
@@ -409,7 +410,12 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
     for (const std::string& r : v.remarks)
         remarks.push_back(r);
     out["remarks"] = std::move(remarks);
-    return pretty_json(out);
+    return out;
+}
+
+std::string verify_json(const Project& project, std::span<const VerifyProgram> programs,
+                        const Verification& result) {
+    return pretty_json(verify_object(project, programs, result));
 }
 
 std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,

@@ -1,6 +1,7 @@
 // Verification of a project: what the verifier is given, and what it leaves on disk.
 #pragma once
 
+#include "core/base/file.h"
 #include "core/job/planner.h"
 #include "core/verify/verify.h"
 
@@ -56,6 +57,11 @@ std::string uncut_reason_text(UncutReason::Why why);
 /// why nothing can be said. Empty where all is well.
 std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,
                           const Verification& result);
+
+/// The stock as it is left (closed) and the deviation into a set of files, see write_verification.
+void add_verification(OutputSet& files, const Project& project, const Verification& result,
+                      const std::filesystem::path& stock, const std::filesystem::path& deviation,
+                      const Progress& progress);
 
 /// Writes stock.stl (closed), deviation.vtp (VTK PolyData: points, `Normals`, `deviation`, `flag`) and
 /// verify.json into `folder` (made if missing), lengths in the project's units: all of them or none, and

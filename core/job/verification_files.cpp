@@ -84,6 +84,18 @@ void write_vtp(const DeviationSurface& s, OutputFile& file, double per, const Pr
 
 } // namespace
 
+void add_verification(OutputSet& files, const Project& project, const Verification& result,
+                      const fs::path& stock, const fs::path& deviation, const Progress& progress) {
+    for (const fs::path& path : {stock, deviation})
+        keep_inputs(project, path);
+    StlStream stl(files.add(stock), project.unit);
+    stock_triangles(
+        *result.stock, [&](const Vec3& a, const Vec3& b, const Vec3& c) { stl.add(a, b, c); },
+        progress.part(0.0, 0.7, "Writing the stock"));
+    stl.finish();
+    write_vtp(*result.surface, files.add(deviation), mm_per(project.unit), progress.part(0.7, 1.0));
+}
+
 std::vector<fs::path> write_verification(const Project& project, std::span<const VerifyProgram> programs,
                                          const Verification& result, const fs::path& folder,
                                          const Progress& progress, const std::function<void()>& before) {
@@ -91,14 +103,8 @@ std::vector<fs::path> write_verification(const Project& project, std::span<const
     OutputSet files;
     const std::vector<fs::path> paths = {folder / "stock.stl", folder / "deviation.vtp",
                                          folder / "verify.json"};
-    for (const fs::path& path : paths)
-        keep_inputs(project, path);
-    StlStream stl(files.add(paths[0]), project.unit);
-    stock_triangles(
-        *result.stock, [&](const Vec3& a, const Vec3& b, const Vec3& c) { stl.add(a, b, c); },
-        progress.part(0.0, 0.7, "Writing the stock"));
-    stl.finish();
-    write_vtp(*result.surface, files.add(paths[1]), mm_per(project.unit), progress.part(0.7, 1.0));
+    add_verification(files, project, result, paths[0], paths[1], progress);
+    keep_inputs(project, paths[2]);
     files.add(paths[2]).write(verify_json(project, programs, result));
     progress.check();
     files.commit(before);

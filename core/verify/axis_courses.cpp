@@ -66,7 +66,7 @@ CutterLocation AxisCourses::at(Index motion, AxisCourse course, double s) const 
     Joints joints;
     for (std::size_t k = 0; k < 2; ++k)
         joints.rotary[k] = first[k] + s * (last[k] - first[k]);
-    return {tip, kinematics_->forward(joints).axis};
+    return {tip, program_->machine_turn * kinematics_->forward(joints).axis};
 }
 
 void AxisCourses::follow_joints(const Progress& progress) {
@@ -80,15 +80,19 @@ void AxisCourses::follow_joints(const Progress& progress) {
     if (program_->joints && program_->joints->size() == motions.size()) {
         at = *program_->joints;
     } else {
-        JointCourse course = find_joint_course(motions, {}, *kinematics_, largest_swing, progress);
+        std::vector<Motion> there = motions; // in the machine's coordinates
+        for (Motion& m : there)
+            m.to = {program_->machine_turn.transpose() * m.to.tip,
+                    program_->machine_turn.transpose() * m.to.axis};
+        JointCourse course = find_joint_course(there, {}, *kinematics_, largest_swing, progress);
         at = std::move(course.at);
         held = std::move(course.held);
     }
     angles_.resize(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {
         if (i % motions_per_check == 0) progress.check();
-        if (held[i] && (kinematics_->forward(at[i]).axis - motions[i].to.axis).norm() <= same_axis)
-            angles_[i] = at[i].rotary;
+        const Vec3 axis = program_->machine_turn * kinematics_->forward(at[i]).axis;
+        if (held[i] && (axis - motions[i].to.axis).norm() <= same_axis) angles_[i] = at[i].rotary;
     }
 }
 

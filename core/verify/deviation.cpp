@@ -137,7 +137,8 @@ public:
         double value = exit_of_(p, normal);
         if (value < 0) {
             // The stock may well end between the part and the part grown.
-            if (aims_.allowance == 0 || exit_of_(place, normal) < 0) flags |= DeviationSurface::bare;
+            const double below = aims_.allowance == 0 ? value : exit_of_(place, normal);
+            if (below < -aims_.short_by) flags |= DeviationSurface::bare;
             value = 0;
         }
         collide(surface);

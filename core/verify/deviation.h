@@ -29,6 +29,7 @@ struct ProbeAims {
     double gouge_limit = 0; ///< mm
     double far = infinity;  ///< mm; what stands higher counts only as far as it is away from all of the part
     double bound = 1e-4;    ///< mm; where axes turn
+    double short_by = 0;    ///< mm; surface is bare where the stock ends more than this below it
 };
 
 /// Probes the samples of the part grown by the allowance, and sets the flag `bare` of those that the stock

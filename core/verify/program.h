@@ -54,6 +54,9 @@ struct VerifyProgram {
     /// How its joints stand at the end of each motion, as posts write them (joint_course.h); null: as they
     /// stand best, wherever the part is on the machine.
     std::shared_ptr<const std::vector<Joints>> joints = nullptr;
+    /// From the machine's coordinates to those of the motions, where a program is judged together with those
+    /// of another setup.
+    Mat3 machine_turn = Mat3::Identity();
 };
 
 /// How the tool axis may go from one location to the next; the tip moves straight.

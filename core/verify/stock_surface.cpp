@@ -4,6 +4,8 @@
 #include "core/verify/stock_patch.h"
 
 #include <algorithm>
+#include <bit>
+#include <unordered_map>
 
 namespace facetmill {
 
@@ -14,6 +16,8 @@ namespace {
 constexpr int cells_per_block = 24;
 /// Blocks whose triangles are in memory at a time: enough for all threads, some hundred MB at most.
 constexpr std::size_t blocks_at_a_time = 512;
+/// Facets of a surface as one mesh: about 2 GB with all that planners make of it.
+constexpr std::size_t max_stock_facets = 20'000'000;
 
 } // namespace
 
@@ -194,6 +198,41 @@ void stock_triangles(const StockModel& stock,
         }
         progress.set(double(begin + n) / double(surface.patch_count()));
     }
+}
+
+Mesh stock_mesh(const StockModel& stock, const Progress& progress) {
+    struct Hash {
+        std::size_t operator()(const std::array<double, 3>& p) const {
+            std::uint64_t h = 0x9E3779B97F4A7C15u;
+            for (const double v : p) {
+                h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0xD6E8FEB86659FD93u;
+                h ^= h >> 32;
+            }
+            return std::size_t(h);
+        }
+    };
+    Mesh mesh;
+    std::unordered_map<std::array<double, 3>, Index, Hash> known;
+    const auto vertex = [&](const Vec3& p) {
+        const std::array<double, 3> at{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; // no negative zeros
+        const auto [place, is_new] = known.try_emplace(at, Index(mesh.vertices.size()));
+        if (is_new) mesh.vertices.push_back(Vec3(at[0], at[1], at[2]));
+        return place->second;
+    };
+    stock_triangles(
+        stock,
+        [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+            const Facet facet{vertex(a), vertex(b), vertex(c)};
+            // A facet that is a line leaves the others closed without it.
+            if (facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0]) return;
+            if (mesh.facets.size() >= max_stock_facets)
+                throw Error(ErrorCode::limit_exceeded, "stock",
+                            "its surface has more than " + std::to_string(max_stock_facets) + " facets",
+                            "give the setup a stock of its own, or use larger tools before it");
+            mesh.facets.push_back(facet);
+        },
+        progress);
+    return mesh;
 }
 
 } // namespace facetmill

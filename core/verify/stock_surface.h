@@ -60,4 +60,7 @@ void stock_triangles(const StockModel& stock,
                      const std::function<void(const Vec3& a, const Vec3& b, const Vec3& c)>& take,
                      const Progress& progress);
 
+/// The whole surface as one closed mesh. Throws Error(limit_exceeded) where it has too many facets for one.
+Mesh stock_mesh(const StockModel& stock, const Progress& progress);
+
 } // namespace facetmill

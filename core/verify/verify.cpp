@@ -282,6 +282,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     ProbeAims aims;
     aims.allowance = v.used.allowance;
     aims.gouge_limit = v.used.gouge_limit;
+    if (v.used.cut_before) aims.short_by = v.used.resolution;
     aims.bound = finest_probe;
     if (v.used.tolerance > 0) {
         aims.bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
@@ -305,58 +306,87 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     v.surface = published(std::move(samples), probed.deviation);
 }
 
-} // namespace
-
-Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
-                    const VerifySettings& settings, const Progress& progress) {
-    check_programs(programs);
-    Verification v;
+/// What is known before anything is cut.
+struct Prepared {
+    VerifySettings used;
     Radii radii;
-    std::vector<std::string> outside;
+    std::vector<std::string> outside; ///< a sentence for each program that goes beside the stock
+};
+
+Prepared prepare(const StockSolid& stock, std::span<const VerifyProgram> programs,
+                 const VerifySettings& settings, const Progress& progress) {
+    check_programs(programs);
+    Prepared p;
     std::size_t cuts = 0, misses = 0;
     bool turns = false;
-    for (const VerifyProgram& p : programs) {
-        radii.min = std::min(radii.min, working_radius(p.tool.cutter));
-        radii.max = std::max(radii.max, p.tool.cutter.max_radius());
-        const Reach reach = reach_of(p, stock.box, progress);
+    for (const VerifyProgram& program : programs) {
+        p.radii.min = std::min(p.radii.min, working_radius(program.tool.cutter));
+        p.radii.max = std::max(p.radii.max, program.tool.cutter.max_radius());
+        const Reach reach = reach_of(program, stock.box, progress);
         turns = turns || reach.turns;
         cuts += reach.cuts;
         misses += reach.outside;
         if (reach.outside > 0)
-            outside.push_back("'" + printable(p.name) + "': " + std::to_string(reach.outside) + " of "
-                              + std::to_string(reach.cuts) + " motions at feed are outside the stock.");
+            p.outside.push_back("'" + printable(program.name) + "': " + std::to_string(reach.outside) + " of "
+                                + std::to_string(reach.cuts) + " motions at feed are outside the stock.");
     }
     if (misses == cuts)
         throw Error(ErrorCode::out_of_range, "'" + printable(programs.front().name) + "'",
                     "no motion at feed comes near the stock",
                     "check the units and the origin of the program");
-    v.used = completed(settings, stock, radii, turns);
-    check_resolution(v.used.resolution, stock, radii);
+    p.used = completed(settings, stock, p.radii, turns);
+    check_resolution(p.used.resolution, stock, p.radii);
+    return p;
+}
 
-    auto start = std::chrono::steady_clock::now();
-    const Progress cutting = progress.part(0.0, 0.6, "Removing material");
-    const StockLattice lattice = StockLattice::over(stock.box, v.used.resolution);
+/// The stock, cut by all programs in order, and what `removal` has found meanwhile.
+std::shared_ptr<const StockModel> cut_all(const StockSolid& stock, std::span<const VerifyProgram> programs,
+                                          const VerifySettings& used, MaterialRemoval& removal,
+                                          const Progress& progress) {
+    const StockLattice lattice = StockLattice::over(stock.box, used.resolution);
     const double all_rays = double(lattice.rays() * sizeof(RayTile::Piece));
-    if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, v.used); // all are kept from the start
-    auto model = std::make_shared<StockModel>(stock, lattice, cutting.part(0.0, 0.1));
-    MaterialRemoval removal(programs, v.used.motion_bound, touch_share * v.used.resolution,
-                            v.used.max_stock_bytes);
-    if (all_rays > 0.9 * double(v.used.max_stock_bytes))
-        check_memory(double(removal.bytes_needed(*model, cutting.part(0.1, 0.1))), v.used);
+    if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, used); // all are kept from the start
+    auto model = std::make_shared<StockModel>(stock, lattice, progress.part(0.0, 0.1));
+    if (all_rays > 0.9 * double(used.max_stock_bytes))
+        check_memory(double(removal.bytes_needed(*model, progress.part(0.1, 0.1))), used);
     for (std::size_t i = 0; i < programs.size(); ++i)
         removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, true,
-                    cutting.part(0.1 + 0.9 * double(i) / double(programs.size()),
-                                 0.1 + 0.9 * double(i + 1) / double(programs.size())));
-    v.stock = std::move(model);
+                    progress.part(0.1 + 0.9 * double(i) / double(programs.size()),
+                                  0.1 + 0.9 * double(i + 1) / double(programs.size())));
+    return model;
+}
+
+MaterialRemoval removal_of(std::span<const VerifyProgram> programs, const VerifySettings& used) {
+    return {programs, used.motion_bound, touch_share * used.resolution, used.max_stock_bytes};
+}
+
+} // namespace
+
+std::shared_ptr<const StockModel> stock_after(const StockSolid& stock,
+                                              std::span<const VerifyProgram> programs,
+                                              const VerifySettings& settings, const Progress& progress) {
+    const Prepared prepared = prepare(stock, programs, settings, progress);
+    MaterialRemoval removal = removal_of(programs, prepared.used);
+    return cut_all(stock, programs, prepared.used, removal, progress);
+}
+
+Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
+                    const VerifySettings& settings, const Progress& progress) {
+    const Prepared prepared = prepare(stock, programs, settings, progress);
+    Verification v;
+    v.used = prepared.used;
+    auto start = std::chrono::steady_clock::now();
+    MaterialRemoval removal = removal_of(programs, v.used);
+    v.stock = cut_all(stock, programs, v.used, removal, progress.part(0.0, 0.6, "Removing material"));
     v.collisions = removal.collisions();
     for (std::size_t i = 0; i < programs.size(); ++i)
         v.program_air.push_back(removal.air_length(i));
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    compare(v, part, stock, programs, radii, settings.sample_spacing > 0,
+    compare(v, part, stock, programs, prepared.radii, settings.sample_spacing > 0,
             progress.part(0.6, 1.0, "Comparing with the part"));
-    v.remarks.insert(v.remarks.end(), outside.begin(), outside.end());
+    v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);
     return v;

@@ -38,7 +38,10 @@ struct VerifySettings {
     /// The share of the area to be cut (seen by a tool axis, away from open borders) that may stay uncut.
     double uncut_limit = 0.02;
     OpenSide open_side = OpenSide::found; ///< of the part's open surfaces: which side is outside
-    double allowance = 0;                 ///< what is to be made is the part grown by this along its normals
+    /// The stock was cut before: surface that it falls short of by no more than the resolution, which is what
+    /// its own surface is known to, has been cut already, and is not one that the stock does not reach.
+    bool cut_before = false;
+    double allowance = 0; ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
@@ -142,5 +145,10 @@ struct Verification {
 /// Error(out_of_range, empty_result, limit_exceeded, non_finite) that names program and GOTO.
 Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
                     const VerifySettings& settings, const Progress& progress);
+
+/// The same cutting alone, without a look at the part: what the programs leave of the stock.
+std::shared_ptr<const StockModel> stock_after(const StockSolid& stock,
+                                              std::span<const VerifyProgram> programs,
+                                              const VerifySettings& settings, const Progress& progress);
 
 } // namespace facetmill

@@ -2,6 +2,10 @@
 
 #include "core/base/units.h"
 
+#include <array>
+#include <cmath>
+#include <map>
+
 namespace facetmill::test {
 
 Mesh height_field(const std::function<double(double, double)>& f, const Vec2& lo, const Vec2& hi, int nx,
@@ -117,6 +121,49 @@ Mesh mixed() {
     };
     return only(height_field(f, Vec2(-20, -15), Vec2(20, 15), 80, 60),
                 [](const Vec3& p) { return std::hypot(p.x() + 8, p.y()) > 4; });
+}
+
+double HollowedBlock::hollow_volume() {
+    return pi * radius * radius * depth / 3; // the integral of `deep` below over its circle
+}
+
+Mesh HollowedBlock::mesh() {
+    constexpr int n = 48;
+    const Vec3 all = size();
+    // Level at its middle and at its rim.
+    const auto deep = [](double r) {
+        const double s = r / radius;
+        return s < 1 ? depth * (1 - s * s) * (1 - s * s) : 0;
+    };
+    Mesh mesh;
+    std::map<std::array<double, 3>, Index> known;
+    const auto vertex = [&](const Vec3& p) {
+        const auto [at, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, Index(mesh.vertices.size()));
+        if (is_new) mesh.vertices.push_back(p);
+        return at->second;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool high : {false, true}) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const auto point = [&](int i, int j) {
+                Vec3 p;
+                p[u] = all[u] * i / n;
+                p[v] = all[v] * j / n;
+                const double down = deep(std::hypot(p[u] - all[u] / 2, p[v] - all[v] / 2));
+                p[axis] = high ? all[axis] - down : down;
+                return vertex(p);
+            };
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const Index a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
+                                d = point(i, j + 1);
+                    for (Facet f : {Facet{a, b, c}, Facet{a, c, d}}) {
+                        if (!high) std::swap(f[1], f[2]);
+                        mesh.facets.push_back(f);
+                    }
+                }
+        }
+    return mesh;
 }
 
 } // namespace facetmill::test

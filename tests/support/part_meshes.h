@@ -34,6 +34,15 @@ struct ShapedTool {
 /// Ball, flat, bull and cone (the last).
 std::vector<ShapedTool> tools_of_every_shape();
 
+/// A closed block with its lowest corner at the origin and a round, shallow hollow in the middle of each of
+/// its six sides, which a ball of 6 mm reaches everywhere from above.
+struct HollowedBlock {
+    static constexpr double radius = 9, depth = 3; ///< of the hollows
+    static Vec3 size() { return {40, 30, 24}; }
+    static double hollow_volume();
+    static Mesh mesh();
+};
+
 /// Smooth, a wall and a hole in one part.
 Mesh mixed();
 

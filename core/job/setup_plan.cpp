@@ -1,0 +1,248 @@
+#include "core/job/setup_plan.h"
+
+#include "core/base/units.h"
+#include "core/job/stock_solid.h"
+#include "core/job/verification.h"
+#include "core/verify/stock_surface.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace facetmill {
+
+namespace {
+
+/// Rays of a stock whose surface planners read as a mesh: some million facets at most.
+constexpr std::size_t carried_rays = 3'000'000;
+
+std::string setup_words(const Setup& setup) {
+    return "setup '" + printable(setup.name) + "'";
+}
+
+std::string content_key(const Mesh& mesh) {
+    std::uint64_t key[2] = {0x9E3779B97F4A7C15u, 0xD6E8FEB86659FD93u};
+    const auto take = [&](std::uint64_t bits) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto product = static_cast<unsigned __int128>(key[k] ^ bits)
+                                 * (k == 0 ? 0xA0761D6478BD642Fu : 0xE7037ED1A0B428DBu);
+            key[k] = std::uint64_t(product) ^ std::uint64_t(product >> 64) ^ (bits + k);
+        }
+    };
+    for (const Vec3& p : mesh.vertices)
+        for (int k = 0; k < 3; ++k)
+            take(std::bit_cast<std::uint64_t>(p[k] + 0.0));
+    for (const Facet& f : mesh.facets)
+        for (const Index i : f)
+            take(i);
+    return std::to_string(mesh.vertices.size()) + "|" + std::to_string(mesh.facets.size()) + "|"
+           + std::to_string(key[0]) + "|" + std::to_string(key[1]);
+}
+
+Box3 moved_box(const Box3& box, const SetupFrame& frame) {
+    Box3 moved;
+    for (int corner = 0; corner < 8; ++corner)
+        moved.add(frame(Vec3((corner & 1 ? box.hi : box.lo).x(), (corner & 2 ? box.hi : box.lo).y(),
+                             (corner & 4 ? box.hi : box.lo).z())));
+    return moved;
+}
+
+/// A stock of its own that is nowhere near that of the setup before is a slip of a placement. `own`: its box.
+void check_meeting(const SetupPlan& before, const Project& setup, const Box3& own) {
+    const Box3 earlier = moved_box(before.plan->stock.box, frame_between(before.project, setup));
+    if (earlier.empty() || own.empty()) return;
+    const double apart = std::max((earlier.lo - own.hi).maxCoeff(), (own.lo - earlier.hi).maxCoeff());
+    if (apart < 0) return;
+    throw Error(ErrorCode::out_of_range, "stock",
+                "it does not meet the stock of " + setup_words(before.project) + ": they are "
+                    + length_text(apart, setup.unit) + " apart as the part lies in both",
+                "check `place` of both setups and where the stock's mesh is, or let the setup go on with the "
+                "rest");
+}
+
+void check_known(const Project& project, const std::string& operation) {
+    std::vector<std::string> names;
+    for (const Operation* o : all_operations(project))
+        names.push_back(o->common().name);
+    if (operation.empty() || std::find(names.begin(), names.end(), operation) != names.end()) return;
+    const std::string near = nearest_name(operation, names);
+    throw Error(ErrorCode::missing_reference, "operations",
+                "there is no operation '" + printable(operation) + "'",
+                near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
+}
+
+bool goes_on(const Setup& setup) {
+    return setup.stock.kind == StockSpec::Kind::rest;
+}
+
+/// The first setup of the chain that a setup is in.
+std::size_t chain_begin(const Project& project, std::size_t setup) {
+    while (setup > 0 && goes_on(setup_at(project, setup)))
+        --setup;
+    return setup;
+}
+
+std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view,
+                                            const std::string& only_operation, const Progress& progress) {
+    auto plan = planner.plan(view, only_operation, progress);
+    plan->check_programs();
+    return plan;
+}
+
+} // namespace
+
+Planner& SetupPlanners::at(std::size_t setup) {
+    while (planners_.size() <= setup)
+        planners_.push_back(std::make_unique<Planner>());
+    return *planners_[setup];
+}
+
+std::vector<SetupPlan> plan_setups(const Project& project, const std::string& only_operation,
+                                   SetupPlanners& planners, const Progress& progress, const PlanSetup& plan) {
+    const std::size_t n = setup_count(project);
+    std::size_t first = 0, last = n;
+    if (n > 1 && !only_operation.empty()) {
+        check_known(project, only_operation);
+        last = setup_of_operation(project, only_operation) + 1;
+        first = chain_begin(project, last - 1);
+    }
+    std::vector<SetupPlan> setups;
+    for (std::size_t i = first; i < last; ++i) {
+        const double share = 1 / double(last - first), at = double(i - first) * share;
+        const Progress running = progress.part(at, at + share);
+        SetupPlan setup{view_of_setup(project, i), nullptr, only_operation.empty() || i + 1 == last};
+        try {
+            const bool rests = goes_on(setup.project) && !setups.empty();
+            if (rests) {
+                const std::span<const SetupPlan> chain = stock_chains(setups).back();
+                planners.at(i).carry(carried_stock(chain, setup.project, running.part(0, 0.3)));
+            }
+            if (!rests && !setups.empty()) {
+                const auto part = planners.at(i).prepare(setup.project, running.part(0, 0.05));
+                check_meeting(setups.back(), setup.project, stock_solid(setup.project.stock, *part).box);
+            }
+            setup.plan = (plan ? plan : plan_view)(planners.at(i), setup.project,
+                                                   setup.asked ? only_operation : std::string(),
+                                                   rests ? running.part(0.3, 1) : running.part(0.05, 1));
+        } catch (const Error& e) {
+            if (n == 1) throw;
+            throw e.within(setup_words(setup.project));
+        }
+        setups.push_back(std::move(setup));
+    }
+    return setups;
+}
+
+std::shared_ptr<const CarriedStock> stock_before(const Project& project, SetupPlanners& planners,
+                                                 const Progress& progress, const PlanSetup& plan) {
+    const std::size_t setup = chosen_setup(project);
+    if (!goes_on(project) || setup == 0) return nullptr;
+    // Those before it are a project of their own.
+    Project earlier = view_of_setup(project, setup - 1);
+    earlier.after.clear();
+    const std::vector<SetupPlan> setups = plan_setups(earlier, {}, planners, progress.part(0, 0.8), plan);
+    return carried_stock(stock_chains(setups).back(), project, progress.part(0.8, 1));
+}
+
+std::vector<std::span<const SetupPlan>> stock_chains(std::span<const SetupPlan> setups) {
+    std::vector<std::span<const SetupPlan>> chains;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        if (chains.empty() || !goes_on(setups[i].project))
+            chains.push_back(setups.subspan(i, 1));
+        else
+            chains.back() = {chains.back().data(), chains.back().size() + 1};
+    }
+    return chains;
+}
+
+SetupFrame frame_between(const Setup& from, const Setup& to) {
+    return frame_of(to.place).after(frame_of(from.place).inverse());
+}
+
+VerifyProgram moved_program(const VerifyProgram& program, const SetupFrame& frame) {
+    if (frame.is_identity()) return program;
+    VerifyProgram moved = program;
+    auto motions = std::make_shared<ToolMotions>(*program.motions);
+    for (Motion& m : motions->motions)
+        m.to = {frame(m.to.tip), frame.turn * m.to.axis};
+    const auto turn = [&](std::optional<TurningAxis>& axis) {
+        if (axis) axis = TurningAxis{frame(axis->point), frame.turn * axis->direction};
+    };
+    turn(motions->turning);
+    turn(moved.turning);
+    moved.motions = std::move(motions);
+    moved.machine_turn = exact_turn(frame.turn * program.machine_turn);
+    return moved;
+}
+
+std::vector<std::vector<VerifyProgram>> planned_programs(std::span<const SetupPlan> chain) {
+    std::vector<std::vector<VerifyProgram>> programs;
+    for (const SetupPlan& setup : chain)
+        programs.push_back(verify_programs(setup.project, setup.plan));
+    return programs;
+}
+
+ChainPrograms chain_programs(std::span<const SetupPlan> chain,
+                             std::span<const std::vector<VerifyProgram>> programs) {
+    ChainPrograms all;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        const SetupFrame frame = frame_between(chain[i].project, chain.front().project);
+        for (const VerifyProgram& program : programs[i]) {
+            all.programs.push_back(moved_program(program, frame));
+            all.setups.push_back(i);
+        }
+    }
+    return all;
+}
+
+VerifySettings chain_settings(std::span<const SetupPlan> chain) {
+    VerifySettings all = verify_settings(chain.front().project, chain.front().plan.get());
+    all.cut_before = false; // it is judged on the stock of the first
+    for (const SetupPlan& setup : chain.subspan(1)) {
+        const VerifySettings own = verify_settings(setup.project, setup.plan.get());
+        if (own.allowance < all.allowance) {
+            all = own;
+            all.cut_before = false;
+        } else if (own.allowance == all.allowance) {
+            all.tolerance = std::max(all.tolerance, own.tolerance);
+            all.gouge_limit = std::max(all.gouge_limit, own.gouge_limit);
+        }
+    }
+    return all;
+}
+
+std::string tolerance_remark(std::span<const SetupPlan> chain) {
+    const VerifySettings all = chain_settings(chain);
+    for (const SetupPlan& setup : chain) {
+        const VerifySettings own = verify_settings(setup.project, setup.plan.get());
+        if (own.allowance == all.allowance && own.tolerance < all.tolerance)
+            return "The tolerances of the setups differ: what is left was held against the largest, "
+                   + length_text(all.tolerance, setup.project.unit) + ".";
+    }
+    return {};
+}
+
+std::shared_ptr<const CarriedStock> carried_stock(std::span<const SetupPlan> chain, const Project& next,
+                                                  const Progress& progress) {
+    const SetupPlan& first = chain.front();
+    const ChainPrograms all = chain_programs(chain, planned_programs(chain));
+    VerifySettings settings = chain_settings(chain);
+    settings.usual_rays = carried_rays;
+    const std::shared_ptr<const StockModel> stock =
+        stock_after(first.plan->stock, all.programs, settings, progress.part(0, 0.7, "Removing material"));
+    const SetupFrame frame = frame_between(first.project, next);
+    auto mesh = std::make_shared<Mesh>(stock_mesh(*stock, progress.part(0.7, 0.95)));
+    if (mesh->facets.empty())
+        throw Error(ErrorCode::empty_result, "stock",
+                    "nothing of it is left by " + setup_words(chain.back().project),
+                    "check the placements, or give the setup a stock of its own");
+    for (Vec3& p : mesh->vertices)
+        p = frame(p);
+    auto carried = std::make_shared<CarriedStock>();
+    carried->key = content_key(*mesh);
+    carried->source = stock_source(next);
+    carried->mesh = std::move(mesh);
+    progress.set(1.0);
+    return carried;
+}
+
+} // namespace facetmill
