@@ -20,8 +20,10 @@ void run_cspace(const Arguments& arguments, Session& session) {
     keep_inputs(project, output);
     OutputFile out(output); // first, so that a place that cannot be written is told at once
     const Progress progress = session.progress();
-    Planner planner;
-    const auto result = plan_project(planner, project, name, arguments, session, progress.part(0.0, 0.7));
+    choose_setup(project, setup_of_operation(project, name));
+    SetupPlanners planners;
+    Planner& planner = ready_planner(planners, project, arguments, session, progress.part(0.0, 0.2));
+    const auto result = plan_project(planner, project, name, arguments, session, progress.part(0.2, 0.7));
     const auto record = result->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",

@@ -18,23 +18,30 @@ void run_plan(const Arguments& arguments, Session& session) {
     Project project = load_project(file);
     for (const std::string& setting : arguments.values("--set"))
         apply_setting(project, setting);
-    check_posting(project);
+    check_all_posting(project);
     const std::string folder = arguments.value("-o");
     check_folder(folder);
     for (const auto& name : program_file_names(project))
         keep_inputs(project, std::filesystem::path(folder) / name);
     const Progress progress = session.progress();
-    Planner planner;
-    const auto result =
-        plan_project(planner, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.9));
-    try {
-        result->check_reach();
-    } catch (const Error& e) {
-        throw e.within(printable(file, 400));
+    SetupPlanners planners;
+    const std::vector<SetupPlan> setups =
+        plan_all(planners, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.9));
+    std::vector<std::vector<double>> air(setups.size());
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        if (!setups[i].asked) continue;
+        try {
+            setups[i].plan->check_reach();
+        } catch (const Error& e) {
+            throw e.within(printable(file, 400));
+        }
+        const double n = double(setups.size()), at = double(i);
+        air[i] =
+            feed_in_air(setups[i].project, setups[i].plan,
+                        progress.part(0.9 + 0.07 * at / n, 0.9 + 0.07 * (at + 1) / n, "Looking for air"));
     }
-    const std::vector<double> air = feed_in_air(project, result, progress.part(0.9, 0.97, "Looking for air"));
-    write_plan(project, *result, folder, progress.part(0.97, 1.0, "Writing"), air,
-               [&] { session.print(report_json(project, *result, air)); });
+    write_setups(setups, folder, progress.part(0.97, 1.0, "Writing"), air,
+                 [&] { session.print(setups_report_json(setups, air)); });
 }
 
 } // namespace
@@ -44,8 +51,10 @@ Command plan_command() {
             .operands = {"PROJECT"},
             .summary = "Plans a project: writes NN-NAME" + apt_writer().extension
                        + " per operation and report.json, and prints the report.",
-            .help = "Either all files appear or none; none where the machine cannot make a motion. Keys and "
-                    "ranges of --set: facetmill-cli reference.",
+            .help =
+                "Either all files appear or none; none where the machine cannot make a motion. Setups are\n"
+                "planned in order, each on what those before it leave. Keys and ranges of --set:\n"
+                "facetmill-cli reference.",
             .options = {{.name = "--op", .value = "NAME", .help = "plans only this operation"},
                         {.name = "--set",
                          .value = "NAME.key=value",

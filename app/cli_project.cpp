@@ -34,20 +34,34 @@ void tell_size(const WorkEstimate& estimate, const Arguments& arguments, Session
 
 } // namespace
 
-std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
-                                               const std::string& only_operation, const Arguments& arguments,
-                                               Session& session, const Progress& progress) {
+namespace {
+
+std::shared_ptr<const PlanResult> plan_one(Planner& planner, const Project& project,
+                                           const std::string& only_operation, const Arguments& arguments,
+                                           Session& session, const Progress& progress) {
+    check_inputs(project);
+    check_project(project);
+    const auto part = planner.prepare(project, progress.part(0, 0.05));
+    for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
+        tell_size(estimate, arguments, session);
+    auto plan = planner.plan(project, only_operation, progress.part(0.05, 1));
+    plan->check_programs();
+    for (const auto& o : plan->idle)
+        session.say("operation '" + printable(o->name) + "' has nothing to do: " + o->nothing_to_do);
+    return plan;
+}
+
+PlanSetup planning(const Arguments& arguments, Session& session) {
+    return [&](Planner& planner, const Project& view, const std::string& only, const Progress& progress) {
+        return plan_one(planner, view, only, arguments, session, progress);
+    };
+}
+
+/// What `work` throws, with the project's file before the place.
+template <class Work>
+auto within_project(const Project& project, const Arguments& arguments, const Work& work) {
     try {
-        check_inputs(project);
-        check_project(project);
-        const auto part = planner.prepare(project, progress.part(0, 0.05));
-        for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
-            tell_size(estimate, arguments, session);
-        auto plan = planner.plan(project, only_operation, progress.part(0.05, 1));
-        plan->check_programs();
-        for (const auto& o : plan->idle)
-            session.say("operation '" + printable(o->name) + "' has nothing to do: " + o->nothing_to_do);
-        return plan;
+        return work();
     } catch (const Error& e) {
         // The messages of part and stock name their files.
         const auto names = [&](const std::filesystem::path& mesh) {
@@ -56,6 +70,52 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
         const bool named = names(project.part_path()) || names(project.stock_path());
         throw named ? e : e.within(printable(arguments.operand(0), 400));
     }
+}
+
+} // namespace
+
+std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
+                                               const std::string& only_operation, const Arguments& arguments,
+                                               Session& session, const Progress& progress) {
+    return within_project(project, arguments, [&] {
+        return plan_one(planner, project, only_operation, arguments, session, progress);
+    });
+}
+
+std::vector<SetupPlan> plan_all(SetupPlanners& planners, const Project& project,
+                                const std::string& only_operation, const Arguments& arguments,
+                                Session& session, const Progress& progress) {
+    return within_project(project, arguments, [&] {
+        return plan_setups(project, only_operation, planners, progress, planning(arguments, session));
+    });
+}
+
+OptionInfo setup_option() {
+    return {
+        .name = "--setup", .value = "NAME", .help = "the setup that is meant, where the project has several"};
+}
+
+Project asked_setup(const Arguments& arguments, const Project& project, bool needed) {
+    if (arguments.has("--setup"))
+        return view_of_setup(project, find_setup(project, arguments.value("--setup")));
+    if (setup_count(project) == 1) return project;
+    if (needed) {
+        std::string names;
+        for (std::size_t i = 0; i < setup_count(project); ++i)
+            names += (i > 0 ? ", " : "") + printable(setup_at(project, i).name);
+        throw Error(ErrorCode::usage, "--setup",
+                    "the project has several setups, and programs are those of one", "name one of: " + names);
+    }
+    return view_of_setup(project, setup_of_operation(project, arguments.value("--op")));
+}
+
+Planner& ready_planner(SetupPlanners& planners, const Project& project, const Arguments& arguments,
+                       Session& session, const Progress& progress) {
+    Planner& planner = planners.at(chosen_setup(project));
+    planner.carry(within_project(project, arguments, [&] {
+        return stock_before(project, planners, progress, planning(arguments, session));
+    }));
+    return planner;
 }
 
 OptionInfo nc_option() {

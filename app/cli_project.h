@@ -4,6 +4,7 @@
 #include "app/cli_arguments.h"
 #include "app/cli_session.h"
 #include "core/job/planner.h"
+#include "core/job/setup_plan.h"
 #include "core/output/post/post.h"
 
 #include <filesystem>
@@ -26,6 +27,21 @@ OptionInfo large_option();
 std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& project,
                                                const std::string& only_operation, const Arguments& arguments,
                                                Session& session, const Progress& progress);
+
+/// All setups of a project, or those that one operation needs; each planned as plan_project does. Throws as
+/// that and plan_setups do.
+std::vector<SetupPlan> plan_all(SetupPlanners& planners, const Project& project,
+                                const std::string& only_operation, const Arguments& arguments,
+                                Session& session, const Progress& progress);
+
+/// The option that says which setup of several is meant.
+OptionInfo setup_option();
+/// The view on the setup that --setup names, else on that of --op, else on the first; throws Error(usage)
+/// where neither is given and programs are read back (`needed`) that are those of one of several.
+Project asked_setup(const Arguments& arguments, const Project& project, bool needed);
+/// The planner of the chosen setup, with the stock that this begins with. Throws as plan_all.
+Planner& ready_planner(SetupPlanners& planners, const Project& project, const Arguments& arguments,
+                       Session& session, const Progress& progress);
 
 /// The options for programs of a control, which are read back.
 OptionInfo nc_option();

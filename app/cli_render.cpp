@@ -98,12 +98,13 @@ void render_cspace(const Arguments& arguments, Session& session) {
     if (!is_project(input))
         throw Error(ErrorCode::usage, "--show cspace", "a mesh has no operations", "give a project");
     use_threads(arguments);
-    const Project project = load_project(input);
+    const Project project = asked_setup(arguments, load_project(input), false);
     keep_inputs(project, arguments.value("-o"));
     const std::string name = cspace_operation(project, arguments.value("--op"));
     const Progress progress = session.progress();
-    Planner planner;
-    const auto plan = plan_project(planner, project, name, arguments, session, progress.part(0.0, 0.7));
+    SetupPlanners planners;
+    Planner& planner = ready_planner(planners, project, arguments, session, progress.part(0.0, 0.2));
+    const auto plan = plan_project(planner, project, name, arguments, session, progress.part(0.2, 0.7));
     const auto record = plan->operations.front()->path.five_axis();
     if (!record)
         throw Error(ErrorCode::out_of_range, "operation '" + printable(name) + "'",
@@ -125,8 +126,10 @@ void render_cspace(const Arguments& arguments, Session& session) {
 /// What a picture of a project shows: planned, or of CL files or posted programs, and verified where its
 /// layers ask for that.
 PlanResult shown_project(const Arguments& arguments, const Project& project, RenderRequest& request,
-                         Session& session, const Progress& progress) {
-    Planner planner;
+                         Session& session, const Progress& all) {
+    SetupPlanners planners;
+    Planner& planner = ready_planner(planners, project, arguments, session, all.part(0.0, 0.3));
+    const Progress progress = all.part(0.3, 1.0);
     PlanResult result;
     const auto wants = [&](std::initializer_list<Layer> layers) {
         return std::find_first_of(request.layers.begin(), request.layers.end(), layers.begin(), layers.end())
@@ -199,7 +202,8 @@ void run_render(const Arguments& arguments, Session& session) {
     if (project_given) {
         if (arguments.has("--units"))
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
-        const Project project = load_project(input);
+        const bool read_back = arguments.has("--cl") || arguments.has("--nc");
+        const Project project = asked_setup(arguments, load_project(input), read_back);
         keep_inputs(project, arguments.value("-o"));
         for (const std::string& file : arguments.values("--cl"))
             refuse_to_overwrite(file, arguments.value("-o"));
@@ -246,13 +250,15 @@ Command render_command() {
             "it. cspace,\n"
             "alone: the configuration space of a contact point (--op and --point; else of the first finish5, "
             "the one\n"
-            "in the middle). Views: iso, front, top, right, rear, bottom, left.",
+            "in the middle). Of several setups the one of --setup or --op is shown, else the first. Views: "
+            "iso, front, top, right, rear, bottom, left.",
         .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
                     {.name = "--show",
                      .value = "LAYERS",
                      .help = "what to draw (default: part, of a project part,stock,cl)"},
                     {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
                     {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
+                    setup_option(),
                     {.name = "--cl",
                      .value = "FILE" + apt_writer().extension,
                      .help = "shows this file instead of a plan, without planning; more than one in order",

@@ -5,6 +5,7 @@
 #include "app/cli_session.h"
 #include "core/base/file.h"
 #include "core/base/parameter.h"
+#include "core/job/chain_verification.h"
 #include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -55,14 +56,88 @@ void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
                 "use at least " + length_text(1.05 * spacing * std::sqrt(places / most), unit, 3));
 }
 
+/// What the command line asks of the judge.
+class AskedSettings {
+public:
+    AskedSettings(const Arguments& arguments, LengthUnit unit)
+        : arguments_(arguments), unit_(unit), resolution_(positive_length(arguments, "--resolution", per())),
+          spacing_(positive_length(arguments, "--spacing", per())),
+          gouge_limit_(positive_length(arguments, "--gouge-limit", per())) {}
+
+    void apply(VerifySettings& settings, const PreparedPart& part) const {
+        if (arguments_.has("--gouge-limit")) settings.gouge_limit = gouge_limit_;
+        if (arguments_.has("--uncut-limit")) settings.uncut_limit = uncut_limit(arguments_);
+        settings.resolution = resolution_;
+        settings.sample_spacing = spacing_;
+        if (spacing_ > 0) {
+            settings.max_samples = max_samples_asked_for;
+            check_spacing(spacing_, part, unit_);
+        }
+    }
+
+private:
+    double per() const { return mm_per(unit_); }
+    const Arguments& arguments_;
+    LengthUnit unit_;
+    double resolution_, spacing_, gouge_limit_;
+};
+
+/// Never over what is read.
+void keep_read(const Arguments& arguments, const Project& project, const fs::path& folder,
+               const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        keep_inputs(project, folder / name);
+        for (const std::string& one : arguments.values("--cl"))
+            refuse_to_overwrite(one, folder / name);
+        for (const fs::path& one : posted_files(arguments))
+            refuse_to_overwrite(one, folder / name);
+    }
+}
+
+/// The first program that the machine cannot make.
+std::string out_of_reach(const PlanResult& plan) {
+    for (const auto& o : plan.operations)
+        if (!o->out_of_reach.empty()) return "'" + printable(o->name) + "': " + o->out_of_reach;
+    return {};
+}
+
+void tell(std::string findings, const std::string& out_of_reach, Session& session) {
+    if (!out_of_reach.empty()) findings += (findings.empty() ? "" : "; ") + out_of_reach;
+    if (findings.empty()) return;
+    session.say("not verified: " + findings);
+    session.fail();
+}
+
+/// All setups, each on what those before it leave, judged as one.
+void simulate_setups(const Arguments& arguments, const Project& project, const AskedSettings& asked,
+                     Session& session) {
+    const Progress progress = session.progress();
+    SetupPlanners planners;
+    const std::vector<SetupPlan> setups =
+        plan_all(planners, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.3));
+    const std::vector<std::span<const SetupPlan>> chains = stock_chains(setups);
+    const fs::path folder = arguments.value("-o");
+    keep_read(arguments, project, folder, chain_file_names(chains.size()));
+    std::vector<JudgedChain> judged;
+    std::string beyond;
+    const double n = double(chains.size());
+    for (const std::span<const SetupPlan> chain : chains) {
+        VerifySettings settings = chain_settings(chain);
+        asked.apply(settings, *chain.front().plan->part);
+        const double at = double(judged.size());
+        judged.push_back(judge_chain(chain, planned_programs(chain), settings,
+                                     progress.part(0.3 + 0.65 * at / n, 0.3 + 0.65 * (at + 1) / n)));
+        for (const SetupPlan& setup : chain)
+            if (beyond.empty()) beyond = out_of_reach(*setup.plan);
+    }
+    write_chains(judged, folder, progress.part(0.95, 1.0), [&] { session.print(chains_json(judged)); });
+    tell(findings_line(judged), beyond, session);
+}
+
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
-    const std::string file = arguments.operand(0);
-    const Project project = load_project(file);
-    const double per = mm_per(project.unit);
-    const double resolution = positive_length(arguments, "--resolution", per);
-    const double spacing = positive_length(arguments, "--spacing", per);
-    const double gouge_limit = positive_length(arguments, "--gouge-limit", per);
+    const Project all = load_project(arguments.operand(0));
+    const AskedSettings asked(arguments, all.unit);
     const std::vector<std::string> cl_files = arguments.values("--cl");
     if (!cl_files.empty() && arguments.has("--op"))
         throw Error(ErrorCode::usage, "--op", "CL files are simulated instead of a plan",
@@ -70,21 +145,22 @@ void run_simulate(const Arguments& arguments, Session& session) {
     const std::vector<fs::path> nc_files = posted_files(arguments);
     const fs::path folder = arguments.value("-o");
     check_folder(folder);
-    for (const char* name : {"stock.stl", "deviation.vtp", "verify.json"}) {
-        keep_inputs(project, folder / name);
-        for (const std::string& one : cl_files)
-            refuse_to_overwrite(one, folder / name);
-        for (const fs::path& one : nc_files)
-            refuse_to_overwrite(one, folder / name);
-    }
+    const bool planned = nc_files.empty() && cl_files.empty();
+    if (planned && arguments.has("--setup"))
+        throw Error(ErrorCode::usage, "--setup", "a plan is simulated with all setups, one after the other",
+                    "give it with --cl or --nc");
+    if (planned && setup_count(all) > 1) return simulate_setups(arguments, all, asked, session);
+    const Project project = asked_setup(arguments, all, true);
+    keep_read(arguments, project, folder, {"stock.stl", "deviation.vtp", "verify.json"});
 
     const Progress progress = session.progress();
-    Planner planner;
+    SetupPlanners planners;
+    Planner& planner = ready_planner(planners, project, arguments, session, progress.part(0.0, 0.1));
     std::shared_ptr<const PreparedPart> part;
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
     std::vector<std::string> ignored, remarks;
-    std::string out_of_reach;
+    std::string beyond;
     if (!nc_files.empty()) {
         check_project(project);
         const Post post = asked_post(arguments, project);
@@ -93,13 +169,11 @@ void run_simulate(const Arguments& arguments, Session& session) {
         programs = std::move(read.programs);
         remarks.push_back(posted_remark(post, read.blocks, read.seconds));
         settings = verify_settings(project, nullptr);
-    } else if (cl_files.empty()) {
+    } else if (planned) {
         const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
                                        progress.part(0.0, 0.3));
         part = plan->part;
-        for (const auto& o : plan->operations)
-            if (out_of_reach.empty() && !o->out_of_reach.empty())
-                out_of_reach = "'" + printable(o->name) + "': " + o->out_of_reach;
+        beyond = out_of_reach(*plan);
         programs = verify_programs(project, plan);
         settings = verify_settings(project, plan.get());
     } else {
@@ -117,28 +191,17 @@ void run_simulate(const Arguments& arguments, Session& session) {
         part = planner.prepare(project, progress.part(0.2, 0.3));
         settings = verify_settings(project, nullptr);
     }
-    if (arguments.has("--gouge-limit")) settings.gouge_limit = gouge_limit;
-    if (arguments.has("--uncut-limit")) settings.uncut_limit = uncut_limit(arguments);
-    settings.resolution = resolution;
-    settings.sample_spacing = spacing;
-    if (spacing > 0) {
-        settings.max_samples = max_samples_asked_for;
-        check_spacing(spacing, *part, project.unit);
-    }
+    asked.apply(settings, *part);
     const StockSolid stock = stock_solid(project.stock, *part);
     Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
     for (std::string& warning : stock_warnings(project.stock, *part, project.unit))
         remarks.push_back(std::move(warning));
     result.remarks.insert(result.remarks.begin(), remarks.begin(), remarks.end());
-    std::string findings = findings_line(project, programs, result);
-    if (!out_of_reach.empty()) findings += (findings.empty() ? "" : "; ") + out_of_reach;
     write_verification(project, programs, result, folder, progress.part(0.95, 1.0),
                        [&] { session.print(verify_json(project, programs, result)); });
     for (const std::string& line : ignored)
         session.say("read over: " + line);
-    if (findings.empty()) return;
-    session.say("not verified: " + findings);
-    session.fail();
+    tell(findings_line(project, programs, result), beyond, session);
 }
 
 } // namespace
@@ -159,14 +222,23 @@ Command simulate_command() {
               "the whole: the files are written then, and the figures are on stderr. Shank and holder "
               "are those of the project's tool with the CL file's tool number; of a "
               "file without\n"
-              "LOADTL those of tool 1 where it has the same cutter.",
+              "LOADTL those of tool 1 where it has the same cutter. Setups are simulated in order, each on "
+              "what "
+              "those before it\n"
+              "leave, and judged as one; a setup with a stock of its own begins files of its own "
+              "(stock-2.stl).",
         .options = {{.name = "--cl",
                      .value = "FILE" + apt_writer().extension,
                      .help = "simulates this file instead of a plan; more than one run in order",
                      .repeated = true},
                     nc_option(),
                     post_option(),
-                    {.name = "--op", .value = "NAME", .help = "plans and simulates only this operation"},
+                    setup_option(),
+                    {.name = "--op",
+                     .value = "NAME",
+                     .help =
+                         "plans and simulates only this operation, after the setups whose stock it goes on "
+                         "with"},
                     {.name = "--resolution",
                      .value = "R",
                      .help = "of the stock, in the project's units (default: 1/20 of the cutter's radius)"},
