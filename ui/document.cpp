@@ -10,6 +10,8 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -35,19 +37,6 @@ void move_step(Project& project, const std::filesystem::path& path, const Copies
     if (!path.empty() && project.path != path) move_project(project, path);
     project.path = path;
     if (copy != copies.end()) set_input(project, ProjectInput::Kind::part, copy->second);
-}
-
-/// The project without tools and operations, with its files by where they are, wherever it names them from.
-Project part_and_machine(const Project& project) {
-    Project alone;
-    alone.path = project.path;
-    alone.part = project.placed_part();
-    alone.part.file = project.part_path().lexically_normal().string();
-    alone.stock = project.stock;
-    alone.stock.file = project.stock_path().lexically_normal().string();
-    alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
-                                                     : project.machine;
-    return alone;
 }
 
 } // namespace
@@ -89,8 +78,11 @@ QString Document::name() const {
 void Document::open(Project project, const QString& name, bool unsaved) {
     project_ = std::move(project);
     ids_.clear();
-    for (std::size_t i = 0; i < project_.operations.size(); ++i)
-        ids_.push_back(next_id_++);
+    for (std::size_t k = 0; k < setup_count(project_); ++k) {
+        ids_.emplace_back();
+        for (std::size_t i = 0; i < setup_at(project_, k).operations.size(); ++i)
+            ids_.back().push_back(next_id_++);
+    }
     name_ = name;
     never_saved_ = unsaved;
     records_.clear();
@@ -114,17 +106,26 @@ void Document::clear() {
 void Document::saved(const Project& written) {
     // Part and stock are the same files under other names: what was read from them stays current.
     const bool current = part_is_current();
-    std::vector<bool> good(operation_count());
-    for (std::size_t i = 0; i < good.size(); ++i)
-        if (const auto it = records_.find(ids_[i]); it != records_.end())
-            good[i] = it->second.fingerprint == fingerprint(project_, i);
+    const auto for_each_result = [this](const auto& take) {
+        for (std::size_t k = 0; k < setup_count(project_); ++k) {
+            const Project view = view_of_setup(project_, k);
+            for (std::size_t i = 0; i < ids_[k].size(); ++i)
+                if (const auto it = records_.find(ids_[k][i]); it != records_.end())
+                    take(it->first, it->second, fingerprint(view, i));
+        }
+    };
+    std::set<int> good;
+    for_each_result([&](int id, const Record& record, const std::string& now) {
+        if (record.fingerprint == now) good.insert(id);
+    });
     const std::filesystem::path before = project_.part_path();
     project_.path = written.path;
     take_inputs(project_, written);
     note_copy(copies_, before, project_.part_path());
     if (current) part_key_ = part_key(project_);
-    for (std::size_t i = 0; i < good.size(); ++i)
-        if (good[i]) records_[ids_[i]].fingerprint = fingerprint(project_, i);
+    for_each_result([&](int id, Record& record, const std::string& now) {
+        if (good.count(id)) record.fingerprint = now;
+    });
     never_saved_ = false;
     undo_.setClean();
     files_.watch(files_of(project_));
@@ -146,6 +147,8 @@ void Document::push(const QString& what, Snapshot after) {
 void Document::restore(const Snapshot& snapshot) {
     // Where the project lies on disk is no matter of its history.
     const std::filesystem::path path = project_.path;
+    if (chosen_setup(snapshot.project) != chosen_setup(project_))
+        program_ = nullptr; // it is of the other setup
     project_ = snapshot.project;
     move_step(project_, path, copies_);
     ids_ = snapshot.ids;
@@ -156,9 +159,9 @@ void Document::restore(const Snapshot& snapshot) {
 }
 
 std::optional<std::size_t> Document::index_of(int id) const {
-    const auto it = std::find(ids_.begin(), ids_.end(), id);
-    if (it == ids_.end()) return std::nullopt;
-    return std::size_t(it - ids_.begin());
+    const auto it = std::find(ids().begin(), ids().end(), id);
+    if (it == ids().end()) return std::nullopt;
+    return std::size_t(it - ids().begin());
 }
 
 std::string Document::free_operation_name(const std::string& wish) const {
@@ -175,7 +178,7 @@ std::size_t Document::add_operation(const std::string& kind) {
     if (made.tool) after.project.tools.push_back(*made.tool);
     const auto at = std::ptrdiff_t(made.place);
     after.project.operations.insert(after.project.operations.begin() + at, std::move(made.operation));
-    after.ids.insert(after.ids.begin() + at, next_id_++);
+    after.own().insert(after.own().begin() + at, next_id_++);
     push(tr("Add operation"), std::move(after));
     return made.place;
 }
@@ -186,14 +189,14 @@ void Document::duplicate_operation(std::size_t i) {
     copy->common().name = free_operation_name(copy->common().name);
     after.project.operations.insert(after.project.operations.begin() + std::ptrdiff_t(i) + 1,
                                     std::move(copy));
-    after.ids.insert(after.ids.begin() + std::ptrdiff_t(i) + 1, next_id_++);
+    after.own().insert(after.own().begin() + std::ptrdiff_t(i) + 1, next_id_++);
     push(tr("Duplicate operation"), std::move(after));
 }
 
 void Document::remove_operation(std::size_t i) {
     Snapshot after = snapshot();
     after.project.operations.erase(after.project.operations.begin() + std::ptrdiff_t(i));
-    after.ids.erase(after.ids.begin() + std::ptrdiff_t(i));
+    after.own().erase(after.own().begin() + std::ptrdiff_t(i));
     push(tr("Remove operation"), std::move(after));
 }
 
@@ -202,8 +205,18 @@ void Document::move_operation(std::size_t i, int by) {
     if (j < 0 || j >= std::ptrdiff_t(operation_count())) return;
     Snapshot after = snapshot();
     std::swap(after.project.operations[i], after.project.operations[std::size_t(j)]);
-    std::swap(after.ids[i], after.ids[std::size_t(j)]);
+    std::swap(after.own()[i], after.own()[std::size_t(j)]);
     push(tr("Move operation"), std::move(after));
+}
+
+void Document::change_setups(
+    const QString& what, std::size_t chosen,
+    const std::function<void(std::vector<Setup>&, std::vector<std::vector<int>>&)>& edit) {
+    Snapshot after = snapshot();
+    std::vector<Setup> setups = take_setups(after.project);
+    edit(setups, after.ids);
+    put_setups(after.project, std::move(setups), chosen);
+    push(what, std::move(after));
 }
 
 long Document::free_tool_number() const {
@@ -249,62 +262,8 @@ void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::str
     emit states_changed();
 }
 
-std::string Document::part_key(const Project& project) {
-    const auto placed = [](const std::filesystem::path& file, const auto& spec) {
-        std::string key = file_stamp(file) + "|" + std::string(unit_name(spec.unit)) + "|"
-                          + std::to_string(int(spec.mirror)) + "|" + format_number(spec.scale, 17);
-        for (const auto& three : {spec.rotate, spec.translate})
-            for (const double v : three)
-                key += "|" + format_number(v, 17);
-        return key;
-    };
-    std::string key = placed(project.part_path(), project.placed_part());
-    if (project.part.flip) key += "|flip";
-    if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
-        key += "|" + placed(stock, project.stock);
-    return key;
-}
-
-std::string Document::posting_key(const Project& project) {
-    const ProgramSpec& programs = project.programs;
-    if (programs.post.empty()) return {};
-    std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
-                      + programs.wcs + "|" + std::to_string(programs.number) + "|"
-                      + std::to_string(int(programs.files)) + (programs.arcs ? "|arcs" : "");
-    key += "|" + std::to_string(int(programs.zero_from));
-    for (const auto& three : {programs.zero_place, programs.zero})
-        for (const double v : three)
-            key += "|" + format_number(v, 17);
-    if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
-    if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
-    return key;
-}
-
-std::string Document::fingerprint(const Project& project, std::size_t i) {
-    Project alone = part_and_machine(project);
-    const auto add = [&](const Operation& operation) {
-        std::vector<long> numbers = operation.further_tools();
-        numbers.insert(numbers.begin(), operation.common().tool);
-        for (const Tool& t : project.tools)
-            if (std::find(numbers.begin(), numbers.end(), t.number) != numbers.end()
-                && std::find_if(alone.tools.begin(), alone.tools.end(), [&](const Tool& known) {
-                       return known.number == t.number;
-                   }) == alone.tools.end())
-                alone.tools.push_back(t);
-        alone.operations.push_back(operation.clone());
-    };
-    // What the operations before come to is part of what it is planned from, where it asks for that.
-    for (const AskedOperation& asked : asked_operations(project, [&](std::size_t k) { return k == i; }))
-        add(*asked.operation);
-    // The unit is left out: it is one of the display and of the files, not of the path.
-    std::string text = project_to_json(alone);
-    for (const ProjectInput& input : project_inputs(project))
-        if (input.kind != ProjectInput::Kind::post) text += file_stamp(input.path) + "\n";
-    return text;
-}
-
 OperationState Document::state(std::size_t i) const {
-    const auto it = records_.find(ids_[i]);
+    const auto it = records_.find(ids()[i]);
     if (it == records_.end()) return OperationState::not_planned;
     const Record& record = it->second;
     if (record.planning) return OperationState::planning;
@@ -315,12 +274,12 @@ OperationState Document::state(std::size_t i) const {
 }
 
 std::shared_ptr<const OperationResult> Document::result(std::size_t i) const {
-    const auto it = records_.find(ids_[i]);
+    const auto it = records_.find(ids()[i]);
     return it == records_.end() ? nullptr : it->second.result;
 }
 
 QString Document::failure(std::size_t i) const {
-    const auto it = records_.find(ids_[i]);
+    const auto it = records_.find(ids()[i]);
     return it == records_.end() ? QString() : it->second.failure;
 }
 

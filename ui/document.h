@@ -5,6 +5,7 @@
 #include "core/job/opened_program.h"
 #include "core/job/planner.h"
 #include "core/job/project.h"
+#include "ui/document_keys.h"
 #include "ui/file_watch.h"
 
 #include <QObject>
@@ -58,7 +59,7 @@ public:
     // operations; they keep their id through edits, moves and undo
     std::size_t operation_count() const { return project_.operations.size(); }
     const Operation& operation(std::size_t i) const { return *project_.operations[i]; }
-    int operation_id(std::size_t i) const { return ids_[i]; }
+    int operation_id(std::size_t i) const { return ids()[i]; }
     std::optional<std::size_t> index_of(int id) const;
     /// Where machining asks for it; returns its place.
     std::size_t add_operation(const std::string& kind);
@@ -66,6 +67,12 @@ public:
     void remove_operation(std::size_t i);
     /// Moves it up (-1) or down (+1) if it can go there.
     void move_operation(std::size_t i, int by);
+
+    /// Changes the list of setups, with the ids of their operations, and chooses one of them: see
+    /// setup_list.h. Throws what put_setups does.
+    void change_setups(const QString& what, std::size_t chosen,
+                       const std::function<void(std::vector<Setup>&, std::vector<std::vector<int>>&)>& edit);
+    int new_id() { return next_id_++; }
 
     // tools
     void add_tool(const Tool& tool);
@@ -78,16 +85,19 @@ public:
     // the part as read
     void set_part(std::shared_ptr<const PreparedPart> part, const std::string& key);
     const std::shared_ptr<const PreparedPart>& part() const { return part_; }
-    /// Files as they are on disk, units and placements: what the meshes of part and stock depend on.
-    static std::string part_key(const Project& project);
-    /// Everything that says how programs are posted, the files of post and machine as they are on disk. Empty
-    /// without a post.
-    static std::string posting_key(const Project& project);
+    // document_keys.h
+    static std::string part_key(const Project& project) { return ui::part_key(project); }
+    static std::string posting_key(const Project& project) { return ui::posting_key(project); }
+    static std::string fingerprint(const Project& project, std::size_t i) {
+        return ui::fingerprint(project, i);
+    }
     /// False when the project says something else than what was read.
     bool part_is_current() const { return part_ && part_key_ == part_key(project_); }
-    /// False where the stock is a mesh that could not be read with the part.
+    /// False where the stock is a mesh that could not be read with the part, or a rest that is not known yet.
     bool has_stock() const {
-        return part_ && (project_.stock.kind != StockSpec::Kind::mesh || part_->stock_mesh);
+        const bool as_mesh =
+            project_.stock.kind == StockSpec::Kind::mesh || project_.stock.kind == StockSpec::Kind::rest;
+        return part_ && (!as_mesh || part_->stock_mesh);
     }
 
     // results
@@ -96,9 +106,6 @@ public:
     QString failure(std::size_t i) const;
     void set_planning(const std::vector<int>& ids);
     void take(const std::vector<OperationOutcome>& outcomes);
-    /// Everything the result of operation `i` depends on, as text; the files of part, stock and machine as
-    /// they are on disk.
-    static std::string fingerprint(const Project& project, std::size_t i);
     /// The results of all operations in order, in the project's present unit; null when one is missing or
     /// stale.
     std::shared_ptr<const PlanResult> complete_plan() const;
@@ -122,7 +129,8 @@ private:
     friend class ProjectStep;
     struct Snapshot {
         Project project;
-        std::vector<int> ids;
+        std::vector<std::vector<int>> ids; ///< of the operations of each setup
+        std::vector<int>& own() { return ids[chosen_setup(project)]; }
     };
     struct Record {
         std::shared_ptr<const OperationResult> result;
@@ -135,9 +143,11 @@ private:
     void restore(const Snapshot& snapshot);
     void push(const QString& what, Snapshot after);
     Snapshot snapshot() const { return {project_, ids_}; }
+    const std::vector<int>& ids() const { return ids_[chosen_setup(project_)]; }
 
     Project project_;
-    std::vector<int> ids_;
+    std::vector<std::vector<int>> ids_ =
+        std::vector<std::vector<int>>(1); ///< of the operations of each setup
     int next_id_ = 1;
     QString name_;
     bool never_saved_ = false;

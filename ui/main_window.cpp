@@ -145,12 +145,9 @@ void MainWindow::build_commands() {
     add_commands(*commands_, *this);
     QMenu* samples = make_sample_menu(this, [this](const std::string& name) { new_from_sample(name); });
     QMenu* recent = make_recent_menu(this, [this](const QString& path) { open_file(path); });
-    for (const auto& [name, action] :
-         {std::pair{"samples", samples->menuAction()}, std::pair{"recent", recent->menuAction()},
-          std::pair{"add_operation", tree_->add_operation_menu()->menuAction()},
-          std::pair{"add_tool", tree_->add_tool_action()}, std::pair{"edit", tree_->edit_action()},
-          std::pair{"duplicate", tree_->duplicate_action()}, std::pair{"remove", tree_->remove_action()},
-          std::pair{"up", tree_->up_action()}, std::pair{"down", tree_->down_action()}})
+    commands_->adopt("samples", samples->menuAction());
+    commands_->adopt("recent", recent->menuAction());
+    for (const auto& [name, action] : tree_commands(*tree_))
         commands_->adopt(name, action);
     build_menus(this, *commands_, *docks_);
     for (const char* name : {"undo", "redo", "save", "plan"})

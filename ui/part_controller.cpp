@@ -22,11 +22,12 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
         loaded.part = planner.prepare(project, reading);
     } catch (const Error& e) {
         // Without its stock a part can be seen, though not planned.
-        if (project.stock.kind != StockSpec::Kind::mesh) throw;
+        const bool rest = project.stock.kind == StockSpec::Kind::rest; // known when the setup is planned
+        if (project.stock.kind != StockSpec::Kind::mesh && !rest) throw;
         Project alone = project;
         alone.stock = StockSpec();
         loaded.part = planner.prepare(alone, reading);
-        loaded.stock_failure = text(e.what());
+        if (!rest) loaded.stock_failure = text(e.what());
     }
     loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 0.9, "Preparing the view"));
     if (loaded.part->stock_mesh)
@@ -135,7 +136,7 @@ void PartController::show_stock() {
     const auto& part = document_.part();
     const StockSpec& stock = document_.project().stock;
     StockShapePtr shape;
-    if (part && stock.kind == StockSpec::Kind::mesh)
+    if (part && (stock.kind == StockSpec::Kind::mesh || stock.kind == StockSpec::Kind::rest))
         shape = stock_mesh_;
     else if (part)
         shape = make_stock_shape(stock_solid(stock, *part), {});

@@ -69,7 +69,9 @@ void PlanRunner::plan(std::optional<std::size_t> only) {
     document_.set_planning(work->ids);
     job_.start(
         tr("Planning"),
-        [work, planner = planner_](const Progress& progress) { run(*work, *planner, progress); },
+        [work, planner = planner_, earlier = earlier_](const Progress& progress) {
+            run(*work, *planner, *earlier, progress);
+        },
         [this, work](const JobEnd& end) { finish(*work, end); });
 }
 
@@ -97,11 +99,17 @@ bool PlanRunner::may_be_large(const Work& work) {
     return box.clickedButton() == go_on;
 }
 
-void PlanRunner::run(Work& work, Planner& planner, const Progress& progress) {
+void PlanRunner::run(Work& work, Planner& planner, SetupPlanners& earlier, const Progress& progress) {
     double from = 0;
     if (work.read_part) {
-        work.part = load_part(planner, work.project, progress.part(0, 0.2));
-        from = 0.2;
+        // A setup that goes on with the rest of another one needs the plan of that.
+        if (work.project.stock.kind == StockSpec::Kind::rest) {
+            check_project(work.project);
+            planner.carry(stock_before(work.project, earlier, progress.part(0, 0.5)));
+            from = 0.5;
+        }
+        work.part = load_part(planner, work.project, progress.part(from, from + 0.2));
+        from += 0.2;
     }
     check_project(work.project);
     const double share = (1 - from) / double(work.wanted.size());

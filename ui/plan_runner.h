@@ -2,6 +2,7 @@
 // planning that a verification follows.
 #pragma once
 
+#include "core/job/setup_plan.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 
@@ -37,12 +38,13 @@ private:
     /// Asks where the work would be more than usual (work_estimate.h).
     bool may_be_large(const Work& work);
     /// In the job's thread.
-    static void run(Work& work, Planner& planner, const Progress& progress);
+    static void run(Work& work, Planner& planner, SetupPlanners& earlier, const Progress& progress);
     void finish(Work& work, const JobEnd& end);
     void tell_result(const OperationResult& program);
 
     Document& document_;
     std::shared_ptr<Planner> planner_;
+    std::shared_ptr<SetupPlanners> earlier_ = std::make_shared<SetupPlanners>(); ///< of the setups before
     BackgroundJob& job_;
     Messages& messages_;
     PartController& part_;

@@ -180,12 +180,6 @@ void ProjectFiles::restore(Project project, const QString& name) {
 void ProjectFiles::show_project(Project project, const QString& name, bool unsaved) {
     messages_.succeeded();
     document_.open(std::move(project), name, unsaved); // tells what is missing
-    if (const std::size_t n = setup_count(document_.project()); n > 1)
-        messages_.warning(
-            tr("The project has %1 setups. The first, “%2”, is open here; the others are kept as "
-               "they are, and planned and verified by facetmill-cli.")
-                .arg(n)
-                .arg(text(document_.project().name)));
     tree_.select({document_.operation_count() > 0 ? TreeNode::Kind::operation : TreeNode::Kind::part, 0});
     part_.reload();
 }

@@ -1,7 +1,7 @@
 #include "ui/project_tree.h"
 
-#include "core/output/post/post.h"
-#include "core/setup/machine.h"
+#include "ui/project_items.h"
+#include "ui/setup_list.h"
 #include "ui/text.h"
 #include "ui/verification_model.h"
 
@@ -18,7 +18,6 @@ namespace facetmill::ui {
 namespace {
 
 constexpr int badge_column = 1, badge_width = 26;
-constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1;
 
 Icon state_icon(OperationState state) {
     switch (state) {
@@ -79,6 +78,18 @@ QString state_text(OperationState state) {
     return {};
 }
 
+std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree) {
+    return {{"add_operation", tree.add_operation_menu()->menuAction()},
+            {"add_setup", tree.add_setup_menu()->menuAction()},
+            {"go_to_setup", tree.go_to_setup_action()},
+            {"add_tool", tree.add_tool_action()},
+            {"edit", tree.edit_action()},
+            {"duplicate", tree.duplicate_action()},
+            {"remove", tree.remove_action()},
+            {"up", tree.up_action()},
+            {"down", tree.down_action()}};
+}
+
 ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
     make_tree();
     make_actions();
@@ -91,6 +102,7 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document_, &Document::opened, this, &ProjectTree::rebuild);
     connect(&document_, &Document::changed, this, &ProjectTree::rebuild);
     connect(&document_, &Document::part_changed, this, &ProjectTree::show_states);
+    connect(&document_, &Document::part_changed, this, &ProjectTree::update_actions);
     connect(&document_, &Document::states_changed, this, &ProjectTree::show_states);
     rebuild();
 }
@@ -124,6 +136,8 @@ void ProjectTree::make_tree() {
         const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
         if (kind == TreeNode::Kind::tool)
             emit edit_tool(item->data(0, index_role).toULongLong());
+        else if (go_to_setup_->isEnabled())
+            QMetaObject::invokeMethod(this, &ProjectTree::go_to_setup, Qt::QueuedConnection); // ends the item
         else
             item->setExpanded(!item->isExpanded());
     });
@@ -137,6 +151,19 @@ void ProjectTree::make_actions() {
         add_operation_->addAction(icon(Icon::operation), text(kind.label), this, [this, k = kind.kind] {
             select({TreeNode::Kind::operation, document_.add_operation(k)});
         });
+    add_setup_ = new QMenu(tr("Add setup"), this);
+    add_setup_->setIcon(icon(Icon::place));
+    const auto add_setup = [this](NewSetup how, const char* name, const QString& label) {
+        QAction* a = add_setup_->addAction(icon(Icon::place), label, this, [this, how] {
+            change_setups([&] { ui::add_setup(document_, how); });
+        });
+        a->setObjectName(QString::fromLatin1(name));
+    };
+    add_setup(NewSetup::flipped_about_x, "setup_about_x", tr("Turned over about X, same zero"));
+    add_setup(NewSetup::flipped_about_y, "setup_about_y", tr("Turned over about Y, same zero"));
+    add_setup(NewSetup::as_it_lies, "setup_as_it_lies", tr("As the part lies"));
+    go_to_setup_ = new QAction(icon(Icon::place), tr("Go to this setup"), this);
+    connect(go_to_setup_, &QAction::triggered, this, &ProjectTree::go_to_setup);
     edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
     duplicate_ = new QAction(icon(Icon::duplicate), tr("Duplicate"), this);
     remove_ = new QAction(icon(Icon::remove), tr("Remove"), this);
@@ -176,12 +203,13 @@ QToolBar* ProjectTree::make_bar() {
     auto* add = new QToolButton(bar);
     add->setObjectName(QStringLiteral("add"));
     add->setIcon(icon(Icon::add));
-    add->setToolTip(tr("Add an operation or a tool"));
+    add->setToolTip(tr("Add an operation, a tool or a setup"));
     add->setPopupMode(QToolButton::InstantPopup);
     auto* add_menu = new QMenu(add);
     add_menu->addActions(add_operation_->actions());
     add_menu->addSeparator();
     add_menu->addAction(add_tool_);
+    add_menu->addMenu(add_setup_);
     add->setMenu(add_menu);
     bar->addWidget(add);
     bar->addAction(duplicate_);
@@ -221,58 +249,12 @@ void ProjectTree::select(const TreeNode& node) {
     if (QTreeWidgetItem* found = item(node)) tree_->setCurrentItem(found);
 }
 
-namespace {
-
-QString stock_label(const Project& project) {
-    switch (project.stock.kind) {
-    case StockSpec::Kind::box:
-        return ProjectTree::tr("Stock: box");
-    case StockSpec::Kind::cylinder:
-        return ProjectTree::tr("Stock: cylinder");
-    case StockSpec::Kind::mesh:
-        return ProjectTree::tr("Stock: %1").arg(path_text(project.stock_path().filename()));
-    case StockSpec::Kind::rest:
-        return ProjectTree::tr("Stock: rest");
-    }
-    return {};
-}
-
-} // namespace
-
 void ProjectTree::rebuild() {
     const auto before = selected();
     rebuilding_ = true;
     tree_->clear();
     if (document_.has_part()) {
-        const Project& project = document_.project();
-        const auto add = [&](QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
-                             const QString& help = {}) { return add_item(parent, node, which, label, help); };
-        const LengthUnit unit = document_.unit();
-        const auto file = project.part_path();
-        add(nullptr, {TreeNode::Kind::part, 0}, Icon::part, path_text(file.filename()), path_text(file));
-        add(nullptr, {TreeNode::Kind::stock, 0}, Icon::stock, stock_label(project));
-        QString machine = text(project.machine);
-        for (const Machine& m : machines())
-            if (m.name == project.machine) machine = text(m.label);
-        if (const std::string& post = project.programs.post; !post.empty()) {
-            QString control = text(post);
-            for (const Post& p : posts())
-                if (p.name == post) control = text(p.label);
-            machine = tr("%1, %2").arg(machine, control);
-        }
-        add(nullptr, {TreeNode::Kind::machine, 0}, Icon::machine, machine);
-        add(nullptr, {TreeNode::Kind::limits, 0}, Icon::verify, tr("Verification limits"));
-        auto* tools = add(nullptr, {TreeNode::Kind::tools, 0}, Icon::tool, tr("Tools"));
-        for (std::size_t i = 0; i < project.tools.size(); ++i) {
-            const Tool& t = project.tools[i];
-            const QString size = QStringLiteral("⌀ %1").arg(shown_length(t.diameter, unit, 5));
-            add(tools, {TreeNode::Kind::tool, i}, Icon::tool, tr("T%1  %2").arg(t.number).arg(text(t.name)),
-                tr("T%1  %2\n%3, %4").arg(t.number).arg(text(t.name), text(t.shape_name()), size));
-        }
-        auto* operations = add(nullptr, {TreeNode::Kind::operations, 0}, Icon::operations, tr("Operations"));
-        for (std::size_t i = 0; i < project.operations.size(); ++i)
-            add(operations, {TreeNode::Kind::operation, i}, Icon::not_planned,
-                text(project.operations[i]->common().name));
+        fill_tree(*tree_, document_);
         tree_->expandAll();
         show_states();
     }
@@ -283,15 +265,35 @@ void ProjectTree::rebuild() {
     if (selected() != before || document_.has_part()) emit selection_changed();
 }
 
-QTreeWidgetItem* ProjectTree::add_item(QTreeWidgetItem* parent, TreeNode node, Icon which,
-                                       const QString& label, const QString& help) {
-    auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
-    item->setText(0, label);
-    item->setIcon(0, icon(which));
-    item->setToolTip(0, (help.isEmpty() ? label : help));
-    item->setData(0, kind_role, int(node.kind));
-    item->setData(0, index_role, qulonglong(node.index));
-    return item;
+std::optional<std::size_t> ProjectTree::selected_setup() const {
+    const auto node = selected();
+    if (!node) return std::nullopt;
+    if (node->kind == TreeNode::Kind::setup) return node->index;
+    if (node->kind != TreeNode::Kind::elsewhere) return std::nullopt;
+    const std::vector<const Operation*> all = all_operations(document_.project());
+    if (node->index >= all.size()) return std::nullopt;
+    return setup_of_operation(document_.project(), all[node->index]->common().name);
+}
+
+void ProjectTree::go_to_setup() {
+    const auto setup = selected_setup();
+    if (!setup) return;
+    const auto node = *selected();
+    choose_setup(document_, *setup);
+    if (node.kind == TreeNode::Kind::elsewhere)
+        select({TreeNode::Kind::operation, node.index - operations_before(document_.project())});
+    else
+        select({TreeNode::Kind::setup, *setup});
+}
+
+void ProjectTree::change_setups(const std::function<void()>& change) {
+    try {
+        change();
+        if (setup_count(document_.project()) > 1)
+            select({TreeNode::Kind::setup, chosen_setup(document_.project())});
+    } catch (const Error& e) {
+        emit refused(sentence(text(e.what())));
+    }
 }
 
 void ProjectTree::show_states() {
@@ -312,9 +314,9 @@ void ProjectTree::show_states() {
         it->setToolTip(0, help);
         QTreeWidgetItem* after = item({TreeNode::Kind::stock_after, i});
         if (all && !after) {
-            add_item(it, {TreeNode::Kind::stock_after, i}, Icon::stock, tr("Stock after it"),
-                     tr("Shows the stock as it stands after “%1”")
-                         .arg(text(document_.operation(i).common().name)));
+            add_tree_item(it, {TreeNode::Kind::stock_after, i}, Icon::stock, tr("Stock after it"),
+                          tr("Shows the stock as it stands after “%1”")
+                              .arg(text(document_.operation(i).common().name)));
             it->setExpanded(true);
         } else if (!all && after) {
             if (tree_->currentItem() == after) tree_->setCurrentItem(it);
@@ -353,14 +355,21 @@ void ProjectTree::update_actions() {
     const auto node = selected();
     const bool tool = node && node->kind == TreeNode::Kind::tool;
     const bool operation = node && node->kind == TreeNode::Kind::operation;
+    const bool setup = node && node->kind == TreeNode::Kind::setup;
+    const std::size_t setups = setup_count(document_.project());
+    const auto there = selected_setup();
+    go_to_setup_->setEnabled(there && *there != chosen_setup(document_.project()));
+    for (QAction* a : add_setup_->actions())
+        a->setEnabled(document_.part_is_current());
     add_tool_->setEnabled(document_.has_part());
     for (QAction* a : add_operation_->actions())
         a->setEnabled(document_.has_part());
     edit_->setEnabled(tool);
-    duplicate_->setEnabled(tool || operation);
-    remove_->setEnabled(tool || operation);
-    up_->setEnabled(operation && node->index > 0);
-    down_->setEnabled(operation && node->index + 1 < document_.operation_count());
+    duplicate_->setEnabled(tool || operation || setup);
+    remove_->setEnabled(tool || operation || setup);
+    up_->setEnabled((operation || setup) && node->index > 0);
+    down_->setEnabled((operation && node->index + 1 < document_.operation_count())
+                      || (setup && node->index + 1 < setups));
 }
 
 void ProjectTree::duplicate() {
@@ -370,6 +379,8 @@ void ProjectTree::duplicate() {
         document_.duplicate_tool(node->index);
     else if (node->kind == TreeNode::Kind::operation)
         document_.duplicate_operation(node->index);
+    else if (node->kind == TreeNode::Kind::setup)
+        return change_setups([&] { duplicate_setup(document_, node->index); });
     else
         return;
     select({node->kind, node->index + 1});
@@ -378,6 +389,8 @@ void ProjectTree::duplicate() {
 void ProjectTree::remove() {
     const auto node = selected();
     if (!node) return;
+    if (node->kind == TreeNode::Kind::setup)
+        return change_setups([&] { remove_setup(document_, node->index); });
     try {
         if (node->kind == TreeNode::Kind::tool)
             document_.remove_tool(node->index);
@@ -390,6 +403,12 @@ void ProjectTree::remove() {
 
 void ProjectTree::move(int by) {
     const auto node = selected();
+    if (node && node->kind == TreeNode::Kind::setup) {
+        change_setups([&] { move_setup(document_, node->index, by); });
+        const std::size_t there = std::size_t(std::ptrdiff_t(node->index) + by);
+        if (there < setup_count(document_.project())) select({TreeNode::Kind::setup, there});
+        return;
+    }
     if (!node || node->kind != TreeNode::Kind::operation) return;
     document_.move_operation(node->index, by);
     select({node->kind, std::size_t(std::ptrdiff_t(node->index) + by)});
@@ -406,10 +425,12 @@ void ProjectTree::menu(const QPoint& at) {
         menu.addSeparator();
     }
     if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);
-    if (node && (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::tool)) {
+    if (selected_setup()) menu.addAction(go_to_setup_);
+    const bool setup = node && node->kind == TreeNode::Kind::setup;
+    if (setup || (node && (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::tool))) {
         menu.addAction(duplicate_);
         menu.addAction(remove_);
-        if (node->kind == TreeNode::Kind::operation) {
+        if (node->kind != TreeNode::Kind::tool) {
             menu.addAction(up_);
             menu.addAction(down_);
         }
@@ -417,6 +438,7 @@ void ProjectTree::menu(const QPoint& at) {
     }
     menu.addMenu(add_operation_);
     menu.addAction(add_tool_);
+    menu.addMenu(add_setup_);
     menu.exec(tree_->viewport()->mapToGlobal(at));
 }
 

@@ -8,7 +8,10 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -18,8 +21,21 @@ class QTreeWidgetItem;
 namespace facetmill::ui {
 
 struct TreeNode {
-    /// stock_after: what an operation leaves, below it in the tree.
-    enum class Kind { part, stock, machine, limits, tools, tool, operations, operation, stock_after };
+    /// stock_after: what an operation leaves, below it in the tree; setup: only where there are several;
+    /// elsewhere: an operation of a setup that is not chosen, by its place among all of the project.
+    enum class Kind {
+        part,
+        stock,
+        machine,
+        limits,
+        tools,
+        tool,
+        operations,
+        operation,
+        stock_after,
+        setup,
+        elsewhere
+    };
     Kind kind = Kind::part;
     std::size_t index = 0; ///< which tool or operation
     bool operator==(const TreeNode&) const = default;
@@ -43,6 +59,8 @@ public:
 
     QAction* add_tool_action() { return add_tool_; }
     QMenu* add_operation_menu() { return add_operation_; }
+    QMenu* add_setup_menu() { return add_setup_; }
+    QAction* go_to_setup_action() { return go_to_setup_; }
     QAction* edit_action() { return edit_; }
     QAction* duplicate_action() { return duplicate_; }
     QAction* remove_action() { return remove_; }
@@ -64,9 +82,11 @@ private:
     void make_actions();
     QToolBar* make_bar();
     void rebuild();
+    /// The setup that is selected, or has the selected operation of another one.
+    std::optional<std::size_t> selected_setup() const;
+    void go_to_setup();
+    void change_setups(const std::function<void()>& change);
     void show_states();
-    QTreeWidgetItem* add_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
-                              const QString& help = {});
     void show_verdicts();
     void update_actions();
     void duplicate();
@@ -79,9 +99,13 @@ private:
     QTreeWidget* tree_ = nullptr;
     QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
             *down_ = nullptr;
-    QMenu* add_operation_ = nullptr;
+    QMenu *add_operation_ = nullptr, *add_setup_ = nullptr;
+    QAction* go_to_setup_ = nullptr;
     bool rebuilding_ = false;
 };
+
+/// What the tree can do, by the names that menus know it by.
+std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree);
 
 /// "Planned", "Out of date", ...
 QString state_text(OperationState state);

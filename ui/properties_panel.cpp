@@ -31,6 +31,23 @@ struct MachineChoice {
     std::string machine = "generic-3-axis";
 };
 
+/// The name of a setup, likewise.
+struct SetupName {
+    std::string name;
+};
+
+const ParameterTable<SetupName>& setup_name() {
+    static const auto table = [] {
+        ParameterTable<SetupName> t;
+        t.add(&SetupName::name, {.key = "name",
+                                 .label = "Name",
+                                 .help = "Of the setup. Each has its own.",
+                                 .kind = ParameterKind::text});
+        return t;
+    }();
+    return table;
+}
+
 const ParameterTable<MachineChoice>& machine_choice() {
     static const auto table = [] {
         ParameterTable<MachineChoice> t;
@@ -119,6 +136,23 @@ std::array<double, 3> margins_for(const std::array<double, 3>& size, const Box3&
         margin[k] = std::max(0.0, k == 2 ? more : more / 2);
     }
     return margin;
+}
+
+std::vector<FormChoice> machine_choices(const Project& project) {
+    std::vector<FormChoice> choices;
+    for (const Machine& m : machines())
+        choices.push_back({text(m.label), m.name});
+    if (is_machine_file(project.machine)) choices.push_back({text(project.machine), project.machine});
+    return choices;
+}
+
+std::vector<FormChoice> control_choices(const Project& project) {
+    std::vector<FormChoice> controls = {{PropertiesPanel::tr("none: APT only"), std::string()}};
+    for (const Post& p : posts())
+        controls.push_back({text(p.label), p.name});
+    if (is_post_file(project.programs.post))
+        controls.push_back({text(project.programs.post), project.programs.post});
+    return controls;
 }
 
 /// The kinds of stock that the setup can have: the first has nothing before it that left some.
@@ -270,6 +304,8 @@ QString PropertiesPanel::shape() const {
             shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
     }
     if (node_->kind == TreeNode::Kind::stock)
+        shape += QChar('/') + QString::number(chosen_setup(document_.project()));
+    if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
                  + (document_.part() ? QStringLiteral("/sized") : QString());
     return shape;
@@ -312,26 +348,27 @@ void PropertiesPanel::refresh() {
             if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
         show(view, {{"kind", stock_kinds(project)}}, hidden);
         mesh_stock = copy.kind == StockSpec::Kind::mesh;
+    } else if (node_->kind == Kind::setup && node_->index < setup_count(project)) {
+        const Setup& setup = setup_at(project, node_->index);
+        title = text(setup.name);
+        SetupName name{setup.name};
+        SetupPlace place = setup.place;
+        show(JoinedView(ParameterView(name, setup_name()), ParameterView(place, place_parameters())));
+        if (node_->index != chosen_setup(project))
+            hint = tr("Another setup is shown. A double click in the tree goes to this one.");
+    } else if (node_->kind == Kind::elsewhere) {
+        hint = tr("This operation belongs to another setup. A double click in the tree goes there.");
     } else if (node_->kind == Kind::limits) {
         title = tr("Verification limits");
         VerifyLimits copy = project.limits;
         show(ParameterView<VerifyLimits>(copy, verify_limit_parameters()));
     } else if (node_->kind == Kind::machine) {
         title = tr("Machine and control");
-        std::vector<FormChoice> choices;
-        for (const Machine& m : machines())
-            choices.push_back({text(m.label), m.name});
-        if (is_machine_file(project.machine)) choices.push_back({text(project.machine), project.machine});
-        std::vector<FormChoice> controls = {{tr("none: APT only"), std::string()}};
-        for (const Post& p : posts())
-            controls.push_back({text(p.label), p.name});
-        if (is_post_file(project.programs.post))
-            controls.push_back({text(project.programs.post), project.programs.post});
         MachineChoice machine{project.machine};
         ProgramSpec programs = project.programs;
         show(JoinedView(ParameterView(machine, machine_choice()),
                         ParameterView(programs, program_parameters())),
-             {{"machine", choices}, {"post", controls}});
+             {{"machine", machine_choices(project)}, {"post", control_choices(project)}});
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
         const Tool& t = project.tools[node_->index];
         title = tr("T%1  %2").arg(t.number).arg(text(t.name));
@@ -410,6 +447,13 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
             if (o != &document_.operation(node.index) && text(o->common().name) == name)
                 return wrong(tr("Another operation has this name"));
     }
+    if (node.kind == Kind::setup && key == "name") {
+        const QString name = text(std::get<std::string>(value)).trimmed();
+        if (name.isEmpty()) return wrong(tr("Give the setup a name"));
+        for (std::size_t i = 0; i < setup_count(document_.project()); ++i)
+            if (i != node.index && text(setup_at(document_.project(), i).name) == name)
+                return wrong(tr("Another setup has this name"));
+    }
     if (node.kind == Kind::stock && key == "kind" && std::get<std::string>(value) == "mesh"
         && document_.project().stock.file.empty())
         return emit choose_stock(); // no project without a file for it
@@ -430,6 +474,10 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                          margins_for(std::get<std::array<double, 3>>(value), document_.part()->box, p.unit));
             else if (node.kind == Kind::stock)
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
+            else if (node.kind == Kind::setup && key == "name")
+                setup_at(p, node.index).name = std::get<std::string>(value);
+            else if (node.kind == Kind::setup)
+                ParameterView<SetupPlace>(setup_at(p, node.index).place, place_parameters()).set(key, value);
             else if (node.kind == Kind::limits)
                 ParameterView<VerifyLimits>(p.limits, verify_limit_parameters()).set(key, value);
             else if (node.kind == Kind::machine && key == "machine")

@@ -1,0 +1,84 @@
+#include "ui/document_keys.h"
+
+#include "core/job/asked_operations.h"
+#include "core/job/planner.h"
+#include "core/job/project_inputs.h"
+#include "core/output/post/post.h"
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// The project without tools and operations, with its files by where they are, wherever it names them from.
+Project part_and_machine(const Project& project) {
+    Project alone;
+    alone.path = project.path;
+    alone.part = project.placed_part();
+    alone.part.file = project.part_path().lexically_normal().string();
+    alone.stock = project.stock;
+    alone.stock.file = project.stock_path().lexically_normal().string();
+    alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
+                                                     : project.machine;
+    return alone;
+}
+
+} // namespace
+
+std::string part_key(const Project& project) {
+    const auto placed = [](const std::filesystem::path& file, const auto& spec) {
+        std::string key = file_stamp(file) + "|" + std::string(unit_name(spec.unit)) + "|"
+                          + std::to_string(int(spec.mirror)) + "|" + format_number(spec.scale, 17);
+        for (const auto& three : {spec.rotate, spec.translate})
+            for (const double v : three)
+                key += "|" + format_number(v, 17);
+        return key;
+    };
+    std::string key = placed(project.part_path(), project.placed_part());
+    if (project.part.flip) key += "|flip";
+    if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
+        key += "|" + placed(stock, project.stock);
+    if (const std::string source = stock_source(project); !source.empty()) key += "|rest|" + source;
+    return key;
+}
+
+std::string posting_key(const Project& project) {
+    const ProgramSpec& programs = project.programs;
+    if (programs.post.empty()) return {};
+    std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
+                      + programs.wcs + "|" + std::to_string(programs.number) + "|"
+                      + std::to_string(int(programs.files)) + (programs.arcs ? "|arcs" : "");
+    key += "|" + std::to_string(int(programs.zero_from));
+    for (const auto& three : {programs.zero_place, programs.zero})
+        for (const double v : three)
+            key += "|" + format_number(v, 17);
+    if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
+    if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
+    return key;
+}
+
+std::string fingerprint(const Project& project, std::size_t i) {
+    Project alone = part_and_machine(project);
+    const auto add = [&](const Operation& operation) {
+        std::vector<long> numbers = operation.further_tools();
+        numbers.insert(numbers.begin(), operation.common().tool);
+        for (const Tool& t : project.tools)
+            if (std::find(numbers.begin(), numbers.end(), t.number) != numbers.end()
+                && std::find_if(alone.tools.begin(), alone.tools.end(), [&](const Tool& known) {
+                       return known.number == t.number;
+                   }) == alone.tools.end())
+                alone.tools.push_back(t);
+        alone.operations.push_back(operation.clone());
+    };
+    // What the operations before come to is part of what it is planned from, where it asks for that.
+    for (const AskedOperation& asked : asked_operations(project, [&](std::size_t k) { return k == i; }))
+        add(*asked.operation);
+    // The unit is left out: it is one of the display and of the files, not of the path.
+    std::string text = project_to_json(alone);
+    for (const ProjectInput& input : project_inputs(project))
+        if (input.kind != ProjectInput::Kind::post) text += file_stamp(input.path) + "\n";
+    return text + stock_source(project);
+}
+
+} // namespace facetmill::ui
