@@ -12,6 +12,7 @@
 #include "ui/region_controller.h"
 #include "ui/rough_controller.h"
 #include "ui/strip_controller.h"
+#include "ui/text.h"
 #include "ui/tool_controller.h"
 #include "ui/unrolled_controller.h"
 #include "ui/verification_controller.h"
@@ -24,7 +25,7 @@ namespace facetmill::ui {
 Controllers::Controllers(const Parts& parts, QWidget* window) : QObject(window) {
     build(parts, window);
     connect_document(parts.document);
-    connect_messages(parts.messages);
+    connect_messages(parts.document, parts.messages);
     connect_tool();
     connect_each_other(parts.layers);
     connect_view(parts.viewport);
@@ -69,7 +70,13 @@ void Controllers::connect_document(const Document& document) {
     connect(&document, &Document::states_changed, this, [this] { tell(&Controller::plan_changed); });
 }
 
-void Controllers::connect_messages(Messages& messages) {
+void Controllers::connect_messages(const Document& document, Messages& messages) {
+    connect(&document, &Document::tool_added, this, [&messages](const Tool& tool) {
+        messages.information(tr("The list had no tool small enough for this operation: T%1 %2 was added to "
+                                "it. Change it to one that you have.")
+                                 .arg(tool.number)
+                                 .arg(text(tool.name)));
+    });
     for (Controller* controller : all_) {
         connect(controller, &Controller::said, this,
                 [&messages](MessageBar::Kind kind, const QString& message, bool in_bar) {

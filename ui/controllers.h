@@ -76,7 +76,7 @@ signals:
 private:
     void build(const Parts& parts, QWidget* window);
     void connect_document(const Document& document);
-    void connect_messages(Messages& messages);
+    void connect_messages(const Document& document, Messages& messages);
     void connect_tool();
     void connect_each_other(LayerBar& layers);
     void connect_view(Viewport& viewport);

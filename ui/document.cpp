@@ -180,6 +180,7 @@ std::size_t Document::add_operation(const std::string& kind) {
     after.project.operations.insert(after.project.operations.begin() + at, std::move(made.operation));
     after.own().insert(after.own().begin() + at, next_id_++);
     push(tr("Add operation"), std::move(after));
+    if (made.tool) emit tool_added(*made.tool);
     return made.place;
 }
 

@@ -124,6 +124,8 @@ signals:
     void part_changed();
     void states_changed();
     void modified_changed();
+    /// A new operation brought a tool that the list had not.
+    void tool_added(const facetmill::Tool& tool);
 
 private:
     friend class ProjectStep;

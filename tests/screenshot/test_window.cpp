@@ -171,7 +171,11 @@ private slots:
         QCOMPARE(w().document().operation_count(), std::size_t(3));
         QCOMPARE(tree.selected()->index, std::size_t(2));
         QCOMPARE(w().document().operation(2).kind(), std::string_view("cleanup"));
-        QCOMPARE(w().document().project().tools.size(), std::size_t(2)); // it brought a smaller one
+        QCOMPARE(w().document().project().tools.size(),
+                 std::size_t(2)); // it brought a smaller one, and says so
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("T2 Ball")),
+                 qPrintable(w().message_bar().message()));
+        shot(w(), QStringLiteral("tool-added"));
         tree.remove_action()->trigger();
         QCOMPARE(w().document().operation_count(), std::size_t(2));
 
