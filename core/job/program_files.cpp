@@ -7,6 +7,8 @@
 #include "core/output/apt.h"
 #include "core/output/program_writer.h"
 
+#include <set>
+
 namespace facetmill {
 
 namespace fs = std::filesystem;
@@ -101,6 +103,11 @@ std::vector<std::string> program_file_names(const Project& project) {
                 names.push_back(file_stem(first + i, name(i)) + extension);
     }
     names.emplace_back(report_file_name);
+    std::set<std::string> known;
+    for (const std::string& name : names)
+        if (!known.insert(name).second)
+            throw Error(ErrorCode::out_of_range, "setups", "two programs would have the name '" + name + "'",
+                        "rename an operation, a setup or the part's file");
     return names;
 }
 

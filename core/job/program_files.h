@@ -27,7 +27,7 @@ std::string program_stem(const std::string& name);
 std::string joined_program_name(const Project& project, const std::string& extension);
 
 /// The names of the files that a plan of all setups writes for certain: one program an operation, the posted
-/// programs, and the report.
+/// programs, and the report. Throws Error(out_of_range) where two would have one name.
 std::vector<std::string> program_file_names(const Project& project);
 
 /// The operation that a program of a plan belongs to; the project is the one that was planned.

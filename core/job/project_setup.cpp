@@ -134,7 +134,7 @@ template <class Taken>
 std::string free_name(const std::string& wish, const Taken& taken) {
     if (!taken(wish)) return wish;
     for (int n = 2;; ++n)
-        if (const std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
+        if (std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Several setups in one project: the file of version 2, which setup the project is the view on, and what of a
 // file is refused.
 #include "core/base/file.h"
+#include "core/job/program_files.h"
 #include "core/job/project.h"
 #include "core/job/project_inputs.h"
 #include "core/job/setting_remarks.h"
@@ -207,6 +208,26 @@ private slots:
         QCOMPARE(p.operations[0]->common().tolerance, 0.03);
         QCOMPARE(p.operations[0]->common().feed, 123.0);
         QVERIFY_EXCEPTION_THROWN(apply_setting(p, "4.feed=1"), Error);
+    }
+
+    /// A program of one operation and one of a whole setup may ask for the same name.
+    void two_programs_of_one_name_are_refused() {
+        Project p = project_of(two_setups);
+        QCOMPARE(program_file_names(p).size(),
+                 std::size_t(7)); // of three operations, each also posted, and the report
+        p.part.file = "02.stl";
+        p.operations[1]->common().name = "2-Bottom";
+        p.after.front().programs.post = p.programs.post;
+        p.after.front().programs.files = ProgramSpec::Files::one;
+        try {
+            program_file_names(p);
+            QFAIL("not refused");
+        } catch (const Error& e) {
+            QCOMPARE(e.code(), ErrorCode::out_of_range);
+            QVERIFY2(e.message().find("'02-2-Bottom.ngc'") != std::string::npos, e.message().c_str());
+        }
+        p.after.front().name = "Below";
+        QCOMPARE(program_file_names(p).size(), std::size_t(7));
     }
 
     /// Files of the other setups move with the project, and nothing is written over them.
