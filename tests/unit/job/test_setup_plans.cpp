@@ -10,6 +10,7 @@
 #include "core/verify/stock_surface.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -126,7 +127,7 @@ private slots:
         QVERIFY(all.programs[1].motions->motions.front().to.axis == Vec3(0, 0, -1));
         QVERIFY(all.programs[2].motions->motions.front().to.axis == Vec3(1, 0, 0));
         VerifySettings settings = chain_settings(chains[0]);
-        settings.resolution = 0.25;
+        settings.resolution = test::under_sanitizer ? 0.4 : 0.25;
         const Verification v =
             verify(*setups[0].plan->part->mesh, setups[0].plan->stock, all.programs, settings, {});
         QVERIFY2(v.passed(),
@@ -151,7 +152,7 @@ private slots:
             const auto programs = planned_programs(some);
             const ChainPrograms all = chain_programs(some, programs);
             VerifySettings settings = chain_settings(some);
-            settings.resolution = 0.25;
+            settings.resolution = test::under_sanitizer ? 0.4 : 0.25;
             return verify(*setups[0].plan->part->mesh, setups[0].plan->stock, all.programs, settings, {});
         };
         const Verification two = judged({setups[0], setups[2]});
