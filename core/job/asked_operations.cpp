@@ -18,4 +18,10 @@ std::vector<AskedOperation> asked_operations(const Project& project,
     return asked;
 }
 
+void refuse_operation(const std::string& name, const std::vector<std::string>& names) {
+    const std::string near = nearest_name(name, names);
+    throw Error(ErrorCode::missing_reference, "operations", "there is no operation '" + printable(name) + "'",
+                near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
+}
+
 } // namespace facetmill

@@ -2,6 +2,7 @@
 #include "core/job/project.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace facetmill {
@@ -20,5 +21,8 @@ struct AskedOperation {
 /// list. The pointers are the project's.
 std::vector<AskedOperation> asked_operations(const Project& project,
                                              const std::function<bool(std::size_t)>& wanted);
+
+/// Throws Error(missing_reference): there is no operation of this name among `names`.
+[[noreturn]] void refuse_operation(const std::string& name, const std::vector<std::string>& names);
 
 } // namespace facetmill

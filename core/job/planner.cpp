@@ -615,12 +615,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     if (names.empty())
         throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
                     "add an operation");
-    if (asked.empty()) {
-        const std::string near = nearest_name(only_operation, names);
-        throw Error(ErrorCode::missing_reference, "operations",
-                    "there is no operation '" + printable(only_operation) + "'",
-                    near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
-    }
+    if (asked.empty()) refuse_operation(only_operation, names);
 
     Cache& c = *cache_;
     auto result = std::make_shared<PlanResult>();

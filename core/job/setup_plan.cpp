@@ -1,6 +1,7 @@
 #include "core/job/setup_plan.h"
 
 #include "core/base/units.h"
+#include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/verify/stock_surface.h"
@@ -63,11 +64,8 @@ void check_known(const Project& project, const std::string& operation) {
     std::vector<std::string> names;
     for (const Operation* o : all_operations(project))
         names.push_back(o->common().name);
-    if (operation.empty() || std::find(names.begin(), names.end(), operation) != names.end()) return;
-    const std::string near = nearest_name(operation, names);
-    throw Error(ErrorCode::missing_reference, "operations",
-                "there is no operation '" + printable(operation) + "'",
-                near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
+    if (!operation.empty() && std::find(names.begin(), names.end(), operation) == names.end())
+        refuse_operation(operation, names);
 }
 
 bool goes_on(const Setup& setup) {
