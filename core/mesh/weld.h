@@ -1,4 +1,5 @@
-// Exact welding of facet corners, shared by the readers of mesh files. Internal to the room.
+// Exact welding of facet corners, shared by the readers of mesh files; and the hash of positions that it
+// uses.
 #pragma once
 
 #include "core/base/parallel.h"

@@ -1,10 +1,10 @@
 #include "core/verify/stock_surface.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/weld.h"
 #include "core/verify/stock_patch.h"
 
 #include <algorithm>
-#include <bit>
 #include <unordered_map>
 
 namespace facetmill {
@@ -203,12 +203,7 @@ void stock_triangles(const StockModel& stock,
 Mesh stock_mesh(const StockModel& stock, const Progress& progress) {
     struct Hash {
         std::size_t operator()(const std::array<double, 3>& p) const {
-            std::uint64_t h = 0x9E3779B97F4A7C15u;
-            for (const double v : p) {
-                h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0xD6E8FEB86659FD93u;
-                h ^= h >> 32;
-            }
-            return std::size_t(h);
+            return std::size_t(detail::position_hash(Vec3(p[0], p[1], p[2])));
         }
     };
     Mesh mesh;
