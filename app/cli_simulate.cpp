@@ -151,7 +151,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
                     "give it with --cl or --nc");
     if (planned && setup_count(all) > 1) return simulate_setups(arguments, all, asked, session);
     const Project project = asked_setup(arguments, all, true);
-    keep_read(arguments, project, folder, {"stock.stl", "deviation.vtp", "verify.json"});
+    keep_read(arguments, project, folder, chain_file_names(1));
 
     const Progress progress = session.progress();
     SetupPlanners planners;
