@@ -184,12 +184,6 @@ void check_posting(const Project& project) {
 
 namespace {
 
-/// Whether programs are known to a control by their number.
-bool numbers_programs(const Post& post) {
-    return std::any_of(post.start.begin(), post.start.end(),
-                       [](const std::string& line) { return line.find("{program}") != std::string::npos; });
-}
-
 /// The first and the last number of a setup's programs; a rework tool has one of its own.
 std::pair<long, long> program_numbers(const Setup& setup) {
     long count = 1;
@@ -214,7 +208,7 @@ void check_all_posting(const Project& project) {
         } catch (const Error& e) {
             throw e.within(place);
         }
-        if (view.programs.post.empty() || !numbers_programs(project_post(view, view.programs.post))) continue;
+        if (view.programs.post.empty() || !project_post(view, view.programs.post).tells("program")) continue;
         const auto [first, last] = program_numbers(view);
         for (const Setup& earlier : view.before) {
             const auto [from, to] = program_numbers(earlier);

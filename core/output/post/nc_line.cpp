@@ -30,7 +30,7 @@ bool NcLine::has_code(NcCode c) const {
 
 NcLineReader::NcLineReader(const Post& post)
     : parentheses_(post.comment_open == "("), bare_numbers_(post.numbers_blocks && post.block_letter.empty()),
-      tool_in_comments_(post.word(NcWord::tool).empty()) {
+      tool_in_comments_(post.word(NcWord::tool).empty()), needs_point_(post.point) {
     word_letter_.fill(-1);
     const auto add_word = [&](const std::string& text, NcWord w) {
         if (text.size() == 1)
@@ -160,8 +160,17 @@ void NcLineReader::code(const Cursor& c, std::size_t from, const Meaning& meanin
     }
 }
 
+void NcLineReader::check_point(const Cursor& c, std::size_t from, NcWord which, double value) const {
+    if ((which > NcWord::radius && which != NcWord::feed) || value == 0) return;
+    const std::string_view text = c.line.substr(from, c.at - from);
+    if (text.find('.') != std::string_view::npos) return;
+    fail(c, "'" + printable(text) + "' has no decimal point, and the control would count its last digits",
+         "write '" + printable(text) + ".'");
+}
+
 void NcLineReader::word(const Cursor& c, std::size_t from, NcWord which, double value, NcLine& into) const {
     if (which == NcWord::ignored) return;
+    if (needs_point_) check_point(c, from, which, value);
     if (into.has(which))
         fail(c, "'" + printable(c.line.substr(from, c.at - from)) + "' occurs twice", "keep one of them");
     into.value[std::size_t(which)] = value;

@@ -13,6 +13,7 @@ NcModes::NcModes(const std::string& file, const Post& post, const std::string& w
     absolute_ = !post.has(NcCode::absolute);
     inverse_known_ = !post.has(NcCode::inverse_time);
     spindle_ = !post.has(NcCode::spindle_on);
+    speed_ = post.word(NcWord::speed).empty() || !post.tells("speed");
     length_ = !post.has(NcCode::length_on) && post.word(NcWord::edge).empty();
     counts_length_ = length_;
     // Without codes for planes there is one.
@@ -252,8 +253,10 @@ void NcModes::values(const NcLine& line) {
     } else if (inverse_) {
         feed_.reset();
     }
-    if (line.has(NcWord::speed) && !(line[NcWord::speed] > 0))
-        refuse("the spindle speed is not above 0", "give a speed");
+    if (line.has(NcWord::speed)) {
+        if (!(line[NcWord::speed] > 0)) refuse("the spindle speed is not above 0", "give a speed");
+        speed_ = true;
+    }
     if (line.has(NcWord::edge)) length_ = line[NcWord::edge] != 0;
     if (line.has(NcWord::tool)) {
         const double number = line[NcWord::tool];
@@ -292,6 +295,9 @@ void NcModes::check_motion() const {
                "write " + post_.code(NcCode::per_minute) + " at the start", ErrorCode::missing_key);
     if (!spindle_)
         refuse("it cuts while the spindle stands", "write " + post_.code(NcCode::spindle_on),
+               ErrorCode::missing_key);
+    if (!speed_)
+        refuse("it cuts, and no speed of the spindle is given", "write " + post_.word(NcWord::speed),
                ErrorCode::missing_key);
 }
 

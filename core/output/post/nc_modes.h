@@ -67,7 +67,8 @@ private:
     double unit_ = 0;         ///< mm; 0: not yet said
     bool blocks_say_ = false; ///< each that it moves
     bool absolute_ = false, incremental_ = false, inverse_ = false, inverse_known_ = false, wcs_ = false;
-    bool spindle_ = false, length_ = false, counts_length_ = false, ended_ = false, home_now_ = false;
+    bool spindle_ = false, speed_ = false, length_ = false, counts_length_ = false, ended_ = false,
+         home_now_ = false;
     bool change_now_ = false, rapid_now_ = false, vectors_now_ = false, centre_now_ = false;
     int arc_normal_ = -1; ///< -1: not yet said
     std::optional<double> feed_;

@@ -23,6 +23,8 @@ constexpr double travel_slack = 1e-3, rotary_slack = 1e-5;
 /// A rotary axis without an end turns no further in one block: a point that was lost makes millions of turns.
 /// A part that turns is wound back after a whole helix.
 constexpr double max_turns = 100, max_turns_of_part = 10'000;
+/// What an axis of a rapid may go beside the others though they do not arrive together: what digits do.
+constexpr double apart_linear = 0.01, apart_rotary = 1e-4;
 /// What the radius of an arc may differ between its ends; mm. More is refused by controls, too.
 constexpr double radius_slack = 0.005;
 constexpr double max_arc_pieces = 1e5;
@@ -154,6 +156,7 @@ private:
                              ErrorCode code = ErrorCode::out_of_range) const {
         modes_.refuse(what, remedy, code);
     }
+    Mat3 frame() const { return tcp() == Tcp::plane ? modes_.plane().frame() : Mat3(Mat3::Identity()); }
     Tcp tcp() const { return by_joints_ ? Tcp::off : modes_.tcp(); }
     NcWord rotary(std::size_t r) const { return rotary_word(setup_.machine.rotary[r]); }
     void take_tool(long number);
@@ -171,6 +174,7 @@ private:
                    setup_.machine, modes_);
     }
     void come_down(const Joints& to);
+    void check_together(const Joints& from, const Joints& to, bool sinks) const;
     void trace(const Joints& to, bool rapid);
     void straight(const Joints& to, const CutterLocation& location, bool rapid);
     double seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const;
@@ -250,13 +254,19 @@ void NcRun::go_home(const NcLine& line) {
         refuse("an axis goes home while the tip is led or in a tilted plane", "switch that off before it");
     for (std::size_t k = 0; k < 6; ++k)
         if (given(k) && k >= 3) refuse("a rotary axis goes home", "leave it where it is");
+    for (std::size_t k = 0; k < 3 && modes_.goes_home(); ++k) {
+        if (!given(k)) continue;
+        if (!modes_.incremental())
+            refuse("an axis calls at a place of the part on its way home",
+                   post_.has(NcCode::incremental) ? "write " + post_.code(NcCode::incremental) + " before it"
+                                                  : "retract otherwise");
+        if (line.value[k] != 0) refuse("the tool goes elsewhere before it goes home", "write 0");
+    }
     if (given(2)) {
         if (given(0) || given(1))
             refuse("the tool goes up and aside at the same time", "send Z home first, alone");
         if (!modes_.goes_home() && line[NcWord::z] != 0)
             refuse("a place of the machine's own is not known here", "retract to 0 of the machine");
-        if (modes_.goes_home() && modes_.incremental() && line[NcWord::z] != 0)
-            refuse("the tool goes elsewhere before it goes home", "write 0");
         if (!up_ && linear_known_[0] && linear_known_[1] && linear_known_[2]) left_ = at_;
         up_ = true;
         linear_known_[2] = false;
@@ -287,7 +297,7 @@ Joints NcRun::tcp_target(const NcLine& line) const {
         refuse("the tool is led by its tip from a place that is not known",
                "bring rotary axes, X and Y to the start first, and give X, Y and Z", ErrorCode::missing_key);
     const ToolPose now = kinematics_.forward(at_);
-    const Mat3 frame = tcp() == Tcp::plane ? modes_.plane().frame() : Mat3(Mat3::Identity());
+    const Mat3 frame = this->frame();
     Vec3 words = frame.transpose() * now.tip;
     for (std::size_t k = 0; k < 3; ++k)
         if (line.has(NcWord(k))) words[int(k)] = modes_.length(line.value[k]);
@@ -399,11 +409,32 @@ void NcRun::come_down(const Joints& to) {
     if (!up_places_.empty()) above = up_places_.back();
     above.linear.z() = high;
     visit(above, true);
+    check_together(above, to, true);
     visit(to, modes_.motion() == NcCode::rapid);
     by_joints_ = false;
     up_ = false;
     left_.reset();
     up_places_.clear();
+}
+
+/// Rapids whose axes arrive one after the other leave the line; down from the top Z alone may move.
+void NcRun::check_together(const Joints& from, const Joints& to, bool sinks) const {
+    if (post_.straight_rapids || modes_.motion() != NcCode::rapid) return;
+    int axes = 0;
+    const bool tip = tcp() != Tcp::off && !sinks;
+    const Vec3 step =
+        tip ? Vec3(frame().transpose() * (kinematics_.forward(to).tip - kinematics_.forward(from).tip))
+            : Vec3(to.linear - from.linear);
+    for (int k = 0; k < 3; ++k)
+        axes += std::abs(step[k]) > apart_linear;
+    // How an axis is held that is told as a vector, the control chooses.
+    for (std::size_t r = 0; r < 2; ++r)
+        axes += modes_.tcp() != Tcp::vectors && std::abs(to.rotary[r] - from.rotary[r]) > apart_rotary;
+    if (tip && tcp() == Tcp::vectors)
+        axes += (kinematics_.forward(to).axis - kinematics_.forward(from).axis).norm() > apart_rotary;
+    if (axes > 1)
+        refuse("a rapid moves several axes, and they do not arrive together",
+               "move them one by one, or at feed");
 }
 
 /// A block that gives the centre of arcs, in the words of places.
@@ -436,7 +467,7 @@ void NcRun::arc(const NcLine& line, const Joints& to) {
     const bool in_plane = tcp() == Tcp::plane;
     if (tcp() != Tcp::off && !in_plane) refuse("the tip is led on an arc", "write straight motions");
     if (up_ || !linear_known_[2]) refuse("the tool comes down on an arc", "come down straight");
-    const Mat3 frame = in_plane ? modes_.plane().frame() : Mat3(Mat3::Identity());
+    const Mat3 frame = this->frame();
     Vec3 begin = at_.linear, end = to.linear;
     Pole pole = pole_;
     if (in_plane) {
@@ -506,6 +537,7 @@ void NcRun::motion(const NcLine& line) {
             add({pose.tip, pose.axis}, to, true, 1);
         }
     } else {
+        check_together(at_, to, false);
         trace(to, modes_.motion() == NcCode::rapid);
     }
     at_ = to;
@@ -563,14 +595,21 @@ NcProgram read_nc(std::string_view text, const std::string& file, const Post& po
     NcRun run(file, post, setup);
     NcLine line;
     long number = 0;
+    bool begins = true;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         std::string_view one = text.substr(at, end - at);
         if (!one.empty() && one.back() == '\r') one.remove_suffix(1);
         at = end + 1;
         if (std::size_t(++number) % lines_per_check == 0) progress.set(double(at) / double(text.size()));
-        if (one == "%" || one.empty()) continue;
         if (run.ended()) break;
+        if (one.empty()) continue;
+        const bool first = std::exchange(begins, false);
+        if (one == "%" && first) continue;
+        if (one == "%")
+            throw Error(ErrorCode::truncated, file + ":" + std::to_string(number),
+                        "the tape ends here, and the program is not at its end",
+                        "write '%' first and last alone");
         if (one.size() > post.max_block)
             throw Error(ErrorCode::syntax, file + ":" + std::to_string(number),
                         "the block has more than " + std::to_string(post.max_block) + " characters",

@@ -517,6 +517,14 @@ std::string Post::default_wcs() const {
     return wcs.empty() ? std::string() : wcs.front();
 }
 
+bool Post::tells(std::string_view template_word) const {
+    const std::string word = "{" + std::string(template_word) + "}";
+    const auto in = [&](const std::string& line) { return line.find(word) != std::string::npos; };
+    for (const auto* lines : {&start, &tool_change, &operation, &retract, &tcp_on, &tcp_off, &plane_on, &end})
+        if (std::any_of(lines->begin(), lines->end(), in)) return true;
+    return in(approach) || in(tcp_approach) || in(plane_approach);
+}
+
 std::string Post::known_wcs() const {
     if (wcs_lines.empty()) return listed(wcs);
     return "the numbers from " + std::to_string(wcs_first) + " to " + std::to_string(wcs_last);

@@ -149,6 +149,8 @@ struct Post {
     const std::string& code(NcCode what) const;
     bool has_planes() const { return !plane_on.empty(); }
     bool has(NcCode what) const { return !code(what).empty(); }
+    /// Programs say this: a line of theirs has the word in braces.
+    bool tells(std::string_view template_word) const;
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
     /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.
     NcWord centre_word(int axis) const;

@@ -601,6 +601,27 @@ private slots:
         row("marlin", ";tool 1", "; tool", "no tool");
         row("marlin", ";tool 1", ";tool 9", "no tool 9");
         row("marlin", "M400", "M30", "M30");
+        // The same without a sign of the machine's own, a height of the part.
+        row("linuxcnc", "G53 G0 Z0", "G0 Z0", "no tool is in the spindle");
+        row("siemens", "G0 SUPA Z0", "G0 Z0", "no tool is in the spindle");
+        row("heidenhain", " FMAX M91", " FMAX", "no tool is in the spindle");
+        // By way of a height of the part.
+        row("fanuc", "G91 G28 Z0.", "G28 Z0.", "on its way home");
+        row("linuxcnc", "S8000 M3", "M3", "no speed of the spindle");
+        row("siemens", "S8000 M3", "M3", "no speed of the spindle");
+        row("heidenhain", " S8000", "", "no speed of the spindle");
+        row("marlin", "M3 S8000", "M3", "no speed of the spindle");
+        // What stands behind an end of the tape is never run.
+        row("linuxcnc", "G43 H1", "%\nG43 H1", "the tape ends here");
+        row("linuxcnc", "\nG54", "\n%\nG54", "the tape ends here");
+        // Hundreds of micrometres.
+        row("fanuc", "F1200.", "F1200", "no decimal point");
+        row("fanuc", "Z30.", "Z30", "no decimal point");
+        row("haas", "X25. ", "X25 ", "no decimal point");
+        // One axis after the other, and not along the line.
+        row("haas", "G1 Z", "G0 Z", "do not arrive together");
+        row("fanuc", "G1 Z", "G0 Z", "do not arrive together");
+        row("fanuc-vectors", "G1 Z", "G0 Z", "do not arrive together");
         // A point: the table would turn for days.
         row("linuxcnc", "G53 G0 Z0\nM5\nM9\nM2", "G93 G1 C60146875 F1\nG53 G0 Z0\nM5\nM9\nM2",
             "turns in one block");
