@@ -135,6 +135,42 @@ void check_radius(const PlaneArc& arc, const NcModes& modes) {
                      "check its end and its centre");
 }
 
+/// Axes that go to the end of their travel, or to a place of the machine's own.
+void check_home(const NcLine& line, const NcModes& modes, const Post& post) {
+    for (const NcWord w : {NcWord::a, NcWord::b, NcWord::c})
+        if (line.has(w)) modes.refuse("a rotary axis goes home", "leave it where it is");
+    if (!modes.goes_home() && line.has(NcWord::z) && line[NcWord::z] != 0)
+        modes.refuse("a place of the machine's own is not known here", "retract to 0 of the machine");
+    for (std::size_t k = 0; k < 3 && modes.goes_home(); ++k) {
+        if (!line.has(NcWord(k))) continue;
+        if (!modes.incremental())
+            modes.refuse("an axis calls at a place of the part on its way home",
+                         post.has(NcCode::incremental)
+                             ? "write " + post.code(NcCode::incremental) + " before it"
+                             : "retract otherwise");
+        if (line.value[k] != 0) modes.refuse("the tool goes elsewhere before it goes home", "write 0");
+    }
+}
+
+/// Rapids whose axes arrive one after the other leave the line; down from the top Z alone may move. Where the
+/// tip is led, `frame` is that of its words.
+void check_together(const Kinematics& kinematics, const NcModes& modes, const std::optional<Mat3>& frame,
+                    const Joints& from, const Joints& to) {
+    const ToolPose begin = kinematics.forward(from), end = kinematics.forward(to);
+    const Vec3 step =
+        frame ? Vec3(frame->transpose() * (end.tip - begin.tip)) : Vec3(to.linear - from.linear);
+    const bool vectors = modes.tcp() == NcModes::Tcp::vectors;
+    int axes = vectors && frame && (end.axis - begin.axis).norm() > apart_rotary;
+    for (int k = 0; k < 3; ++k)
+        axes += std::abs(step[k]) > apart_linear;
+    // How an axis is held that is told as a vector, the control chooses.
+    for (std::size_t r = 0; r < 2; ++r)
+        axes += !vectors && std::abs(to.rotary[r] - from.rotary[r]) > apart_rotary;
+    if (axes > 1)
+        modes.refuse("a rapid moves several axes, and they do not arrive together",
+                     "move them one by one, or at feed");
+}
+
 class NcRun {
 public:
     NcRun(const std::string& file, const Post& post, const NcSetup& setup)
@@ -156,6 +192,8 @@ private:
                              ErrorCode code = ErrorCode::out_of_range) const {
         modes_.refuse(what, remedy, code);
     }
+    /// This block is a rapid whose axes do not arrive together.
+    bool apart() const { return !post_.straight_rapids && modes_.motion() == NcCode::rapid; }
     Mat3 frame() const { return tcp() == Tcp::plane ? modes_.plane().frame() : Mat3(Mat3::Identity()); }
     Tcp tcp() const { return by_joints_ ? Tcp::off : modes_.tcp(); }
     NcWord rotary(std::size_t r) const { return rotary_word(setup_.machine.rotary[r]); }
@@ -174,7 +212,6 @@ private:
                    setup_.machine, modes_);
     }
     void come_down(const Joints& to);
-    void check_together(const Joints& from, const Joints& to, bool sinks) const;
     void trace(const Joints& to, bool rapid);
     void straight(const Joints& to, const CutterLocation& location, bool rapid);
     double seconds_for(const Joints& to, const CutterLocation& end, bool rapid) const;
@@ -252,21 +289,10 @@ void NcRun::go_home(const NcLine& line) {
     const auto given = [&](std::size_t k) { return line.has(NcWord(k)); };
     if (tcp() != Tcp::off)
         refuse("an axis goes home while the tip is led or in a tilted plane", "switch that off before it");
-    for (std::size_t k = 0; k < 6; ++k)
-        if (given(k) && k >= 3) refuse("a rotary axis goes home", "leave it where it is");
-    for (std::size_t k = 0; k < 3 && modes_.goes_home(); ++k) {
-        if (!given(k)) continue;
-        if (!modes_.incremental())
-            refuse("an axis calls at a place of the part on its way home",
-                   post_.has(NcCode::incremental) ? "write " + post_.code(NcCode::incremental) + " before it"
-                                                  : "retract otherwise");
-        if (line.value[k] != 0) refuse("the tool goes elsewhere before it goes home", "write 0");
-    }
+    check_home(line, modes_, post_);
     if (given(2)) {
         if (given(0) || given(1))
             refuse("the tool goes up and aside at the same time", "send Z home first, alone");
-        if (!modes_.goes_home() && line[NcWord::z] != 0)
-            refuse("a place of the machine's own is not known here", "retract to 0 of the machine");
         if (!up_ && linear_known_[0] && linear_known_[1] && linear_known_[2]) left_ = at_;
         up_ = true;
         linear_known_[2] = false;
@@ -409,32 +435,12 @@ void NcRun::come_down(const Joints& to) {
     if (!up_places_.empty()) above = up_places_.back();
     above.linear.z() = high;
     visit(above, true);
-    check_together(above, to, true);
+    if (apart()) check_together(kinematics_, modes_, std::nullopt, above, to);
     visit(to, modes_.motion() == NcCode::rapid);
     by_joints_ = false;
     up_ = false;
     left_.reset();
     up_places_.clear();
-}
-
-/// Rapids whose axes arrive one after the other leave the line; down from the top Z alone may move.
-void NcRun::check_together(const Joints& from, const Joints& to, bool sinks) const {
-    if (post_.straight_rapids || modes_.motion() != NcCode::rapid) return;
-    int axes = 0;
-    const bool tip = tcp() != Tcp::off && !sinks;
-    const Vec3 step =
-        tip ? Vec3(frame().transpose() * (kinematics_.forward(to).tip - kinematics_.forward(from).tip))
-            : Vec3(to.linear - from.linear);
-    for (int k = 0; k < 3; ++k)
-        axes += std::abs(step[k]) > apart_linear;
-    // How an axis is held that is told as a vector, the control chooses.
-    for (std::size_t r = 0; r < 2; ++r)
-        axes += modes_.tcp() != Tcp::vectors && std::abs(to.rotary[r] - from.rotary[r]) > apart_rotary;
-    if (tip && tcp() == Tcp::vectors)
-        axes += (kinematics_.forward(to).axis - kinematics_.forward(from).axis).norm() > apart_rotary;
-    if (axes > 1)
-        refuse("a rapid moves several axes, and they do not arrive together",
-               "move them one by one, or at feed");
 }
 
 /// A block that gives the centre of arcs, in the words of places.
@@ -537,7 +543,8 @@ void NcRun::motion(const NcLine& line) {
             add({pose.tip, pose.axis}, to, true, 1);
         }
     } else {
-        check_together(at_, to, false);
+        if (apart())
+            check_together(kinematics_, modes_, tip ? std::optional(frame()) : std::nullopt, at_, to);
         trace(to, modes_.motion() == NcCode::rapid);
     }
     at_ = to;
