@@ -169,7 +169,10 @@ void NcLineReader::check_point(const Cursor& c, std::size_t from, NcWord which, 
 }
 
 void NcLineReader::word(const Cursor& c, std::size_t from, NcWord which, double value, NcLine& into) const {
-    if (which == NcWord::ignored) return;
+    if (which == NcWord::ignored) {
+        into.read_over = into.read_over || capital(c.line[from]) != 'N';
+        return;
+    }
     if (needs_point_) check_point(c, from, which, value);
     if (into.has(which))
         fail(c, "'" + printable(c.line.substr(from, c.at - from)) + "' occurs twice", "keep one of them");
@@ -262,7 +265,7 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
     into.given = 0;
     Cursor c{line, 0, file, number};
     into.plane.reset();
-    into.plane_off = false;
+    into.plane_off = into.read_over = false;
     into.wcs_line = -1;
     into.wcs_number.reset();
     while (bare_numbers_ && c.at < line.size() && is_figure(line[c.at]))

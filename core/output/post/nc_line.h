@@ -20,6 +20,7 @@ struct NcLine {
     /// A tilted plane begins: turned about Z, then about the new X; degrees.
     std::optional<std::array<double, 2>> plane;
     bool plane_off = false;
+    bool read_over = false; ///< it has a word that is, and is no number of the block
     /// One of the lines that choose work coordinates by their number; -1: none of them.
     int wcs_line = -1;
     std::optional<long> wcs_number;

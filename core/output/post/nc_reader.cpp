@@ -486,6 +486,8 @@ void NcRun::arc(const NcLine& line, const Joints& to) {
         for (std::size_t k = 0; k < 3; ++k)
             if (pole[k]) *pole[k] += setup_.part_origin[int(k)];
     }
+    if (line.read_over)
+        refuse("an arc has a word that is read over", "it may say how often it turns: leave it out");
     const PlaneArc arc = arc_of(line, modes_, post_, pole, begin, end);
     check_radius(arc, modes_);
     run_arc(arc, frame);

@@ -339,6 +339,7 @@ private slots:
         row("radius", "G2 X10 Y0 R4.9", "no arc of this radius");
         row("radius", "G2 X0 Y0 R5", "no arc of this radius");
         row("radius", "G2 X10 Y0 R5 I5", "a centre and a radius");
+        row("linuxcnc", "G2 X10 Y0 I5 P3", "read over");
         row("heidenhain", "C X+10 Y+0 DR-", "no centre");
         row("heidenhain", "C X+10 Y+0", "no direction");
         row("heidenhain", "L X+10 DR-", "without an arc");
