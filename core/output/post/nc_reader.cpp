@@ -96,6 +96,8 @@ using Pole = std::array<std::optional<double>, 3>;
 /// The arc of a block, in the joints of the machine, or in a tilted plane.
 PlaneArc arc_of(const NcLine& line, const NcModes& modes, const Post& post, const Pole& pole,
                 const Vec3& from, const Vec3& to) {
+    if (line.read_over)
+        modes.refuse("an arc has a word that is read over", "it may say how often it turns: leave it out");
     const bool clockwise = modes.motion() == NcCode::arc_clockwise;
     const int normal = modes.arc_normal();
     const int axes[] = {(normal + 1) % 3, (normal + 2) % 3};
@@ -486,8 +488,6 @@ void NcRun::arc(const NcLine& line, const Joints& to) {
         for (std::size_t k = 0; k < 3; ++k)
             if (pole[k]) *pole[k] += setup_.part_origin[int(k)];
     }
-    if (line.read_over)
-        refuse("an arc has a word that is read over", "it may say how often it turns: leave it out");
     const PlaneArc arc = arc_of(line, modes_, post_, pole, begin, end);
     check_radius(arc, modes_);
     run_arc(arc, frame);
