@@ -11,11 +11,8 @@ namespace {
 
 void run_cspace(const Arguments& arguments, Session& session) {
     use_threads(arguments);
-    const std::string file = arguments.operand(0);
     const std::size_t number = point_number(arguments.value("--point"));
-    Project project = load_project(file);
-    for (const std::string& setting : arguments.values("--set"))
-        apply_setting(project, setting);
+    Project project = asked_project(arguments);
     const std::string output = arguments.value("-o"), name = arguments.value("--op");
     keep_inputs(project, output);
     OutputFile out(output); // first, so that a place that cannot be written is told at once
@@ -50,10 +47,7 @@ Command cspace_command() {
             .options =
                 {{.name = "--op", .value = "NAME", .help = "the operation", .required = true},
                  {.name = "--point", .value = "I", .help = "number of the contact point", .required = true},
-                 {.name = "--set",
-                  .value = "NAME.key=value",
-                  .help = "changes a parameter of an operation for this run",
-                  .repeated = true},
+                 set_option(),
                  threads_option(),
                  large_option(),
                  {.name = "-o", .value = "FILE.json", .help = "the file to write", .required = true}},

@@ -15,9 +15,7 @@ namespace {
 void run_plan(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
-    Project project = load_project(file);
-    for (const std::string& setting : arguments.values("--set"))
-        apply_setting(project, setting);
+    const Project project = asked_project(arguments);
     check_all_posting(project);
     const std::string folder = arguments.value("-o");
     check_folder(folder);
@@ -56,10 +54,7 @@ Command plan_command() {
                 "planned in order, each on what those before it leave. Keys and ranges of --set:\n"
                 "facetmill-cli reference.",
             .options = {{.name = "--op", .value = "NAME", .help = "plans only this operation"},
-                        {.name = "--set",
-                         .value = "NAME.key=value",
-                         .help = "sets a parameter of an operation for this run, in the project's units",
-                         .repeated = true},
+                        set_option(),
                         threads_option(),
                         large_option(),
                         {.name = "-o",

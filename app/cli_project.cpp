@@ -18,6 +18,21 @@ void check_folder(const std::filesystem::path& folder) {
                     "name a folder to write to");
 }
 
+OptionInfo set_option() {
+    return {.name = "--set",
+            .value = "NAME.key=value",
+            .help = "sets a parameter of an operation, or of programs (post=grbl), for this run, in the "
+                    "project's units",
+            .repeated = true};
+}
+
+Project asked_project(const Arguments& arguments) {
+    Project project = load_project(arguments.operand(0));
+    for (const std::string& setting : arguments.values("--set"))
+        apply_setting(project, setting);
+    return project;
+}
+
 OptionInfo large_option() {
     return {.name = "--yes-large",
             .help = "begins jobs of more than 20 million points, 4 GB or 4 hours by their estimate"};

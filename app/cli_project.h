@@ -18,6 +18,10 @@ namespace facetmill::cli {
 /// after it.
 void check_folder(const std::filesystem::path& folder);
 
+/// The option that changes parameters for a run, and the project with those.
+OptionInfo set_option();
+Project asked_project(const Arguments& arguments);
+
 /// The option that lets a job of more than usual size begin.
 OptionInfo large_option();
 

@@ -114,7 +114,7 @@ void report_setups(const Arguments& arguments, const Project& project, OutputFil
 void run_report(const Arguments& arguments, Session& session) {
     use_threads(arguments);
     const std::string file = arguments.operand(0);
-    const Project project = load_project(file);
+    const Project project = asked_project(arguments);
     check_all_posting(project);
     const std::string target = arguments.value("-o");
     keep_inputs(project, target);
@@ -149,7 +149,8 @@ Command report_command() {
                 "that is not verified has its sheet too, which says so first; the exit status is 1 then. Of "
                 "several\n"
                 "setups each has its part of the sheet, and they are judged as one.",
-        .options = {threads_option(),
+        .options = {set_option(),
+                    threads_option(),
                     large_option(),
                     {.name = "-o", .value = "FILE.html", .help = "the file to write", .required = true}},
         .run = run_report};

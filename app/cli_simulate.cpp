@@ -136,7 +136,7 @@ void simulate_setups(const Arguments& arguments, const Project& project, const A
 
 void run_simulate(const Arguments& arguments, Session& session) {
     use_threads(arguments);
-    const Project all = load_project(arguments.operand(0));
+    const Project all = asked_project(arguments);
     const AskedSettings asked(arguments, all.unit);
     const std::vector<std::string> cl_files = arguments.values("--cl");
     if (!cl_files.empty() && arguments.has("--op"))
@@ -234,6 +234,7 @@ Command simulate_command() {
                     nc_option(),
                     post_option(),
                     setup_option(),
+                    set_option(),
                     {.name = "--op",
                      .value = "NAME",
                      .help =

@@ -303,6 +303,32 @@ void check_project(const Project& project) {
     }
 }
 
+namespace {
+
+/// "post=grbl" for all setups, "Top.wcs=G55" for one; false where it names nothing of programs.
+bool apply_to_programs(Project& project, std::string_view setting, const std::string& shown) {
+    const std::size_t equal = setting.find('='), dot = setting.substr(0, equal).rfind('.');
+    if (equal == std::string_view::npos) return false;
+    const bool all = dot == std::string_view::npos;
+    const std::string key(all ? setting.substr(0, equal) : setting.substr(dot + 1, equal - dot - 1));
+    if (!program_parameters().find(key)) return false;
+    bool found = false;
+    for (std::size_t i = 0; i < setup_count(project); ++i) {
+        Setup& setup = setup_at(project, i);
+        if (!all && setup.name != setting.substr(0, dot)) continue;
+        found = true;
+        ParameterView<ProgramSpec> programs(setup.programs, program_parameters());
+        try {
+            programs.set(key, programs.parameter(key).parse(setting.substr(equal + 1), project.unit));
+        } catch (const Error& e) {
+            throw Error(e.code(), shown, e.message(), e.remedy());
+        }
+    }
+    return found;
+}
+
+} // namespace
+
 void apply_setting(Project& project, std::string_view setting) {
     const std::string shown = "--set " + printable(setting, 120);
     const auto usage = [&](const std::string& what) {
@@ -326,6 +352,7 @@ void apply_setting(Project& project, std::string_view setting) {
             }
         }
     }
+    if (!operation && apply_to_programs(project, setting, shown)) return;
     if (!operation) {
         const std::size_t equal = setting.find('='), dot = setting.substr(0, equal).rfind('.');
         if (equal == std::string_view::npos) usage("there is no '='");

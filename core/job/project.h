@@ -90,6 +90,7 @@ void save_project(const Project& project, const std::filesystem::path& path);
 void check_project(const Project& project);
 
 /// "NAME.key=value" as on the command line; NAME is an operation's name or its place in the project, from 1.
+/// Keys of programs ("post=grbl", "wcs=G55") have a setup's name before them, or none: all setups' then.
 /// Only the one value is checked: `check_project` follows. Throws Error(usage, missing_reference,
 /// unknown_key, wrong_type, out_of_range); nothing changes then.
 void apply_setting(Project& project, std::string_view setting);

@@ -122,7 +122,7 @@ std::string reference_page() {
         "`units`,\n"
         "angles in degrees, feeds in units per minute. `--set NAME.key=value` sets any key of an operation "
         "for\n"
-        "one run.\n\n"
+        "one run; keys of programs go without a name, or with a setup's.\n\n"
         "## Project file\n\n"
         "JSON in UTF-8. An unknown key, a key that occurs twice, a wrong type and a value out of range are\n"
         "errors that name the key.\n\n"

@@ -493,6 +493,22 @@ private slots:
                 != std::string::npos);
     }
 
+    void settings_reach_programs() {
+        Project p = parse_project(
+            R"({ "facetmill": 1, "units": "in", "part": { "file": "p.stl" }, "post": "linuxcnc" })", "p");
+        apply_setting(p, "post=grbl");
+        apply_setting(p, "zero=[0,0,1]");
+        apply_setting(p, setup_at(p, 0).name + ".wcs=G55");
+        QCOMPARE(p.programs.post, std::string("grbl"));
+        QCOMPARE(p.programs.wcs, std::string("G55"));
+        QCOMPARE(p.programs.zero[2], 25.4);
+        const auto code = [&](const char* setting) { return code_of([&] { apply_setting(p, setting); }); };
+        QCOMPARE(code("program_number=0"), std::string("out_of_range"));
+        QCOMPARE(code("programs=some"), std::string("out_of_range"));
+        QCOMPARE(code("post"), std::string("usage"));
+        QCOMPARE(code("Below.post=grbl"), std::string("missing_reference"));
+    }
+
     void the_project_file_has_its_keys() {
         const std::string start = R"({ "facetmill": 1, "units": "mm", "part": { "file": "p.stl" })";
         const Project p = parse_project(

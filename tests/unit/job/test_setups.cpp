@@ -204,7 +204,12 @@ private slots:
         Project p = project_of(two_setups);
         apply_setting(p, "Finish below.tolerance=0.03");
         apply_setting(p, "3.feed=123");
+        apply_setting(p, "program_number=7");
+        apply_setting(p, setup_at(p, 1).name + ".post=grbl");
+        QVERIFY(setup_at(p, 0).programs.post != "grbl" && setup_at(p, 0).programs.number == 7);
         choose_setup(p, 1);
+        QCOMPARE(p.programs.post, std::string("grbl"));
+        QCOMPARE(p.programs.number, 7L);
         QCOMPARE(p.operations[0]->common().tolerance, 0.03);
         QCOMPARE(p.operations[0]->common().feed, 123.0);
         QVERIFY_EXCEPTION_THROWN(apply_setting(p, "4.feed=1"), Error);
