@@ -147,7 +147,9 @@ test::NaiveResult naive(const Job& job, const VerifySettings& used, double coars
     double radius = infinity;
     for (std::size_t i = 0; i < job.programs.size(); ++i) {
         const AptCutter& cutter = job.programs[i].tool.cutter.cutter();
-        programs.push_back({cutter, job.programs[i].motions->motions});
+        programs.push_back({cutter, job.programs[i].motions->motions, {}, job.programs[i].turning});
+        for (const ToolSection& section : job.programs[i].tool.sections)
+            programs.back().barrels.push_back({section.radius, section.from, section.to});
         radius = std::min(radius, 0.5 * cutter.d);
     }
     test::NaiveOptions options;
@@ -156,6 +158,10 @@ test::NaiveResult naive(const Job& job, const VerifySettings& used, double coars
     options.pose_share = std::min(0.1, 0.025 * coarse);
     options.tolerance = used.tolerance;
     options.stock = job.stock.box;
+    if (job.stock.kind == StockSolid::Kind::cylinder) {
+        options.round_axis = job.stock.axis;
+        options.stock_radius = job.stock.radius;
+    }
     return test::naive_check(*job.part->mesh, programs, options);
 }
 
@@ -177,23 +183,37 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
     start = now();
     const test::NaiveResult n = naive(job, v.used, a.coarse);
     const double seconds_naive = now() - start, per = mm_per(project.unit);
-    double touches = 0;
-    for (const Collision& c : v.collisions)
-        touches = std::max(touches, c.depth);
-    std::printf(
-        "| %s | %s | %s | %zu | %.0f + %.0f + %.0f | %.5f / %.5f, limit %.5f | %.2f / %.2f | %s%s | "
-        "%.1f | %.1f | %zu |\n",
-        name.c_str(), origin.c_str(), job.operations.c_str(), job.part->mesh->facet_count(),
-        job.seconds_planning, seconds_judging, seconds_naive,
-        std::max(v.figures.gouge_max, v.border.gouge_max) / per, n.gouge_max / per, v.used.gouge_limit / per,
-        100 * v.uncut_share, 100 * n.uncut_share(), verdict_name(v.verdict()).c_str(),
-        v.collisions.empty() ? "" : (", " + std::to_string(v.collisions.size()) + " collisions").c_str(),
-        n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0, 100 * rapid_share(job, machine),
-        outside_travel(project, job, machine));
+    std::string collisions;
+    if (!v.collisions.empty()) collisions = ", " + std::to_string(v.collisions.size()) + " collisions";
+    std::printf("| %s | %s | %s | %zu | %.0f + %.0f + %.0f | %.5f / %.5f, limit %.5f | %.2f / %.2f | %s%s | "
+                "%.1f | %.1f | %zu |\n",
+                name.c_str(), origin.c_str(), job.operations.c_str(), job.part->mesh->facet_count(),
+                job.seconds_planning, seconds_judging, seconds_naive,
+                std::max(v.figures.gouge_max, v.border.gouge_max) / per, n.gouge_max / per,
+                v.used.gouge_limit / per, 100 * v.uncut_share, 100 * n.uncut_share(),
+                verdict_name(v.verdict()).c_str(), collisions.c_str(),
+                n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0, 100 * rapid_share(job, machine),
+                outside_travel(project, job, machine));
     for (const UncutReason& r : v.uncut)
         std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
                      uncut_reason_text(r.why).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
                      r.place.z());
+    for (const Collision& c : v.collisions)
+        std::fprintf(
+            stderr,
+            "%s: collision of the %s in the %s, program %zu GOTO %zu: %.4g mm at (%.4g, %.4g, %.4g)\n",
+            name.c_str(),
+            c.kind == Collision::Kind::rapid   ? "rapid"
+            : c.kind == Collision::Kind::shank ? "shank"
+                                               : "holder",
+            c.with_part ? "part" : "stock", c.at.program + 1, c.at.motion + 1, c.depth, c.place.x(),
+            c.place.y(), c.place.z());
+    if (n.touch_max > 0)
+        std::fprintf(
+            stderr,
+            "%s: naive: shank or holder in stock, program %zu GOTO %zu: %.4g mm at (%.4g, %.4g, %.4g)\n",
+            name.c_str(), n.touch_program + 1, n.touch_motion + 1, n.touch_max, n.touch_at.x(),
+            n.touch_at.y(), n.touch_at.z());
     std::fprintf(stderr, "%s: naive: %zu samples, %zu poses, gouge at (%.4g, %.4g, %.4g)\n", name.c_str(),
                  n.samples.size(), n.poses, n.gouge_at.x(), n.gouge_at.y(), n.gouge_at.z());
 }

@@ -179,6 +179,52 @@ private slots:
         QVERIFY2(std::abs(r.gouge_max - 0.3) < 1e-6, qPrintable(QString::number(r.gouge_max)));
     }
 
+    /// A shank above the step that its cutter leaves, then below the top of it.
+    void the_naive_check_finds_shanks_in_stock() {
+        const Mesh part = box(Vec3(-10, -6, -8), Vec3(10, 6, -5));
+        NaiveProgram program{AptCutter::flat(4, 3), {}, {{3, 3, 10}}};
+        const auto to = [&](MotionKind kind, double x, double y, double z) {
+            program.motions.push_back({kind, {Vec3(x, y, z), Vec3::UnitZ()}, no_index, no_index});
+        };
+        to(MotionKind::rapid, -14, 0, 5);
+        to(MotionKind::cut, -14, 0, -3); // flutes as deep as the step
+        to(MotionKind::cut, 14, 0, -3);
+        NaiveOptions options;
+        options.spacing = 0.5;
+        options.stock = {Vec3(-10, -6, -8), Vec3(10, 6, 0)};
+        NaiveResult r = naive_check(part, {&program, 1}, options);
+        QVERIFY2(r.touch_max == 0, qPrintable(QString::number(r.touch_max)));
+        for (Motion& m : program.motions)
+            m.to.tip.z() -= 1.5; // now the shank's end is 1.5 below the top, which no flute reaches
+        r = naive_check(part, {&program, 1}, options);
+        QVERIFY2(r.touch_max > 1 && r.touch_max < 1.5 + 1e-9, qPrintable(QString::number(r.touch_max)));
+        QCOMPARE(r.touch_motion, std::size_t(2));
+    }
+
+    /// Half a turn about a round part in one motion: its surface is kept, where a straight one would cut it.
+    void the_naive_check_turns_parts() {
+        const Mesh part = box(Vec3(-10, -1, -1), Vec3(10, 1, 1));
+        NaiveProgram program{AptCutter::flat(4, 20), {}, {}, TurningAxis{}};
+        const double r = std::sqrt(2.0);
+        program.motions.push_back({MotionKind::rapid, {Vec3(0, 0, r), Vec3::UnitZ()}, no_index, no_index});
+        program.motions.push_back({MotionKind::cut,
+                                   {Vec3(4, -0.95 * r, -std::sqrt(1 - 0.95 * 0.95) * r),
+                                    Vec3(0, -0.95, -std::sqrt(1 - 0.95 * 0.95))},
+                                   no_index,
+                                   no_index});
+        NaiveOptions options;
+        options.spacing = 0.2;
+        options.stock = {Vec3(-10, -2, -2), Vec3(10, 2, 2)};
+        options.round_axis = 0;
+        options.stock_radius = 2;
+        NaiveResult checked = naive_check(part, {&program, 1}, options);
+        QVERIFY2(checked.gouge_max < 1e-9, qPrintable(QString::number(checked.gouge_max)));
+        QVERIFY2(checked.feed_length > 4.5, qPrintable(QString::number(checked.feed_length)));
+        program.turning.reset();
+        checked = naive_check(part, {&program, 1}, options);
+        QVERIFY2(checked.gouge_max > 0.3, qPrintable(QString::number(checked.gouge_max)));
+    }
+
     void judges_agree_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<QStringList>("kinds");

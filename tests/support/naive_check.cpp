@@ -58,6 +58,26 @@ Vec3 axis_between(const Vec3& a, const Vec3& b, double s, AxisCourse course) {
     return ((std::sin((1 - s) * angle) * a + std::sin(s * angle) * b) / std::sin(angle)).normalized();
 }
 
+Vec3 turned(const Vec3& v, const Vec3& about, double angle) {
+    return std::cos(angle) * v + std::sin(angle) * about.cross(v)
+           + (1 - std::cos(angle)) * about.dot(v) * about;
+}
+
+/// The pose between two locations where the part turns: the way that is left when the turn is taken back, and
+/// as much of the turn.
+CutterLocation location_between(const CutterLocation& a, const CutterLocation& b, double s, double turn,
+                                const TurningAxis& about) {
+    const Vec3 from = a.tip - about.point, to = turned(Vec3(b.tip - about.point), about.direction, -turn);
+    return {about.point + turned(Vec3(from + s * (to - from)), about.direction, s * turn),
+            turned(a.axis, about.direction, s * turn)};
+}
+/// How far the axis turns about a line from one location to the next.
+double turn_between(const CutterLocation& a, const CutterLocation& b, const TurningAxis& about) {
+    const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(about.direction) * about.direction); };
+    const Vec3 from = across(a.axis), to = across(b.axis);
+    return std::atan2(about.direction.dot(from.cross(to)), from.dot(to));
+}
+
 class Check {
 public:
     Check(const Mesh& part, std::span<const NaiveProgram> programs, const NaiveOptions& options)
@@ -104,21 +124,31 @@ private:
         const auto& motions = programs_[program].motions;
         const Body& body = bodies_[program];
         const double step = share * body.radius(), reach = body.height() + body.radius();
+        const auto& about = programs_[program].turning;
         for (std::size_t i = 0; i < motions.size(); ++i) {
             const CutterLocation &a = motions[i > 0 ? i - 1 : 0].to, &b = motions[i].to;
             const double turn = std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
-            const double way = (b.tip - a.tip).norm() + turn * reach;
+            const double swing = about && turn > 0 ? turn_between(a, b, *about) : 0;
+            const double arm = swing != 0 ? (a.tip - about->point).norm() : 0;
+            const double way = (b.tip - a.tip).norm() + std::max(turn, std::abs(swing)) * (reach + arm);
             const int pieces = std::max(1, int(std::ceil(way / step)));
+            CutterLocation last = a;
             for (int k = 1; k <= pieces; ++k) {
                 const double s = double(k) / pieces;
-                const Vec3 axis = turn == 0 ? b.axis : axis_between(a.axis, b.axis, s, options_.course);
-                visit(motions[i], a.tip + s * (b.tip - a.tip), axis, (b.tip - a.tip).norm() / pieces);
+                CutterLocation at{a.tip + s * (b.tip - a.tip), b.axis};
+                if (swing != 0)
+                    at = location_between(a, b, s, swing, *about);
+                else if (turn != 0)
+                    at.axis = axis_between(a.axis, b.axis, s, options_.course);
+                visit(i, at.tip, at.axis, (at.tip - last.tip).norm());
+                last = at;
             }
         }
     }
     void add_poses(std::size_t program) {
         each_pose(program, options_.pose_share,
-                  [&](const Motion& motion, const Vec3& tip, const Vec3& axis, double) {
+                  [&](std::size_t number, const Vec3& tip, const Vec3& axis, double) {
+                      const Motion& motion = programs_[program].motions[number];
                       poses_.push_back({tip, axis, std::uint32_t(program), motion.kind != MotionKind::rapid});
                       if (motion.kind == MotionKind::rapid) return;
                       constexpr double apart = 0.996; // five degrees
@@ -275,8 +305,13 @@ private:
         if (s.to_cut && removed == steps_to_uncut) s.uncut = stands(s);
     }
     bool in_stock(const Vec3& p) const {
-        return (p.array() >= options_.stock.lo.array() - 1e-6).all()
-               && (p.array() <= options_.stock.hi.array() + 1e-6).all();
+        if ((p.array() < options_.stock.lo.array() - 1e-6).any()
+            || (p.array() > options_.stock.hi.array() + 1e-6).any())
+            return false;
+        if (options_.round_axis < 0) return true;
+        Vec3 off = p - 0.5 * (options_.stock.lo + options_.stock.hi);
+        off[options_.round_axis] = 0;
+        return off.norm() <= options_.stock_radius + 1e-6;
     }
     /// A sample above which nothing is removed up to twice the tolerance: on goes the walk, until it is
     /// that far from all of the part, or in the open.
@@ -303,58 +338,93 @@ private:
     /// Points of the stock a quarter of the smallest radius apart, taken away as the tools come.
     void measure_air(const Progress& progress) {
         const Box3& box = options_.stock;
-        double size = 0.25 * least_radius_;
+        size_ = 0.25 * least_radius_;
         constexpr double most = 2e7;
-        size = std::max(size, std::cbrt(box.size().prod() / most));
-        const double near = size;
-        std::array<int, 3> n;
+        size_ = std::max(size_, std::cbrt(box.size().prod() / most));
         for (int k = 0; k < 3; ++k)
-            n[std::size_t(k)] = int(box.size()[k] / size) + 1;
-        const auto at = [&](int x, int y, int z) {
-            return (std::size_t(z) * std::size_t(n[1]) + std::size_t(y)) * std::size_t(n[0]) + std::size_t(x);
-        };
-        // 1: of the stock; 2: a sample of the part is in the cube about it.
-        std::vector<std::uint8_t> cubes(at(n[0] - 1, n[1] - 1, n[2] - 1) + 1, 1);
+            n_[std::size_t(k)] = int(box.size()[k] / size_) + 1;
+        cubes_.assign(at(n_[0] - 1, n_[1] - 1, n_[2] - 1) + 1, 0);
+        for (int z = 0; z < n_[2]; ++z)
+            for (int y = 0; y < n_[1]; ++y)
+                for (int x = 0; x < n_[0]; ++x)
+                    cubes_[at(x, y, z)] = in_stock(box.lo + size_ * Vec3(x, y, z)) ? 1 : 0;
+        tops_.assign(std::size_t(n_[0]) * std::size_t(n_[1]), n_[2] - 1);
         for (const NaiveSample& s : result_.samples) {
             std::array<int, 3> c;
             for (int k = 0; k < 3; ++k)
                 c[std::size_t(k)] =
-                    std::clamp(int((s.point[k] - box.lo[k]) / size + 0.5), 0, n[std::size_t(k)] - 1);
-            cubes[at(c[0], c[1], c[2])] |= 2;
+                    std::clamp(int((s.point[k] - box.lo[k]) / size_ + 0.5), 0, n_[std::size_t(k)] - 1);
+            cubes_[at(c[0], c[1], c[2])] |= 2;
         }
-        for (std::size_t p = 0; p < programs_.size(); ++p) {
-            const Body& body = bodies_[p];
-            each_pose(p, 0.25, [&](const Motion& motion, const Vec3& tip, const Vec3& axis, double length) {
-                if (motion.kind == MotionKind::rapid) return;
+        for (std::size_t p = 0; p < programs_.size(); ++p)
+            each_pose(p, 0.25, [&](std::size_t i, const Vec3& tip, const Vec3& axis, double length) {
                 if ((++looked_ & 0xFFF) == 0) progress.check();
-                Box3 around;
-                around.add(tip);
-                around.add(Vec3(tip + body.height() * axis));
-                std::array<int, 3> lo, hi;
-                for (int k = 0; k < 3; ++k) {
-                    const double wide = body.radius() + near;
-                    lo[std::size_t(k)] =
-                        std::max(0, int(std::ceil((around.lo[k] - wide - box.lo[k]) / size)));
-                    hi[std::size_t(k)] = std::min(n[std::size_t(k)] - 1,
-                                                  int(std::floor((around.hi[k] + wide - box.lo[k]) / size)));
-                }
-                bool busy = false;
-                for (int z = lo[2]; z <= hi[2]; ++z)
-                    for (int y = lo[1]; y <= hi[1]; ++y)
-                        for (int x = lo[0]; x <= hi[0]; ++x) {
-                            std::uint8_t& cube = cubes[at(x, y, z)];
-                            if (cube == 0 || (busy && cube == 2)) continue;
-                            const Vec3 d = box.lo + size * Vec3(x, y, z) - tip;
-                            const double h = d.dot(axis), square = d.squaredNorm() - h * h;
-                            const double wide = body.radius() + near;
-                            if (h < -near || h > body.height() + near || square > wide * wide) continue;
-                            busy = true;
-                            if ((cube & 1) != 0 && body.holds(square, h)) cube &= 2;
-                        }
+                for (const NaiveBarrel& b : programs_[p].barrels)
+                    touch(b, tip, axis, p, i);
+                if (programs_[p].motions[i].kind == MotionKind::rapid) return;
                 result_.feed_length += length;
-                if (!busy) result_.air_length += length;
+                if (!take_away(bodies_[p], tip, axis)) result_.air_length += length;
             });
+    }
+    /// The points that a cylinder on the axis may reach: from one number to the other in x, y and z.
+    std::array<std::array<int, 3>, 2> around(const Vec3& low, const Vec3& high, double wide) const {
+        std::array<std::array<int, 3>, 2> range;
+        for (int k = 0; k < 3; ++k) {
+            const double lo = std::min(low[k], high[k]) - wide - options_.stock.lo[k],
+                         hi = std::max(low[k], high[k]) + wide - options_.stock.lo[k];
+            range[0][std::size_t(k)] =
+                int(std::clamp(std::ceil(lo / size_), 0.0, double(n_[std::size_t(k)])));
+            range[1][std::size_t(k)] =
+                int(std::clamp(std::floor(hi / size_), -1.0, double(n_[std::size_t(k)] - 1)));
         }
+        return range;
+    }
+    /// Takes away what the cutter holds; false where it is in the air.
+    bool take_away(const Body& body, const Vec3& tip, const Vec3& axis) {
+        const double near = size_, wide = body.radius() + near;
+        const auto [lo, hi] = around(tip, tip + body.height() * axis, wide);
+        bool busy = false;
+        for (int z = lo[2]; z <= hi[2]; ++z)
+            for (int y = lo[1]; y <= hi[1]; ++y)
+                for (int x = lo[0]; x <= hi[0]; ++x) {
+                    std::uint8_t& cube = cubes_[at(x, y, z)];
+                    if (cube == 0 || (busy && cube == 2)) continue;
+                    const Vec3 d = options_.stock.lo + size_ * Vec3(x, y, z) - tip;
+                    const double h = d.dot(axis), square = d.squaredNorm() - h * h;
+                    if (h < -near || h > body.height() + near || square > wide * wide) continue;
+                    busy = true;
+                    if ((cube & 1) != 0 && body.holds(square, h)) cube &= 2;
+                }
+        return busy;
+    }
+    /// Points of the stock in a shank or holder. Each column is looked at no higher than what is left of it.
+    void touch(const NaiveBarrel& barrel, const Vec3& tip, const Vec3& axis, std::size_t program,
+               std::size_t motion) {
+        // Poses apart leave cusps of a 128th of the cutter's radius on walls that its flutes have cut.
+        const double rounding = 0.02 * bodies_[program].radius(), radius = barrel.radius - rounding;
+        const auto [lo, hi] = around(tip + barrel.from * axis, tip + barrel.to * axis, radius);
+        for (int y = lo[1]; y <= hi[1]; ++y)
+            for (int x = lo[0]; x <= hi[0]; ++x) {
+                int& top = tops_[std::size_t(y) * std::size_t(n_[0]) + std::size_t(x)];
+                while (top >= 0 && (cubes_[at(x, y, top)] & 1) == 0)
+                    --top;
+                for (int z = std::min(hi[2], top); z >= lo[2]; --z) {
+                    if ((cubes_[at(x, y, z)] & 1) == 0) continue;
+                    const Vec3 p = options_.stock.lo + size_ * Vec3(x, y, z), d = p - tip;
+                    const double h = d.dot(axis), square = d.squaredNorm() - h * h;
+                    if (h < barrel.from || h > barrel.to || square > radius * radius) continue;
+                    const double depth = std::min(
+                        {h - barrel.from, barrel.to - h, barrel.radius - std::sqrt(std::max(0.0, square))});
+                    if (depth <= std::max(rounding, result_.touch_max)) continue;
+                    result_.touch_max = depth;
+                    result_.touch_at = p;
+                    result_.touch_program = program;
+                    result_.touch_motion = motion;
+                }
+            }
+    }
+    std::size_t at(int x, int y, int z) const {
+        return (std::size_t(z) * std::size_t(n_[1]) + std::size_t(y)) * std::size_t(n_[0]) + std::size_t(x);
     }
 
     const Mesh& part_;
@@ -367,6 +437,11 @@ private:
     std::vector<Vec3> axes_;
     Box3 squares_;
     std::size_t nx_ = 1, ny_ = 1, looked_ = 0;
+    /// Points of the stock, `size_` apart. 1: it is left; 2: a sample of the part is in the cube about it.
+    std::vector<std::uint8_t> cubes_;
+    std::vector<int> tops_; ///< nothing is left above this in a column of them
+    std::array<int, 3> n_{1, 1, 1};
+    double size_ = 1;
     std::vector<std::vector<std::uint32_t>> by_square_;
     std::vector<std::uint32_t> gouged_by_;
     NaiveResult result_;
