@@ -260,7 +260,7 @@ QString VerificationPanel::figures_html() const {
                 : v.uncut_share > 0 ? signal.attention.name()
                                     : QString());
         for (const UncutReason& r : v.uncut)
-            html += row(tr("… %1").arg(text(uncut_reason_text(r.why))),
+            html += row(tr("… %1").arg(text(uncut_reason_text(r))),
                         tr("%1, up to %2").arg(shown_area(r.area, unit), length(r.excess_max)));
     }
     html += row(tr("Collisions"), count_text(v.collisions.size()),

@@ -140,7 +140,7 @@ std::string uncut_text(const Verification& v, LengthUnit unit) {
     std::string reasons;
     for (const UncutReason& r : v.uncut)
         if (r.counts())
-            reasons += (reasons.empty() ? "" : ", ") + uncut_reason_text(r.why) + ": "
+            reasons += (reasons.empty() ? "" : ", ") + uncut_reason_text(r) + ": "
                        + percent(area > 0 ? v.uncut_share * r.area / area : 0);
     return percent(v.uncut_share) + " of what is to be cut is left uncut, up to " + length_text(highest, unit)
            + " (" + reasons + "), limit " + percent(v.used.uncut_limit);
@@ -167,14 +167,15 @@ std::string verdict_name(Verdict verdict) {
     return "";
 }
 
-std::string uncut_reason_text(UncutReason::Why why) {
-    switch (why) {
+std::string uncut_reason_text(const UncutReason& reason) {
+    const std::string of = reason.program.empty() ? "" : " of '" + printable(reason.program) + "'";
+    switch (reason.why) {
     case UncutReason::Why::not_cut:
-        return "a tool fits but does not go there";
+        return (of.empty() ? "a tool" : "the tool" + of) + " fits but does not go there";
     case UncutReason::Why::no_tool:
         return "no tool fits";
     case UncutReason::Why::held:
-        return "the cutter fits, but its shank or holder would touch the part";
+        return "the cutter" + of + " fits, but its shank or holder would touch the part";
     case UncutReason::Why::outside_stock:
         return "the stock does not reach there";
     case UncutReason::Why::not_seen:
@@ -344,6 +345,7 @@ Json verify_object(const Project& project, std::span<const VerifyProgram> progra
     for (const UncutReason& r : v.uncut) {
         Json one;
         one["why"] = uncut_word(r.why);
+        if (!r.program.empty()) one["operation"] = r.program;
         one["area"] = n.area(r.area);
         one["excess_max"] = n.length(r.excess_max);
         one["place"] = n.point(r.place);

@@ -50,8 +50,8 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
 
 /// "verified", "failed", "not_judged".
 std::string verdict_name(Verdict verdict);
-/// "no tool fits": why surface stays uncut.
-std::string uncut_reason_text(UncutReason::Why why);
+/// "the tool of 'Rough' fits but does not go there": why surface stays uncut.
+std::string uncut_reason_text(const UncutReason& reason);
 
 /// One line: the deepest gouge and the first collision, with operation and GOTO, what is uncut and why, or
 /// why nothing can be said. Empty where all is well.

@@ -63,6 +63,16 @@ struct FitTool {
     std::vector<BodySupport> sections;
 };
 
+constexpr std::size_t no_program = std::size_t(-1);
+
+struct WhyUncut {
+    UncutReason::Why why = UncutReason::Why::no_tool;
+    std::size_t program = no_program; ///< whose tool or cutter fits
+    bool operator<(const WhyUncut& other) const {
+        return std::pair(why, program) < std::pair(other.why, other.program);
+    }
+};
+
 /// Whether a tool of the programs could bring what stands on a place down to less than what counts as uncut,
 /// without a gouge; and if not, whether its cutter could.
 class Fit {
@@ -79,8 +89,8 @@ public:
             tools_.push_back(std::move(tool));
         }
     }
-    /// not_cut where a tool fits, held, or no_tool.
-    UncutReason::Why reason(const Vec3& point, const Vec3& normal) const {
+    /// not_cut where a tool fits, held, or no_tool; and the program whose tool or cutter it is.
+    WhyUncut reason(const Vec3& point, const Vec3& normal) const {
         std::vector<std::pair<double, const Vec3*>> near;
         for (const Vec3& a : axes_)
             if (const double along = a.dot(normal); along > tolerance::vertical_normal_z)
@@ -88,18 +98,19 @@ public:
         std::sort(near.begin(), near.end());
         if (near.size() > max_axes_tried) near.resize(max_axes_tried);
         const Vec3 start = point + allowance_ * normal;
-        for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+        for (std::size_t program = tools_.size(); program-- > 0;) {
+            const FitTool& tool = tools_[program];
             bool held = false;
             for (const auto& [along, axis] : near)
-                for (const Vec3& touch : places_at(tool->cutter, normal, *axis)) {
+                for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
                     const CutterLocation at{start - touch, *axis};
-                    if (!room_.has(tool->cutter, at, gouge_limit_ - allowance_)) continue;
-                    if (body_stands(at, *tool)) return UncutReason::Why::not_cut;
+                    if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
+                    if (body_stands(at, tool)) return {UncutReason::Why::not_cut, program};
                     held = true;
                 }
-            if (held) return UncutReason::Why::held;
+            if (held) return {UncutReason::Why::held, program};
         }
-        return UncutReason::Why::no_tool;
+        return {};
     }
 
 private:
@@ -154,14 +165,15 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     v.uncut.clear();
     v.uncut_share = 0;
     if (!(v.used.tolerance > 0)) return;
-    std::map<Why, UncutReason> reasons;
-    const auto add = [&](Why why, std::size_t i, double area, double excess) {
+    std::map<WhyUncut, UncutReason> reasons;
+    const auto add = [&](const WhyUncut& why, std::size_t i, double area, double excess) {
         UncutReason& reason = reasons[why];
         if (reason.area == 0 || excess > reason.excess_max) {
             reason.excess_max = std::max(reason.excess_max, excess);
             reason.place = samples.points[i];
         }
-        reason.why = why;
+        reason.why = why.why;
+        if (why.program != no_program) reason.program = programs[why.program].name;
         reason.area += area;
     };
     const double limit = 2 * v.used.tolerance;
@@ -174,19 +186,19 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
         const std::uint8_t flags = samples.flags[i];
         const double excess = std::max(probed.deviation[i], 0.0);
         if (flags == DeviationSurface::hidden) {
-            if (excess > limit) add(Why::not_seen, i, samples.weights[i], excess);
+            if (excess > limit) add({Why::not_seen}, i, samples.weights[i], excess);
             continue;
         }
         if ((flags & ~DeviationSurface::bare) != 0) continue;
         to_cut += samples.weights[i];
         if (flags & DeviationSurface::bare)
-            add(Why::outside_stock, i, samples.weights[i], 0);
+            add({Why::outside_stock}, i, samples.weights[i], 0);
         else if (excess > limit)
             standing.push_back(i);
     }
     const std::size_t groups = std::min(standing.size(), max_asked);
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
-    std::vector<Why> found(groups, Why::no_tool);
+    std::vector<WhyUncut> found(groups);
     if (groups > 0) {
         const Fit fit(samples, order, programs, axes, v.used, progress);
         parallel_for(groups, 4, progress, [&](std::size_t g) {

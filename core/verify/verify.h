@@ -99,6 +99,7 @@ struct UncutReason {
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict
     };
     Why why = Why::not_cut;
+    std::string program;       ///< whose tool fits, or its cutter; empty: none does
     double area = 0;           ///< mm^2
     double excess_max = 0;     ///< mm
     Vec3 place = Vec3::Zero(); ///< of the largest excess
@@ -118,7 +119,7 @@ struct Verification {
         gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise
     std::vector<Collision> collisions;    ///< in the order of motions; the deepest of each motion and kind
-    std::vector<UncutReason> uncut;       ///< by reason, the largest area first
+    std::vector<UncutReason> uncut;       ///< by reason and tool, the largest area first
     double uncut_share = 0;               ///< of the area to be cut, in [0, 1]
     double not_judged_share = 0; ///< of the area that tool axes see: near open borders; 1: see `not_judged`
     std::string not_judged;      ///< why nothing can be said of the whole; empty where it can

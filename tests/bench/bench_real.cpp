@@ -196,7 +196,7 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
                 outside_travel(project, job, machine));
     for (const UncutReason& r : v.uncut)
         std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
-                     uncut_reason_text(r.why).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
+                     uncut_reason_text(r).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
                      r.place.z());
     for (const Collision& c : v.collisions)
         std::fprintf(

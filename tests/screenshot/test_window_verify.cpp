@@ -188,8 +188,7 @@ private slots:
         QVERIFY(!model.verification().gouged() && model.verification().uncut_share > 0.3);
         QVERIFY2(controller().panel()->verdict_line().contains(QStringLiteral("left uncut")),
                  qPrintable(controller().panel()->verdict_line()));
-        QVERIFY(controller().panel()->figures_text().contains(
-            QStringLiteral("a tool fits but does not go there")));
+        QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("fits but does not go there")));
         QVERIFY(badge_row()->toolTip(1).contains(QStringLiteral("left uncut")));
         w().findChild<QDockWidget*>(QStringLiteral("verification_dock"))->raise();
         shot(w(), QStringLiteral("verify-uncut"));

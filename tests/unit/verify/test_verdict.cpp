@@ -315,6 +315,30 @@ private slots:
         QVERIFY(reason(x, UncutReason::Why::not_cut) && !reason(x, UncutReason::Why::held));
     }
 
+    /// Beside an upright wall a ball leaves what the flat end before it could cut: the reason names that one.
+    void whose_tool_would_fit() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 6}, {-20, 6}},
+                                {{0, 1, 2, 3}, {0, 3, 4, 5}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 7;
+        Tool flat = flat_tool(6), ball = ball_tool(6);
+        flat.flute_length = ball.flute_length = 20;
+        std::array<VerifyProgram, 3> programs{lines(flat, Vec2(-30, -6.5), Vec2(30, 20), 0.1, 2),
+                                              lines(flat, Vec2(-30, -24), Vec2(30, -10), 6, 2),
+                                              lines(ball, Vec2(-30, -7), Vec2(30, 20), 0, 0.5)};
+        programs[0].name = "Rough";
+        programs[1].name = "Top";
+        programs[2].name = "Finish";
+        const Verification v = verify(part, stock, programs, asked(), Progress());
+        QVERIFY(!v.gouged());
+        QCOMPARE(v.uncut.size(), std::size_t(1));
+        QCOMPARE(int(v.uncut.front().why), int(UncutReason::Why::not_cut));
+        QCOMPARE(v.uncut.front().program, programs[1].name);
+        // Half a millimetre between where the flat end went and the wall.
+        QVERIFY2(std::abs(v.uncut.front().area - 0.5 * 60) < 8,
+                 qPrintable(QString::number(v.uncut.front().area)));
+    }
+
     /// Looked at too coarsely, nothing is verified; what is found all the same stands.
     void a_coarse_look_judges_nothing() {
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
