@@ -137,6 +137,7 @@ public:
     void tools();
     void operations();
     void posted_programs();
+    std::string axes_reached(const PostedProgram& program) const;
     void told_from_zero();
     void verification(std::span<const VerifyProgram> programs, const Verification& v);
 
@@ -270,6 +271,22 @@ void Sheet::told_from_zero() {
     fact("Stock in them", point(plan_.stock.box.lo - zero) + " to " + point(plan_.stock.box.hi - zero));
 }
 
+/// "X -20 … 30, ..., A 0° … 12.5°": how far a program takes each axis.
+std::string Sheet::axes_reached(const PostedProgram& program) const {
+    const Machine machine = project_machine(project_);
+    std::string shown_axes;
+    for (int k = 0; k < machine.joints(); ++k) {
+        const std::size_t r = std::size_t(k - 3);
+        const auto shown = [&](double value) {
+            return k < 3 ? number(value) : format_number(degrees(value), 4) + "\u00b0";
+        };
+        shown_axes += (k > 0 ? ", " : "") + machine.axis_name(k) + " "
+                      + shown(k < 3 ? program.reach.lo[k] : program.turns[r].lo) + " \u2026 "
+                      + shown(k < 3 ? program.reach.hi[k] : program.turns[r].hi);
+    }
+    return shown_axes;
+}
+
 /// The programs for the control, as they are posted now.
 void Sheet::posted_programs() {
     if (project_.programs.post.empty()) return;
@@ -286,7 +303,7 @@ void Sheet::posted_programs() {
         told_from_zero();
         end_table();
         begin_table(
-            {"/Program", "Told as", "Tools, gauge length", "#Blocks", "X, Y, Z of the machine", "#Time"});
+            {"/Program", "Told as", "Tools, gauge length", "#Blocks", "Axes of the machine", "#Time"});
         for (const PostedFile& f : files) {
             std::string used;
             for (const long n : f.program.tools)
@@ -297,14 +314,11 @@ void Sheet::posted_programs() {
             const bool several = std::any_of(f.programs.begin(), f.programs.end(), [&](std::size_t i) {
                 return plan_.operations[i]->program.multi_axis;
             });
-            const Box3& r = f.program.reach;
             std::string told = f.program.tcp ? f.program.planes > 0 ? "tip (TCP, tilted planes)" : "tip (TCP)"
                                : several     ? "joints"
                                              : "three axes";
             if (f.program.arcs > 0) told += ", " + std::to_string(f.program.arcs) + " arcs";
-            row({f.name, told, used, std::to_string(f.program.blocks),
-                 number(r.lo.x()) + " \u2026 " + number(r.hi.x()) + ", " + number(r.lo.y()) + " \u2026 "
-                     + number(r.hi.y()) + ", " + number(r.lo.z()) + " \u2026 " + number(r.hi.z()),
+            row({f.name, told, used, std::to_string(f.program.blocks), axes_reached(f.program),
                  duration_text(f.program.seconds)});
             if (f.program.tcp)
                 warning(f.name

@@ -282,6 +282,10 @@ void PostWriter::place(const ClSection& s, const Joints& at, const CutterLocatio
     for (std::size_t r = 0; r < rotary_.size() && !vectors && !in_plane; ++r)
         blocks_.set(rotary_[r], at.rotary[r]);
     posted_.reach.add(at.linear);
+    for (std::size_t r = 0; r < setup_.machine.rotary.size(); ++r) {
+        Travel& turns = posted_.turns[r];
+        turns = {std::min(turns.lo, at.rotary[r]), std::max(turns.hi, at.rotary[r])};
+    }
 }
 
 /// From the top down to the section's first place.

@@ -18,6 +18,7 @@
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -43,18 +44,20 @@ struct PostSetup {
 };
 
 struct PostedProgram {
+    static constexpr Travel nowhere{infinity, -infinity};
     std::string text;
     std::size_t blocks = 0; ///< lines that move something
     /// As the machine's model has them (motion_time.h), ways over the top included; without coming with a
     /// tool and going.
     double seconds = 0;
-    Box3 reach;                           ///< of X, Y and Z in the machine's frame
-    std::vector<std::size_t> first_lines; ///< of each section, from 1
-    std::vector<long> tools;              ///< in the order of their use
-    bool tcp = false;                     ///< the control does the kinematics
-    std::size_t planes = 0;               ///< sections told in a tilted plane
-    std::size_t arcs = 0;                 ///< blocks that are arcs
-    std::size_t rewinds = 0;              ///< how often the tool goes up so that rotary axes can turn
+    Box3 reach;                                    ///< of X, Y and Z in the machine's frame
+    std::array<Travel, 2> turns{nowhere, nowhere}; ///< of the rotary axes, radians
+    std::vector<std::size_t> first_lines;          ///< of each section, from 1
+    std::vector<long> tools;                       ///< in the order of their use
+    bool tcp = false;                              ///< the control does the kinematics
+    std::size_t planes = 0;                        ///< sections told in a tilted plane
+    std::size_t arcs = 0;                          ///< blocks that are arcs
+    std::size_t rewinds = 0; ///< how often the tool goes up so that rotary axes can turn
 };
 
 /// What the control does not know, whatever a program holds. Throw Error(out_of_range).

@@ -2,6 +2,7 @@
 #include "core/base/file.h"
 #include "core/job/posting.h"
 #include "core/job/program_files.h"
+#include "core/job/setup_sheet.h"
 #include "core/job/stock_solid.h"
 #include "core/job/work_zero.h"
 #include "core/mesh/mesh_io.h"
@@ -491,6 +492,34 @@ private slots:
         const std::string flat = R"(, { "kind": "finish3", "name": "More", "tool": 3 })";
         QVERIFY(message(R"("post": "grbl", "programs": "one")", flat).find("change tools")
                 != std::string::npos);
+    }
+
+    /// What the person at the machine has to know before it starts: control, who leads the tip, zero, tools
+    /// with their length, time, and how far each axis goes.
+    void the_sheet_tells_of_each_program() {
+        PostedJob& job = leaning_job();
+        for (const bool tip : {true, false}) {
+            const std::string text = job.posted(tip ? "fanuc" : "linuxcnc");
+            const PostedProgram program = post_plan(job.project, *job.plan, {}).at(0).program;
+            std::string sheet =
+                setup_sheet(job.project, *job.plan, verify_programs(job.project, job.plan), job.planned, {});
+            sheet = std::regex_replace(sheet, std::regex("<[^>]*>"), "|");
+            const auto has = [&](const std::string& part) { return sheet.find(part) != std::string::npos; };
+            QVERIFY(has(find_post(job.project.programs.post).label));
+            QVERIFY(has(tip ? "|tip (TCP)|" : "|joints|") && has("G54: zero in the part's origin"));
+            QVERIFY(has("|T1 70 mm|") && has("|" + duration_text(program.seconds) + "|"));
+            double low = infinity, high = -infinity;
+            const std::regex word(" C(-?[0-9.]+)");
+            for (std::sregex_iterator c(text.begin(), text.end(), word), end; c != end; ++c) {
+                low = std::min(low, std::stod((*c)[1]));
+                high = std::max(high, std::stod((*c)[1]));
+            }
+            std::smatch axes;
+            QVERIFY(std::regex_search(
+                sheet, axes,
+                std::regex("X [-0-9.]+ \u2026 [^|]*, C ([-0-9.]+)\u00b0 \u2026 ([-0-9.]+)\u00b0")));
+            QVERIFY(std::abs(std::stod(axes[1]) - low) < 0.06 && std::abs(std::stod(axes[2]) - high) < 0.06);
+        }
     }
 
     void settings_reach_programs() {
