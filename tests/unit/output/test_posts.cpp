@@ -162,8 +162,8 @@ private slots:
         row("linuxcnc", "G59.3", "G59.3");
         row("marlin", "G59.1", "\nG59.1\n");
         for (const char* post : {"heidenhain", "heidenhain-vectors"}) {
-            row(post, "0", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+0 ;DATUM NUMBER\r\n3 ");
-            row(post, "407", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+407 ;DATUM NUMBER\r\n3 ");
+            row(post, "0", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+0 ;DATUM NUMBER\r\n4 ");
+            row(post, "407", " CYCL DEF 247 DATUM SETTING ~\r\n    Q339=+407 ;DATUM NUMBER\r\n4 ");
         }
     }
     /// Told once, and no other program is read as one for them.
@@ -641,6 +641,16 @@ private slots:
         QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
                 != "none");
         QVERIFY2(message.find("p:") == 0 && message.find(says) != std::string::npos, message.c_str());
+    }
+
+    /// Through whole turns: a table whose display begins anew at 360 degrees must not go back for it.
+    void heidenhain_takes_the_shorter_way() {
+        for (const char* post : {"heidenhain", "heidenhain-vectors"}) {
+            const ClProgram program = joined_program({leaning_section("One", 1)});
+            const PostedProgram posted =
+                post_program(program, find_post(post), setup_for(program, "trunnion-ac"), {});
+            QVERIFY(posted.text.find(" M126\r\n") < posted.text.find(" L A"));
+        }
     }
 
     void the_program_number_stands_first() {
