@@ -76,7 +76,18 @@ inline Interpreted interpret(const std::string& text, const ClProgram& program) 
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(home.path());
     process.setStandardInputFile(QProcess::nullDevice());
-    process.start(rs274_program(), {"-g", "-t", "tool.tbl", "-v", "p.var", "p.ngc"});
+    QStringList arguments{"-g", "-t", "tool.tbl", "-v", "p.var"};
+    // What switches kinematics is remapped by the machine's own file, as LinuxCNC's examples do it; here
+    // nothing is behind it, so that places are seen as they are told.
+    if (text.find("M428") != std::string::npos) {
+        write("kins.ini", "[RS274NGC]\nSUBROUTINE_PATH = .\nREMAP = M428 modalgroup=10 ngc=m428\n"
+                          "REMAP = M429 modalgroup=10 ngc=m429\n");
+        for (const char* code : {"m428", "m429"})
+            write(QString(code) + ".ngc", QByteArray("o<C> sub\no<C> endsub\nM2\n").replace("C", code));
+        arguments << "-i"
+                  << "kins.ini";
+    }
+    process.start(rs274_program(), arguments << "p.ngc");
     Interpreted result;
     if (!process.waitForFinished(60000) || process.exitStatus() != QProcess::NormalExit) return result;
     result.status = process.exitCode();
@@ -96,8 +107,10 @@ inline Interpreted interpret(const std::string& text, const ClProgram& program) 
     return result;
 }
 
-/// The ways in which the machine can hold the place of every motion, in the words of the control.
-inline std::vector<std::vector<Place>> wanted_places(const ClProgram& program, const PostSetup& setup) {
+/// The ways in which the machine can hold the place of every motion, in the words of the control, which leads
+/// the tip of leaning tools (`tips`) or is told joints.
+inline std::vector<std::vector<Place>> wanted_places(const ClProgram& program, const PostSetup& setup,
+                                                     bool tips = false) {
     std::vector<std::vector<Place>> all;
     for (const auto& s : program.sections) {
         const Kinematics kinematics(setup.machine, s->gauge_length, setup.part_origin);
@@ -106,8 +119,8 @@ inline std::vector<std::vector<Place>> wanted_places(const ClProgram& program, c
             std::vector<Place> held_so;
             for (int k = 0; k < held.count; ++k) {
                 const Joints& at = held.at[std::size_t(k)];
-                const Vec3 words =
-                    (at.linear - setup.part_origin - Vec3(0, 0, s->gauge_length)) / mm_per(program.unit);
+                const Vec3 joints = at.linear - setup.part_origin - Vec3(0, 0, s->gauge_length);
+                const Vec3 words = (tips && s->multi_axis ? m.to.tip : joints) / mm_per(program.unit);
                 Place place{words.x(), words.y(), words.z(), 0, 0, 0};
                 for (std::size_t r = 0; r < setup.machine.rotary.size(); ++r)
                     place[3 + std::size_t(setup.machine.rotary[r].name[0] - 'A')] = degrees(at.rotary[r]);
@@ -136,7 +149,8 @@ inline bool all_places_seen(const ClProgram& program, const PostSetup& setup, co
     const double digit = std::pow(10, -(inch ? post.inch_decimals : post.mm_decimals)), canon = 1e-4;
     const double limit = 0.501 * (digit < 0.9 * canon ? digit + canon : digit);
     std::size_t at = 0;
-    for (const std::vector<Place>& held_so : wanted_places(program, setup)) {
+    const bool tips = post.multi_axis == Post::MultiAxis::tcp;
+    for (const std::vector<Place>& held_so : wanted_places(program, setup, tips)) {
         const auto there = [&](const Place& p) {
             return std::any_of(held_so.begin(), held_so.end(),
                                [&](const Place& w) { return difference(p, w) < limit; });

@@ -223,12 +223,14 @@ private slots:
                 if (m.name != "lathe-mill") row("convex", m.name.c_str(), post);
         for (const char* post : {"linuxcnc", "grbl"})
             row("convex", "generic-3-axis", post, true);
-        for (const char* machine : {"generic-3-axis", "trunnion-ac"})
+        for (const Machine& m : machines())
             for (const char* post : {"linuxcnc", "grbl"})
-                row("rough", machine, post);
+                if (m.name != "lathe-mill") row("rough", m.name.c_str(), post);
         for (const char* job : {"surface", "face"})
             for (const char* machine : {"tarus-tpi-2000", "trunnion-ac", "trunnion-bc", "head-b-table-c"})
                 row(job, machine, "linuxcnc");
+        for (const char* machine : {"trunnion-ac", "trunnion-bc"})
+            row("surface", machine, "linuxcnc-tcp");
         row("lathe", "lathe-mill", "linuxcnc");
     }
     void jobs_are_accepted() {
