@@ -200,10 +200,27 @@ private slots:
         QTest::addColumn<bool>("inch");
         for (const Post& p : posts())
             for (const bool inch : {false, true})
-                QTest::addRow("%s %s", p.name.c_str(), inch ? "in" : "mm")
-                    << QString::fromStdString(p.name) << inch;
+                if (p.arcs != Post::Arcs::none)
+                    QTest::addRow("%s %s", p.name.c_str(), inch ? "in" : "mm")
+                        << QString::fromStdString(p.name) << inch;
         QTest::newRow("by radius mm") << "radius" << false;
     }
+    /// A firmware that runs arcs in coarse pieces is told none, and none is read as one.
+    void marlin_has_no_arcs() {
+        const Post& control = find_post("marlin");
+        const ClProgram program = joined_program({round_section("Round", 1)});
+        PostSetup setup = setup_for(program, "generic-3-axis");
+        setup.arcs = true;
+        const PostedProgram posted = post_program(program, control, setup, {});
+        QCOMPARE(posted.arcs, std::size_t(0));
+        std::string text = posted.text;
+        text.replace(text.find("\nG1 "), 4, "\nG2 I5 ");
+        std::string message;
+        QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
+                != "none");
+        QVERIFY2(message.find("'G2' is no word") != std::string::npos, message.c_str());
+    }
+
     /// Within the limits of the motions planned, both ways, in fewer blocks and in the same time.
     void programs_with_arcs_read_back() {
         QFETCH(QString, post);
