@@ -224,6 +224,41 @@ private slots:
         QVERIFY2(asked > 200 && most <= tau, qPrintable(figures));
     }
 
+    /// A hole as deep as twice the flutes, in a block that nobody roughed: passes come in such an order, or
+    /// are left out, that the shank meets nothing of what stands there.
+    void the_shank_stays_out_of_stock_in_a_deep_hole() {
+        const auto height = [](double x, double y) {
+            return std::clamp(20 * (std::hypot(x, y) - 2.6), -10.0, 0.0);
+        };
+        const Mesh part = height_field(height, Vec2(-5, -5), Vec2(5, 5), 60, 60);
+        Tool tool = short_tool();
+        tool.flute_length = 5;
+        tool.shank_length = 30;
+        PlanContext context = context_of(part, tool);
+        context.further_tools = {ball_tool(12)};
+        context.stock_box.hi.z() += 1;
+        context.stock.box = context.stock_box; // as it is judged
+        CleanupSettings s;
+        s.tool = 2;
+        s.tolerance = tau;
+        const Cleanup op(s);
+        const auto collisions = [&](const StrategyResult& path) {
+            return judged(part, {program_of(op, path, context)}, path.chord_tolerance).collisions.size();
+        };
+        const StrategyResult path = op.plan(context, Progress());
+        QCOMPARE(collisions(path), std::size_t(0));
+        double lowest = infinity;
+        for (const Pass& pass : path.passes)
+            for (const CutterLocation& c : pass.cl)
+                lowest = std::min(lowest, c.tip.z());
+        QVERIFY2(lowest < -9.9, qPrintable(QString::number(lowest)));
+        // The order of longer flutes, which need not ask, would bring it in.
+        context.tool.flute_length = 20;
+        const StrategyResult unasked = op.plan(context, Progress());
+        context.tool.flute_length = 5;
+        QVERIFY(collisions(unasked) > 0);
+    }
+
     /// Around places on a dish that every tool fits into.
     void places_that_were_left_are_cut() {
         const Mesh dish = height_field([](double x, double y) { return 0.01 * (x * x + y * y); },

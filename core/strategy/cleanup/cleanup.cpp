@@ -8,6 +8,7 @@
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"
 #include "core/strategy/cleanup/working_passes.h"
+#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/plan/pass_order.h"
 
 #include <atomic>
@@ -114,6 +115,7 @@ private:
         const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
         order_by_travel(result_.passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
                         top + settings_.clearance, progress.part(1, 1));
+        clear_of_stock(progress.part(1, 1));
         if (settings_.tilt_limit > 0) {
             own_.lead_min = 0;
             own_.lead_max = cleared.largest_tilt;
@@ -121,6 +123,22 @@ private:
         for (std::size_t i = 0; i < result_.passes.size(); ++i)
             result_.passes[i].drive = int(i);
         result_.drive_planes = int(result_.passes.size());
+    }
+
+    /// Leaves out where shank or holder would come into what operations before left, in the order in which
+    /// the passes are cut. Only for an upright tool: LeftStock knows no other.
+    void clear_of_stock(const Progress& progress) {
+        if (settings_.tilt_limit > 0) return;
+        const ContactAt contact = [&](const Vec3& tip) {
+            const Vec3 point = job_.lift.contact(tip.x(), tip.y()).point;
+            return CutterContact{point, job_.cover.contact_normal(point - tip).value_or(Vec3::UnitZ())};
+        };
+        auto clear =
+            keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact, progress);
+        if (!clear) return;
+        beside_stock_ = std::move(*clear);
+        if (result_.passes.empty() && !beside_stock_.left.empty())
+            refuse_beside_stock(settings_.name, beside_stock_, context_);
     }
 
     /// Why there is no pass at all.
@@ -184,6 +202,7 @@ private:
                 "the " + std::string(tool_body_name(held_by_)) + " would touch the part along "
                 + job_.text(held_) + " of passes, which are left out: use a longer tool"
                 + (settings_.tilt_limit > 0 ? "" : ", or allow it to be inclined (tilt_limit)"));
+        if (beside_stock_.left_length > 0) warnings.push_back(beside_stock_warning(beside_stock_, context_));
     }
 
     const CleanupSettings& settings_;
@@ -193,6 +212,7 @@ private:
     std::size_t planned_ = 0;       ///< passes, before those that take nothing away were left out
     double blocked_ = 0, held_ = 0; ///< lengths of what is left out: no place; shank or holder would touch
     ToolBody held_by_ = ToolBody::none;
+    ClearOfStock beside_stock_;
     StrategyResult result_;
     CleanupPath own_;
 };

@@ -31,13 +31,6 @@ const OperationRegistration registration("finish3", "Finish, 3-axis",
 constexpr double rest_cell_share = 0.04;
 /// The same where only the raw material is asked.
 constexpr double raw_cell_share = 0.1;
-/// The cells in which shank and holder see what stands, in radii of the cutter, and in thicknesses of the
-/// thinnest skin that an operation before left on purpose, down to the least.
-constexpr double skin_cell_share = 0.04, skin_cells = 0.5, min_cell_share = 0.01;
-/// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
-constexpr double skin_share = 0.2;
-/// Pieces of passes between places that shank and holder cannot come to are at least so long, in radii.
-constexpr double shortest_piece = 0.25;
 /// Drive planes of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
@@ -419,25 +412,11 @@ void Planner::leave_out_cut(const Progress& progress) {
 /// Where shank or holder would come into what stands above the flutes. Follows the passes in the order in
 /// which they are cut.
 void Planner::leave_out_beside_stock(const Progress& progress) {
-    // Nothing is known of a stock: nothing is asked.
-    if (context_.stock.box.empty() && context_.earlier.empty()) return;
-    double lowest = infinity, thinnest = infinity;
-    for (const Pass& p : result_.passes)
-        for (const CutterLocation& c : p.cl)
-            lowest = std::min(lowest, c.tip.z());
-    if (lowest + context_.tool.flute_length >= context_.stock_box.hi.z()) return;
-    for (const auto& earlier : context_.earlier)
-        if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
-    const double cell = std::max(std::min(skin_cell_share * cover_.radius(), skin_cells * thinnest),
-                                 min_cell_share * cover_.radius());
-    LeftStock stock(context_, cell, skin_share * settings_.tolerance, lowest, progress);
-    beside_stock_ = keep_clear_of_stock(std::move(result_.passes), stock, shortest_piece * cover_.radius(),
-                                        contact_at(), progress);
-    if (beside_stock_.kept.empty())
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "shank or holder would come into the stock wherever the cutter could cut",
-                    "rough before it, or use flutes that are " + text_(beside_stock_.lack) + " longer");
-    result_.passes = std::move(beside_stock_.kept);
+    auto clear = keep_clear_of_left_stock(result_.passes, context_, cover_.radius(), settings_.tolerance,
+                                          contact_at(), progress);
+    if (!clear) return;
+    beside_stock_ = std::move(*clear);
+    if (result_.passes.empty()) refuse_beside_stock(settings_.name, beside_stock_, context_);
     if (beside_stock_.left.empty() || settings_.rest_only) return;
     held_.left.insert(held_.left.end(), beside_stock_.left.begin(), beside_stock_.left.end());
     check_uncut(progress);

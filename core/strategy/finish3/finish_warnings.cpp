@@ -66,12 +66,7 @@ void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
                            + ", and is not cut: turn the part for another operation");
 
     if (w.held.left_length > 0) warnings.push_back(held_warning(w));
-    if (w.beside_stock.left_length > 0)
-        warnings.push_back("shank or holder would come into what stands of the stock beside "
-                           + text(w.beside_stock.left_length)
-                           + " of the passes, which are left out: flutes of "
-                           + text(w.context.tool.flute_length + w.beside_stock.lack) + " instead of "
-                           + text(w.context.tool.flute_length) + ", or roughing closer, would reach it");
+    if (w.beside_stock.left_length > 0) warnings.push_back(beside_stock_warning(w.beside_stock, w.context));
 }
 
 } // namespace facetmill

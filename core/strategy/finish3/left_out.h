@@ -17,6 +17,9 @@ namespace facetmill {
 /// The contact that belongs to a tip on a pass.
 using ContactAt = std::function<CutterContact(const Vec3& tip)>;
 
+/// Pieces of passes between places that shank and holder cannot come to are at least so long, in radii.
+inline constexpr double shortest_piece = 0.25;
+
 /// Length of a pass up to each of its locations, mm.
 std::vector<double> arc_lengths(const Pass& pass);
 /// The pieces of a pass over ranges of its length; their ends may lie within a motion.

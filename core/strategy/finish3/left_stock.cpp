@@ -1,5 +1,6 @@
 #include "core/strategy/finish3/left_stock.h"
 
+#include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/stock_before.h"
 
 #include <algorithm>
@@ -14,6 +15,11 @@ namespace {
 /// How often passes are tried that something stood in the way of: each time what the others cut since is
 /// gone, and mostly nothing is left for a third.
 constexpr int max_rounds = 4;
+/// The cells in which shank and holder see what stands, in radii of the cutter, and in thicknesses of the
+/// thinnest skin that an operation before left on purpose, down to the least.
+constexpr double skin_cell_share = 0.04, skin_cells = 0.5, min_cell_share = 0.01;
+/// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
+constexpr double skin_share = 0.2;
 
 /// Follows one pass; cuts what it keeps.
 class PassFollower {
@@ -198,6 +204,41 @@ ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, dou
         if (!pass.cl.empty()) result.left_length += arc_lengths(pass).back();
     result.left = std::move(passes);
     return result;
+}
+
+std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, const PlanContext& context,
+                                                     double radius, double tolerance,
+                                                     const ContactAt& contact, const Progress& progress) {
+    // Nothing is known of a stock: nothing is asked.
+    if (context.stock.box.empty() && context.earlier.empty()) return std::nullopt;
+    double lowest = infinity, thinnest = infinity;
+    for (const Pass& p : passes)
+        for (const CutterLocation& c : p.cl)
+            lowest = std::min(lowest, c.tip.z());
+    if (lowest + context.tool.flute_length >= context.stock_box.hi.z()) return std::nullopt;
+    for (const auto& earlier : context.earlier)
+        if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
+    const double cell =
+        std::max(std::min(skin_cell_share * radius, skin_cells * thinnest), min_cell_share * radius);
+    LeftStock stock(context, cell, skin_share * tolerance, lowest, progress);
+    ClearOfStock clear =
+        keep_clear_of_stock(std::move(passes), stock, shortest_piece * radius, contact, progress);
+    passes = std::move(clear.kept);
+    return clear;
+}
+
+std::string beside_stock_warning(const ClearOfStock& clear, const PlanContext& context) {
+    const PlanText text{context.unit};
+    return "shank or holder would come into what stands of the stock beside " + text(clear.left_length)
+           + " of the passes, which are left out: flutes of " + text(context.tool.flute_length + clear.lack)
+           + " instead of " + text(context.tool.flute_length) + ", or roughing closer, would reach it";
+}
+
+void refuse_beside_stock(const std::string& operation, const ClearOfStock& clear,
+                         const PlanContext& context) {
+    throw Error(ErrorCode::empty_result, operation,
+                "shank or holder would come into the stock wherever the cutter could cut",
+                "rough before it, or use flutes that are " + PlanText{context.unit}(clear.lack) + " longer");
 }
 
 } // namespace facetmill

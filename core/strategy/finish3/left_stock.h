@@ -10,6 +10,8 @@
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/plan/operation.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace facetmill {
@@ -58,5 +60,15 @@ struct ClearOfStock {
 /// Follows the passes in their order. Pieces shorter than `shortest` are left out.
 ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
                                  const ContactAt& contact, const Progress& progress);
+
+/// The same through the stock as operations before left it, for passes of an operation with this tolerance
+/// and a cutter of this radius. Nothing where nothing is known of a stock, or none is higher than the flutes.
+std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, const PlanContext& context,
+                                                     double radius, double tolerance,
+                                                     const ContactAt& contact, const Progress& progress);
+/// Warning of what was left out, and what would reach it.
+std::string beside_stock_warning(const ClearOfStock& clear, const PlanContext& context);
+[[noreturn]] void refuse_beside_stock(const std::string& operation, const ClearOfStock& clear,
+                                      const PlanContext& context);
 
 } // namespace facetmill
