@@ -95,18 +95,24 @@ double seconds_above(const ClSection& s, const Joints& from, const Joints& to, c
     return seconds_over(kinematics, from, to, height);
 }
 
+/// The tool leans one way all along, and enough for a tilted plane.
+bool leans_one_way(const ClSection& s) {
+    const auto& motions = s.motions.motions;
+    const Vec3& axis = motions.front().to.axis;
+    return plane_across(axis).about_x >= min_tilt
+           && std::all_of(motions.begin(), motions.end(),
+                          [&](const Motion& m) { return (m.to.axis - axis).norm() <= one_way; });
+}
+
 /// The tilted plane of a section whose tool leans one way all along, held by the rotary axes where they are:
 /// as its angles are printed. None where the control has no such planes.
 std::optional<TiltedPlane> plane_of(const ClSection& s, const MachineMotion& found, const Post& post) {
-    if (!post.has_planes()) return std::nullopt;
-    const Vec3& axis = s.motions.motions.front().to.axis;
-    if (plane_across(axis).about_x < min_tilt) return std::nullopt;
+    if (!post.has_planes() || !leans_one_way(s)) return std::nullopt;
     for (std::size_t i = 0; i < found.motions.size(); ++i)
-        if ((s.motions.motions[i].to.axis - axis).norm() > one_way
-            || std::abs(found.motions[i].at.rotary[0] - found.motions.front().at.rotary[0]) > same_stand
+        if (std::abs(found.motions[i].at.rotary[0] - found.motions.front().at.rotary[0]) > same_stand
             || std::abs(found.motions[i].at.rotary[1] - found.motions.front().at.rotary[1]) > same_stand)
             return std::nullopt;
-    TiltedPlane plane = plane_across(axis);
+    TiltedPlane plane = plane_across(s.motions.motions.front().to.axis);
     for (double* angle : {&plane.about_z, &plane.about_x})
         *angle = radians(nc_value(nc_digits(degrees(*angle), post.angle_decimals), post.angle_decimals));
     return plane;
@@ -172,6 +178,7 @@ private:
     TemplateValues values(const ClSection& s) const {
         return template_values(s, program_, post_, setup_, wcs_, plane_);
     }
+    void begin(const TemplateValues& v);
     void section(const ClSection& s, bool first, bool change, const Progress& progress);
     void upright(const ClSection& s, const Progress& progress);
     void arc(const ClSection& s, const ArcRun& run, const Joints& at, std::size_t last);
@@ -514,14 +521,25 @@ void PostWriter::several_axes(const ClSection& s, const Progress& progress) {
     before_ = now_;
 }
 
+/// The program's first lines. A program that was broken off may have left the control leading the tip, or a
+/// plane tilted: with that even the way up would be another one.
+void PostWriter::begin(const TemplateValues& v) {
+    blocks_.lines(post_.start, v);
+    if (!wcs_.empty()) blocks_.lines(post_.wcs_lines, v);
+    if (setup_.machine.rotary.empty()) return;
+    blocks_.lines(post_.tcp_off, v);
+    if (std::any_of(program_.sections.begin(), program_.sections.end(),
+                    [](const auto& s) { return s->multi_axis && leans_one_way(*s); }))
+        blocks_.lines(post_.plane_off, v);
+}
+
 void PostWriter::section(const ClSection& s, bool first, bool change, const Progress& progress) {
     const TemplateValues v = values(s);
     zero_ = setup_.part_origin + Vec3(0, 0, s.gauge_length);
     rotary_.clear();
     for (const RotaryAxis& axis : setup_.machine.rotary)
         if (const NcWord word = rotary_word(axis); !post_.word(word).empty()) rotary_.push_back(word);
-    if (first) blocks_.lines(post_.start, v);
-    if (first && !wcs_.empty()) blocks_.lines(post_.wcs_lines, v);
+    if (first) begin(v);
     posted_.first_lines.push_back(blocks_.lines_written() + 1);
     blocks_.lines(post_.retract, v);
     if (change) {

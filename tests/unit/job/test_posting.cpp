@@ -300,7 +300,7 @@ private slots:
             {"vectors not switched on, Fanuc", leaning, swap_text("G43.5 H1", "G43.4 H1"), false,
              "fanuc-vectors"},
             {"tip not led, Siemens", leaning, swap_text("TRAORI", "TRAFOOF"), false, "siemens"},
-            {"tip led too late, Heidenhain", leaning, swap_text("M129", "M128"), false, "heidenhain"},
+            {"tip led too late, Heidenhain", leaning, swap_text("M129", "M128", "M128"), false, "heidenhain"},
             {"part off its place by 1 mm", leaning, change_numbers('Y', [](double y) { return y + 1; })},
         };
         QVERIFY(faults.size() >= 20);

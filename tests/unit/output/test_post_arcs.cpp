@@ -305,7 +305,7 @@ private slots:
         const Vec3 centre = program.sections.front()->motions.motions.back().to.tip - 5 * Vec3::UnitX();
         for (const bool clockwise : {false, true}) {
             std::string text = post_program(program, find_post("fanuc"), setup, {}).text;
-            text.insert(text.find("G69") - 5, clockwise ? "G2 I-5. J0. F600.\n" : "G3 I-5. J0. F600.\n");
+            text.insert(text.rfind("G69") - 5, clockwise ? "G2 I-5. J0. F600.\n" : "G3 I-5. J0. F600.\n");
             const NcProgram read = read_nc(text, "p", find_post("fanuc"), reading(program, setup), {});
             double way = 0, turned = 0;
             const auto& motions = read.sections.front()->motions.motions;

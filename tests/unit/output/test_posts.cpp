@@ -399,7 +399,10 @@ private slots:
         const Post& control = find_post(post.toStdString());
         const ClProgram program = joined_program({indexed_section("One", 1, Vec3(0, -0.4, 1))});
         const PostSetup setup = setup_for(program, "trunnion-ac");
-        std::string text = changed_text(post_program(program, control, setup, {}).text, from, to);
+        std::string text = post_program(program, control, setup, {}).text;
+        // What ends a plane stands at the start, too.
+        QVERIFY(text.find(from) != std::string::npos);
+        text.replace(text.rfind(from), from.size(), to);
         if (to.back() == '(') text.insert(text.find(control.line_end, text.find(to)), ")");
         std::string message;
         QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
@@ -641,6 +644,38 @@ private slots:
         QVERIFY(code_of([&] { read_nc(text, "p", control, reading(program, setup), {}); }, &message)
                 != "none");
         QVERIFY2(message.find("p:") == 0 && message.find(says) != std::string::npos, message.c_str());
+    }
+
+    /// A program that was broken off may have left the tip led, or a plane tilted.
+    void programs_begin_with_nothing_left_on_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<std::string>("tip_off");
+        QTest::addColumn<std::string>("plane_off");
+        QTest::newRow("LinuxCNC") << "linuxcnc-tcp" << std::string("\nM429\n") << std::string();
+        QTest::newRow("Fanuc") << "fanuc" << std::string(" G49\n") << std::string(" G69\n");
+        QTest::newRow("Siemens") << "siemens" << std::string(" TRAFOOF\r") << std::string(" CYCLE800()\r");
+        QTest::newRow("Heidenhain") << "heidenhain" << std::string(" M129\r")
+                                    << std::string(" PLANE RESET STAY\r");
+    }
+    void programs_begin_with_nothing_left_on() {
+        QFETCH(QString, post);
+        QFETCH(std::string, tip_off);
+        QFETCH(std::string, plane_off);
+        const Post& control = find_post(post.toStdString());
+        const auto start = [&](const ClSection& section, const char* machine) {
+            const ClProgram program = joined_program({section});
+            const std::string text = post_program(program, control, setup_for(program, machine), {}).text;
+            return text.substr(0, text.find("tool 1"));
+        };
+        const std::string leaning = start(leaning_section("One", 1), "trunnion-ac"),
+                          tilted = start(indexed_section("One", 1, Vec3(0, -0.4, 1)), "trunnion-ac"),
+                          upright = start(upright_section("One", 1), "generic-3-axis");
+        for (const std::string& text : {leaning, tilted})
+            QVERIFY2(text.find(tip_off) != std::string::npos, text.c_str());
+        QVERIFY2(upright.find(tip_off) == std::string::npos, upright.c_str());
+        if (plane_off.empty()) return;
+        QVERIFY2(tilted.find(plane_off) != std::string::npos, tilted.c_str());
+        QVERIFY(leaning.find(plane_off) == std::string::npos);
     }
 
     /// Through whole turns: a table whose display begins anew at 360 degrees must not go back for it.
