@@ -133,6 +133,17 @@ PostedFile post_programs(const Project& project, const PlanResult& result, const
     }
 }
 
+/// The first and the last number of a setup's programs; a rework tool has one of its own.
+std::pair<long, long> program_numbers(const Setup& setup) {
+    long count = 1;
+    if (setup.programs.files == ProgramSpec::Files::each) {
+        count = 0;
+        for (const auto& o : setup.operations)
+            count += o->rework() ? 2 : 1;
+    }
+    return {setup.programs.number, setup.programs.number + count - 1};
+}
+
 } // namespace
 
 PostSetup post_setup(const Project& project, const PlanResult& result) {
@@ -162,12 +173,13 @@ void check_posting(const Project& project) {
     const Post post = project_post(project, spec.post);
     check_wcs(post, spec.wcs);
     const bool one = spec.files == ProgramSpec::Files::one;
-    check_program_number(post, spec.number + (one ? 0 : long(project.operations.size()) - 1));
+    check_program_number(post, program_numbers(project).second);
     const Machine machine = project_machine(project);
     std::optional<long> only;
     for (const auto& operation : project.operations) {
         const OperationCommon& common = operation->common();
         if (!operation->three_axis()) check_inclined(post, common.name);
+        if (operation->turning()) check_turning(post, common.name);
         check_feed(post, machine, common.feed, common.name);
         std::vector<long> numbers = operation->further_tools();
         numbers.insert(numbers.begin(), operation->common().tool);
@@ -181,21 +193,6 @@ void check_posting(const Project& project) {
         only = numbers.front();
     }
 }
-
-namespace {
-
-/// The first and the last number of a setup's programs; a rework tool has one of its own.
-std::pair<long, long> program_numbers(const Setup& setup) {
-    long count = 1;
-    if (setup.programs.files == ProgramSpec::Files::each) {
-        count = 0;
-        for (const auto& o : setup.operations)
-            count += o->rework() ? 2 : 1;
-    }
-    return {setup.programs.number, setup.programs.number + count - 1};
-}
-
-} // namespace
 
 void check_all_posting(const Project& project) {
     const std::size_t n = setup_count(project);

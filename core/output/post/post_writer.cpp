@@ -236,8 +236,7 @@ void PostWriter::check_section(const ClSection& s) const {
         refuse(name + " inclines the tool, and the machine '" + printable(setup_.machine.label)
                    + "' has no rotary axis",
                "choose the machine that it runs on");
-    if (told_as_joints(s) && !post_.has(NcCode::inverse_time))
-        refuse(name + " turns the part, and the control has no inverse time feed", "choose another post");
+    if (told_as_joints(s)) check_turning(post_, s.operation_name);
     for (const RotaryAxis& axis : setup_.machine.rotary)
         if (post_.word(rotary_word(axis)).empty())
             refuse("the control has no word for the axis " + axis.name, "add it to the words of the post");
@@ -606,6 +605,14 @@ void check_inclined(const Post& post, const std::string& operation) {
     if (post.multi_axis == Post::MultiAxis::none)
         refuse(post,
                "operation '" + printable(operation) + "' inclines the tool, and the control has three axes",
+               "choose another post");
+}
+
+void check_turning(const Post& post, const std::string& operation) {
+    if (!post.has(NcCode::inverse_time))
+        refuse(post,
+               "operation '" + printable(operation)
+                   + "' turns the part, and the control has no inverse time feed",
                "choose another post");
 }
 

@@ -66,6 +66,8 @@ void check_program_number(const Post& post, long number);
 void check_tool_number(const Post& post, long number, const std::string& operation);
 /// An operation that inclines the tool.
 void check_inclined(const Post& post, const std::string& operation);
+/// One that turns the part.
+void check_turning(const Post& post, const std::string& operation);
 void check_feed(const Post& post, const Machine& machine, double mm_per_min, const std::string& operation);
 
 /// Throws what check_writable throws and Error(out_of_range, missing_reference, limit_exceeded) for what the

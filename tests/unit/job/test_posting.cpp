@@ -489,6 +489,16 @@ private slots:
                         R"(, { "kind": "finish3", "name": "Fast", "tool": 2, "feed": 99000 })")
                     .find("'Fast' has a feed of 99000 mm/min")
                 != std::string::npos);
+        QVERIFY(
+            message(R"("post": "heidenhain")", R"(, { "kind": "lathe_finish", "name": "Turn", "tool": 2 })")
+                .find("'Turn' turns the part, and the control has no inverse time feed")
+            != std::string::npos);
+        // The rework of an operation is a program of its own.
+        const std::string two =
+            R"(, { "kind": "global_local", "name": "GL", "tool": 2, "rework_tool": 3, "posture": "cm2" })";
+        QVERIFY(message(R"("post": "haas", "program_number": 99997)", two).empty());
+        QVERIFY(message(R"("post": "haas", "program_number": 99998)", two).find("100000")
+                != std::string::npos);
         const std::string flat = R"(, { "kind": "finish3", "name": "More", "tool": 3 })";
         QVERIFY(message(R"("post": "grbl", "programs": "one")", flat).find("change tools")
                 != std::string::npos);
