@@ -4,6 +4,7 @@
 #include "tests/support/naive_grid.h"
 
 #include <map>
+#include <set>
 
 namespace facetmill::test {
 
@@ -214,23 +215,49 @@ private:
     std::pair<int, int> square(const Vec3& p) const {
         return {int(std::floor(p.x() / radius_)), int(std::floor(p.y() / radius_))};
     }
+    /// Whether no edge is run through twice in the same direction: then all facets have the same outside.
+    bool wound_alike() const {
+        std::set<std::pair<Index, Index>> run;
+        for (const Facet& f : part_.facets)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (!run.insert({f[k], f[(k + 1) % 3]}).second) return false;
+        return true;
+    }
+    /// Whether a tool axis sees the sample on its front (1) or its back (-1).
+    bool seen(const NaiveSample& s, double side) const {
+        constexpr double upright = 1e-3;
+        const double start = 1e-6 * part_.box().size().norm();
+        return std::any_of(axes_.begin(), axes_.end(), [&](const Vec3& axis) {
+            return side * axis.dot(s.normal) > upright && facets_.open(s.point, axis, start);
+        });
+    }
+    /// Where facets are wound alike only the side counts of which more is seen: through its open ends an axis
+    /// may look into a hollow part.
     void mark_to_cut(const Progress& progress) {
         const auto border = border_points();
+        constexpr std::uint8_t front = 1, back = 2;
+        std::vector<std::uint8_t> sides(result_.samples.size(), 0);
         parallel_blocks(result_.samples.size(), 256, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                NaiveSample& s = result_.samples[i];
+                const NaiveSample& s = result_.samples[i];
                 if (s.weight == 0 || near_border(s.point, border)) continue;
-                for (const Vec3& axis : axes_) {
-                    constexpr double upright = 1e-3;
-                    if (std::abs(axis.dot(s.normal)) < upright) continue;
-                    const double side = axis.dot(s.normal) > 0 ? 1 : -1;
-                    if (!facets_.open(s.point, axis, 1e-6 * part_.box().size().norm())) continue;
-                    s.normal *= side;
-                    s.to_cut = true;
-                    break;
-                }
+                sides[i] = std::uint8_t((seen(s, 1) ? front : 0) | (seen(s, -1) ? back : 0));
             }
         });
+        std::uint8_t counts = front | back;
+        if (wound_alike()) {
+            double of_front = 0, of_back = 0;
+            for (std::size_t i = 0; i < sides.size(); ++i) {
+                if (sides[i] & front) of_front += result_.samples[i].weight;
+                if (sides[i] & back) of_back += result_.samples[i].weight;
+            }
+            counts = of_front >= of_back ? front : back;
+        }
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            NaiveSample& s = result_.samples[i];
+            s.to_cut = (sides[i] & counts) != 0;
+            if (s.to_cut && (sides[i] & counts & front) == 0) s.normal = -s.normal;
+        }
     }
     bool near_border(const Vec3& p, const std::map<std::pair<int, int>, std::vector<Vec3>>& border) const {
         const auto [x, y] = square(p);

@@ -7,7 +7,8 @@
 //   uncut   the line from a sample outward, walked in small steps, meets remaining material that is farther
 //           than twice the tolerance from all of the part before it comes to where something was cut
 //
-// Outward is the side from which a tool axis sees the sample, so winding is of no account.
+// Outward is the side from which a tool axis sees the sample, so winding is of no account; where all facets
+// are wound alike, that side of all of them of which more is seen.
 #pragma once
 
 #include "core/base/progress.h"
