@@ -8,9 +8,18 @@ namespace facetmill {
 
 namespace {
 
+/// A vertex whose normal leans so much away from the facets of an edge belongs to a sharp edge. Its normal
+/// says nothing of these facets: what lies between it and the edge's other end is as they are.
+const double sharp_cosine = std::cos(radians(30));
+/// Facets that are wound unlike, or meet at a ridge, have no normal in common.
+constexpr double min_in_common = 0.5;
+
 /// One cut edge: the point on it, and the cut facets that meet there.
 struct Crossing {
     SlicePoint at;
+    Index from = no_index, to = no_index; ///< the edge's ends, the lower index first
+    double share = 0;                     ///< of the way between them
+    Vec3 normals = Vec3::Zero();          ///< sum of those of the facets that meet there
     std::vector<std::uint32_t> segments;
 };
 
@@ -29,18 +38,31 @@ std::pair<double, double> facet_interval(const Mesh& mesh, const DriveFrame& fra
     return {std::min({a, b, c}), std::max({a, b, c})};
 }
 
-SlicePoint point_on_edge(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame, Index a,
-                         Index b, double offset) {
+Crossing point_on_edge(const Mesh& mesh, const DriveFrame& frame, Index a, Index b, double offset) {
     // From the lower index to the higher, whichever facet asks: the same bits for both.
     if (b < a) std::swap(a, b);
     const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b];
     const double da = frame.v(p) - offset, db = frame.v(q) - offset;
     const double t = std::clamp(da / (da - db), 0.0, 1.0);
-    SlicePoint s;
-    s.point = t <= 0.5 ? Vec3(p + t * (q - p)) : Vec3(q + (1 - t) * (p - q));
-    s.normal = edge_normal(geometry.vertex_normals[a], geometry.vertex_normals[b], t);
-    s.u = frame.u(s.point);
-    return s;
+    Crossing c;
+    c.from = a;
+    c.to = b;
+    c.share = t;
+    c.at.point = t <= 0.5 ? Vec3(p + t * (q - p)) : Vec3(q + (1 - t) * (p - q));
+    c.at.u = frame.u(c.at.point);
+    return c;
+}
+
+Vec3 normal_on_edge(const MeshGeometry& geometry, const Crossing& c, std::size_t facets) {
+    const Vec3 common = c.normals.normalized();
+    const bool asked = c.normals.norm() > min_in_common * double(facets);
+    const auto at = [&](Index vertex) {
+        const Vec3& n = geometry.vertex_normals[vertex];
+        // One that looks the other way is a matter of winding.
+        const bool sharp = asked && n.dot(common) < sharp_cosine && n.dot(common) > -min_in_common;
+        return sharp ? common : n;
+    };
+    return edge_normal(at(c.from), at(c.to), c.share);
 }
 
 } // namespace
@@ -72,14 +94,17 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
             const Index a = corners[k], b = corners[next];
             const auto [it, fresh] = crossing_of.try_emplace(edge_key(a, b), std::uint32_t(crossings.size()));
             if (fresh) {
-                crossings.push_back({point_on_edge(mesh_, geometry_, frame_, a, b, offset), {}});
+                crossings.push_back(point_on_edge(mesh_, frame_, a, b, offset));
                 crossings.back().at.facet = Index(f);
             }
+            crossings[it->second].normals += geometry_.facet_normals[f];
             crossings[it->second].segments.push_back(std::uint32_t(segments.size()));
             s.end[ends++] = it->second;
         }
         segments.push_back(s);
     }
+    for (Crossing& c : crossings)
+        c.at.normal = normal_on_edge(geometry_, c, c.segments.size());
 
     const auto next_segment = [&](std::uint32_t crossing) -> Segment* {
         for (const std::uint32_t s : crossings[crossing].segments)

@@ -48,6 +48,26 @@ void verify_sound(const std::vector<SliceChain>& chains, double offset, const Dr
 class TestSlice : public QObject {
     Q_OBJECT
 private slots:
+    /// Beside the edge of a blade, where its faces meet in a point, normals are those of the face that is
+    /// cut.
+    void normals_beside_a_sharp_edge_are_those_of_the_facets() {
+        Mesh blade;
+        for (const double y : {0.0, 20.0})
+            for (const Vec2& p : {Vec2(0, 0), Vec2(10, -2), Vec2(0, -4)})
+                blade.vertices.emplace_back(p.x(), y, p.y());
+        blade.facets = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+        const Vec3 up = blade.facet_normal(0);
+        QVERIFY(up.z() > 0.9);
+        std::size_t asked = 0;
+        for (const SliceChain& chain : sliced(blade, 11, radians(15)))
+            for (const SlicePoint& p : chain.points) {
+                if (p.point.z() < -2 + 1e-9) continue; // below, and the edge itself
+                ++asked;
+                QVERIFY2((p.normal - up).norm() < 1e-9, qPrintable(QString::number(p.normal.x())));
+            }
+        QVERIFY(asked >= 2);
+    }
+
     void right_angles_are_exact() {
         for (int k = -4; k <= 4; ++k) {
             const DriveFrame f(k * 0.5 * pi);
