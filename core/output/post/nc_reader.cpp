@@ -154,20 +154,15 @@ void check_home(const NcLine& line, const NcModes& modes, const Post& post) {
     }
 }
 
-/// Rapids whose axes arrive one after the other leave the line; down from the top Z alone may move. Where the
-/// tip is led, `frame` is that of its words.
-void check_together(const Kinematics& kinematics, const NcModes& modes, const std::optional<Mat3>& frame,
-                    const Joints& from, const Joints& to) {
-    const ToolPose begin = kinematics.forward(from), end = kinematics.forward(to);
-    const Vec3 step =
-        frame ? Vec3(frame->transpose() * (end.tip - begin.tip)) : Vec3(to.linear - from.linear);
-    const bool vectors = modes.tcp() == NcModes::Tcp::vectors;
-    int axes = vectors && frame && (end.axis - begin.axis).norm() > apart_rotary;
+/// Rapids whose axes arrive one after the other leave the line, whoever leads the tip.
+void check_together(const NcModes& modes, const Joints& from, const Joints& to) {
+    int axes = 0;
     for (int k = 0; k < 3; ++k)
-        axes += std::abs(step[k]) > apart_linear;
+        axes += std::abs(to.linear[k] - from.linear[k]) > apart_linear;
     // How an axis is held that is told as a vector, the control chooses.
     for (std::size_t r = 0; r < 2; ++r)
-        axes += !vectors && std::abs(to.rotary[r] - from.rotary[r]) > apart_rotary;
+        axes +=
+            modes.tcp() != NcModes::Tcp::vectors && std::abs(to.rotary[r] - from.rotary[r]) > apart_rotary;
     if (axes > 1)
         modes.refuse("a rapid moves several axes, and they do not arrive together",
                      "move them one by one, or at feed");
@@ -437,7 +432,7 @@ void NcRun::come_down(const Joints& to) {
     if (!up_places_.empty()) above = up_places_.back();
     above.linear.z() = high;
     visit(above, true);
-    if (apart()) check_together(kinematics_, modes_, std::nullopt, above, to);
+    if (apart()) check_together(modes_, above, to);
     visit(to, modes_.motion() == NcCode::rapid);
     by_joints_ = false;
     up_ = false;
@@ -545,8 +540,7 @@ void NcRun::motion(const NcLine& line) {
             add({pose.tip, pose.axis}, to, true, 1);
         }
     } else {
-        if (apart())
-            check_together(kinematics_, modes_, tip ? std::optional(frame()) : std::nullopt, at_, to);
+        if (apart()) check_together(modes_, at_, to);
         trace(to, modes_.motion() == NcCode::rapid);
     }
     at_ = to;

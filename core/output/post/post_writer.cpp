@@ -25,6 +25,8 @@ constexpr double min_tilt = 0.02;
 constexpr double one_way = 1e-5;
 /// What its axes turn meanwhile is no other way to stand; radians.
 constexpr double same_stand = 0.01;
+/// An axis that moves less prints nothing; mm, radians.
+constexpr double moves_linear = 0.002, moves_rotary = 1e-5;
 constexpr std::array<NcWord, 3> linear_words = {NcWord::x, NcWord::y, NcWord::z};
 constexpr std::array<NcWord, 3> vector_words = {NcWord::i, NcWord::j, NcWord::k};
 
@@ -191,8 +193,8 @@ private:
     double length_out(const CutterLocation& from) const;
     void place(const ClSection& s, const Joints& at, const CutterLocation& location);
     void start(const ClSection& s, const Joints& at, const CutterLocation& location);
-    bool as_feed(double descent) const;
-    double go(bool rapid, double descent, double seconds, double length, double turned, double feed);
+    bool as_feed(const Joints& from, const Joints& to) const;
+    double go(bool rapid, const Joints& from, const Joints& to, double seconds, double length, double feed);
 
     const ClProgram& program_;
     const Post& post_;
@@ -243,21 +245,26 @@ void PostWriter::check_section(const ClSection& s) const {
 }
 
 /// A rapid as it is printed: does it have to be told as a motion at feed?
-bool PostWriter::as_feed(double descent) const {
-    int changes = 0;
+bool PostWriter::as_feed(const Joints& from, const Joints& to) const {
+    int changes = 0, axes = 0;
     for (std::size_t i = 0; i <= std::size_t(NcWord::k); ++i)
         changes += blocks_.changes(NcWord(i));
-    return changes > 1 && (descent > 0 || !post_.straight_rapids);
+    // One word of a led tip can move all axes.
+    for (int k = 0; k < setup_.machine.joints(); ++k)
+        axes += std::abs(to[k] - from[k]) > (k < 3 ? moves_linear : moves_rotary);
+    if (!post_.straight_rapids && axes > 1) return true;
+    return changes > 1 && (to.linear.z() < from.linear.z() || !post_.straight_rapids);
 }
 
-/// Writes the words that were set. `length` is the tip's, `turned` what rotary axes turn. The seconds that it
-/// takes, which a control may make longer.
-double PostWriter::go(bool rapid, double descent, double seconds, double length, double turned, double feed) {
+/// Writes the words that were set. `length` is the tip's. The seconds that it takes, which a control may make
+/// longer.
+double PostWriter::go(bool rapid, const Joints& from, const Joints& to, double seconds, double length,
+                      double feed) {
     if (!blocks_.moves()) {
         if (!rapid) pending_ += seconds;
         return seconds;
     }
-    if (rapid && !as_feed(descent)) {
+    if (rapid && !as_feed(from, to)) {
         blocks_.rapid();
         return seconds;
     }
@@ -269,7 +276,9 @@ double PostWriter::go(bool rapid, double descent, double seconds, double length,
         return std::max(seconds, told - before);
     }
     // What moves no tip counts by its angle.
-    if (!(length > tolerance::smallest_chord)) length = degrees(turned) * mm_per(program_.unit);
+    if (!(length > tolerance::smallest_chord))
+        length = degrees(std::abs(to.rotary[0] - from.rotary[0]) + std::abs(to.rotary[1] - from.rotary[1]))
+                 * mm_per(program_.unit);
     blocks_.feed_per_minute(rapid && seconds > 0 ? 60 * length / seconds : feed);
     return seconds;
 }
@@ -358,10 +367,11 @@ void PostWriter::upright(const ClSection& s, const Progress& progress) {
             continue;
         }
         const Motion& m = motions[i];
-        const Vec3 step = m.to.tip - motions[i - 1].to.tip;
+        const Joints from{motions[i - 1].to.tip + zero_, {}};
         at.linear = m.to.tip + zero_;
         place(s, at, m.to);
-        posted_.seconds += go(m.kind == MotionKind::rapid, -step.z(), seconds[i], step.norm(), 0, s.feed(i));
+        posted_.seconds += go(m.kind == MotionKind::rapid, from, at, seconds[i],
+                              (at.linear - from.linear).norm(), s.feed(i));
     }
     blocks_.usual_plane();
     before_ = at;
@@ -397,10 +407,7 @@ void PostWriter::pieces(const ClSection& s, const Kinematics& kinematics, const 
         const double share = p.t - t;
         const double seconds = std::max(share * feed_seconds, kinematics.time(last, p.at));
         place(s, p.at, p.location);
-        const double turned =
-            std::abs(p.at.rotary[0] - last.rotary[0]) + std::abs(p.at.rotary[1] - last.rotary[1]);
-        posted_.seconds +=
-            go(rapid, last.linear.z() - p.at.linear.z(), seconds, share * step.norm(), turned, s.feed(i));
+        posted_.seconds += go(rapid, last, p.at, seconds, share * step.norm(), s.feed(i));
         last = p.at;
         t = p.t;
     }
@@ -468,7 +475,7 @@ void PostWriter::rewind(const ClSection& s, const Kinematics& kinematics, const 
     const auto feed = [&](const Joints& from, const Joints& to, const CutterLocation& at, double length) {
         place(s, to, at);
         const double seconds = std::max(length / s.feed(i) * 60, kinematics.time(from, to));
-        posted_.seconds += go(false, 0, seconds, length, 0, s.feed(i));
+        posted_.seconds += go(false, from, to, seconds, length, s.feed(i));
     };
     feed(motion.from_joints, *clear_before, clear, out);
     come_again(s, *clear_before, *clear_again, clear);

@@ -688,6 +688,24 @@ private slots:
         }
     }
 
+    /// One word of a led tip moves several axes of the machine: where these do not arrive together it is no
+    /// rapid.
+    void one_word_of_a_led_tip_can_move_all_axes() {
+        ClSection section = leaning_section("One", 1);
+        const CutterLocation last = section.motions.motions.back().to;
+        add_motion(section, MotionKind::rapid, last.tip + Vec3(0, 0, 9), last.axis);
+        const ClProgram program = joined_program({section});
+        const PostSetup setup = setup_for(program, "trunnion-ac");
+        const auto led = [&](const char* post) {
+            const std::string text = post_program(program, find_post(post), setup, {}).text;
+            read_nc(text, "p", find_post(post), reading(program, setup), {});
+            const std::size_t at = text.rfind("Z39"), begin = text.rfind('\n', at) + 1;
+            return text.substr(begin, text.find('\n', at) - begin);
+        };
+        QCOMPARE(led("haas").substr(0, 6), std::string("Z39. F"));
+        QCOMPARE(led("linuxcnc-tcp"), std::string("G0 Z39"));
+    }
+
     void the_program_number_stands_first() {
         const ClProgram program = joined_program({upright_section("One", 1)});
         const PostSetup setup = setup_for(program, "generic-3-axis");
