@@ -28,6 +28,8 @@ public:
 
     /// A word for the next motion: mm, radians, or a part of a unit vector.
     void set(NcWord word, double value);
+    /// As if it had not been set.
+    void leave_out(NcWord word) { slots_[std::size_t(word)].next.reset(); }
     /// True when any of the words set changes something as it is printed.
     bool moves() const;
     bool changes(NcWord word) const;

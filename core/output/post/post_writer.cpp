@@ -320,6 +320,9 @@ void PostWriter::start(const ClSection& s, const Joints& at, const CutterLocatio
                                  : post_.tcp_approach,
                         values(s));
     place(s, at, location);
+    // The rotary axes stand there already.
+    for (const NcWord w : vector_words)
+        if (tcp && !post_.vector_at_start) blocks_.leave_out(w);
     if (blocks_.moves()) blocks_.rapid();
     // Without a Z to go down by there is no block to take the approach.
     blocks_.before_next("", {});

@@ -706,6 +706,18 @@ private slots:
         QCOMPARE(led("linuxcnc-tcp"), std::string("G0 Z39"));
     }
 
+    /// As the 30i has its format: the block that switches G43.5 on has places and no vector, those after it
+    /// both.
+    void fanuc_leads_by_vectors_from_the_second_block_on() {
+        const ClProgram program = joined_program({leaning_section("One", 1)});
+        const std::string text =
+            post_program(program, find_post("fanuc-vectors"), setup_for(program, "trunnion-ac"), {}).text;
+        const std::size_t on = text.find("G43.5"), next = text.find('\n', on),
+                          after = text.find(" G1 ", next);
+        QVERIFY(text.substr(on, next - on).find(" I") == std::string::npos);
+        QVERIFY(text.substr(after, text.find('\n', after) - after).find(" K0.") != std::string::npos);
+    }
+
     void the_program_number_stands_first() {
         const ClProgram program = joined_program({upright_section("One", 1)});
         const PostSetup setup = setup_for(program, "generic-3-axis");
