@@ -198,6 +198,8 @@ void NcModes::codes(const NcLine& line) {
                ErrorCode::missing_key);
     if (rapid_now_ && motion_ != NcCode::feed) refuse("an arc is no rapid", "give it a feed");
     if (rapid_now_) motion_ = NcCode::rapid;
+    for (const NcCode leads : {NcCode::tcp, NcCode::tcp_switch, NcCode::tcp_vectors, NcCode::tcp_off})
+        if (post_.drops_wcs && line.has_code(leads)) wcs_ = false;
     if (!line.wcs.empty()) choose_wcs(line.wcs);
 }
 

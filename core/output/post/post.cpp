@@ -366,6 +366,7 @@ void read_multi_axis(PostReader& file, Post& post) {
     double degrees = 0.1;
     r.number("axis_degrees", 0.001, 2, degrees);
     r.boolean("vector_at_start", post.vector_at_start);
+    r.boolean("drops_wcs", post.drops_wcs);
     post.axis_tolerance = radians(degrees);
     r.finish();
     const auto needs = [&](NcCode code, const char* name) {

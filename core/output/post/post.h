@@ -126,6 +126,7 @@ struct Post {
     bool rapid_feed = false;     ///< a rapid needs a feed, too
     bool changes_tools = true;   ///< within a program
     bool modal = true;           ///< words that did not change are left out
+    bool drops_wcs = false;      ///< who leads the tip, and who stops, forgets the work coordinates
     bool vector_at_start = true; ///< the block that leads to the tip has the tool axis, too
     double axis_tolerance = 0;   ///< how far the tool axis may stray between the blocks of joint programs
     double max_feed = 0;         ///< mm/min; 0: as the machine

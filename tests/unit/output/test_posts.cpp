@@ -604,6 +604,8 @@ private slots:
         row("marlin", ";tool 1", "; tool", "no tool");
         row("marlin", ";tool 1", ";tool 9", "no tool 9");
         row("marlin", "M400", "M30", "M30");
+        // The control forgets where the part is.
+        row("siemens", "TRAORI\r\nN190 G54", "TRAORI\r\nN190 G17", "no work coordinate system is chosen");
         // The same without a sign of the machine's own, a height of the part.
         row("linuxcnc", "G53 G0 Z0", "G0 Z0", "no tool is in the spindle");
         row("siemens", "G0 SUPA Z0", "G0 Z0", "no tool is in the spindle");
