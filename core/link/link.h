@@ -35,8 +35,10 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 /// so never into the part) where the next pass is near, else by retract, rapid at clearance height, approach.
 /// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
 /// tips that do not gouge. An operation that knows its stock goes straight down in a rapid to the clearance,
-/// or half the cutter's radius where that is less, over what stands at that moment, and as far above the pass
-/// it goes up in one, unless something stands there higher than the cutter: then as far above that.
+/// or half the cutter's radius where that is less, over what stands at that moment, over the pass's beginning
+/// or, where that is much less to go at feed, beside it; and as far above the pass it goes up in one, unless
+/// something stands there higher than the cutter beside a slimmer shank: then as far above that. Where a pass
+/// goes straight up it does the same.
 /// `allowance` is the operation's; the part's inner tessellation tolerance is added as the strategy does.
 /// Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,

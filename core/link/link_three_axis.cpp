@@ -35,13 +35,23 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
     return route;
 }
 
+/// Whether shank and holder, all of them, are as wide as the cutter: what would stand in its way up stood in
+/// theirs.
+bool is_wide_above(const Tool& tool, double radius) {
+    double narrowest = tool.shank_length > 0 ? tool.shank_diameter : infinity;
+    for (const HolderSection& s : tool.holder)
+        if (s.length > 0) narrowest = std::min(narrowest, s.diameter);
+    return narrowest < infinity && narrowest >= 2 * radius * (1 - tolerance::same_shape);
+}
+
 /// What stands at each moment, where the operation knows its stock: down to the clearance over it a tool goes
 /// in a rapid.
 class DescentOver {
 public:
     DescentOver(const PlanContext& context, const LinkOptions& options, const Progress& progress)
         : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
-          clearance_(std::min(options.clearance, near_share * profile_.max_radius())) {
+          clearance_(std::min(options.clearance, near_share * profile_.max_radius())),
+          wide_above_(is_wide_above(context.tool, profile_.max_radius())) {
         if (context.stock.box.empty() && context.earlier.empty()) return;
         field_ = stock_before(context, cell_share * profile_.max_radius(), progress);
     }
@@ -60,14 +70,56 @@ public:
         if (!field_ || is_undercut(profile_)) return top;
         const Vec2 p = tip.head<2>();
         const double covered = tip.z() + profile_.height();
-        if (field_->highest_near(p, p, profile_.max_radius(), covered) > covered) return down_to(tip, top);
+        if (!wide_above_ && field_->highest_near(p, p, profile_.max_radius(), covered) > covered)
+            return down_to(tip, top);
         return std::min(top, tip.z() + clearance_);
     }
+    /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high
+    /// as the wall for ever, so that along a wall nothing is known to be gone. None where that is no shorter
+    /// than `slow`, the way down at feed.
+    std::optional<Vec3> beside(const Vec3& tip, double slow, const LiftField& part, double spacing) const {
+        std::optional<Vec3> best;
+        if (!field_) return best;
+        double least = worth_share * slow;
+        for (const double away : {0.25, 0.5})
+            for (int k = 0; k < directions; ++k) {
+                const double angle = 2 * pi * k / directions, r = away * profile_.max_radius();
+                Vec3 place = tip + Vec3(r * std::cos(angle), r * std::sin(angle), 0);
+                place.z() = down_to(place, infinity);
+                const double length = (place - tip).norm();
+                if (!(length < least) || !is_clear(place, tip, part, spacing)) continue;
+                least = length;
+                best = place;
+            }
+        return best;
+    }
+    /// What a rapid keeps from what stands, mm.
+    double clearance() const { return clearance_; }
     void feed(const Vec3& from, const Vec3& to) {
         if (field_) field_->cut(cutter_, from, to);
     }
 
 private:
+    /// Straight down to a tip from beside it: cutter, shank and holder keep out of the part, the latter two
+    /// of the stock, too.
+    bool is_clear(const Vec3& place, const Vec3& tip, const LiftField& part, double spacing) const {
+        const Vec2 from = place.head<2>(), to = tip.head<2>();
+        if (bodies_.clear_height(*field_, from, to) > tip.z()) return false;
+        // A shank as wide as the cutter comes down in what that has cut, but not sideways.
+        const double covered = tip.z() + profile_.height();
+        if (field_->highest_near(from, to, profile_.max_radius(), covered) > covered) return false;
+        const double parts = std::floor((place - tip).norm() / spacing) + 1;
+        LiftHint hint;
+        for (double i = 0; i < parts; ++i) {
+            const Vec3 at = place + i / parts * (tip - place);
+            if (part.tip_z(at.head<2>(), hint) > at.z()) return false;
+        }
+        return true;
+    }
+
+    /// Places beside a tip that are asked; how much of the way at feed they have to save.
+    static constexpr int directions = 8;
+    static constexpr double worth_share = 0.5;
     /// The size of the field's cells in radii of the cutter. What it tells is never too low.
     static constexpr double cell_share = 0.1;
     /// How near to what stands rapids come, in radii too, where the clearance is more.
@@ -76,6 +128,7 @@ private:
     StockCutter cutter_;
     UprightBodies bodies_;
     double clearance_;
+    bool wide_above_;
     std::optional<StockField> field_;
 };
 
@@ -111,6 +164,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
                              options.chord_tolerance);
     fine.spacing = std::min(safe_spacing(profile, fine.below), bodies.spacing());
 
+    const LiftField part{&lift, -infinity, &bodies};
     double top = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + allowance;
     for (const Pass& pass : path.passes)
         for (const CutterLocation& c : pass.cl)
@@ -133,6 +187,14 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         add(MotionKind::retract, at_height(from, z));
         if (z < result.clearance_z) add(MotionKind::rapid, at_height(from, result.clearance_z));
     };
+    // Straight up a wall, of which the flutes have cut all that they reach, most of the way in a rapid.
+    const auto rise = [&](const CutterLocation& from, const CutterLocation& to) {
+        if (from.tip.head<2>() != to.tip.head<2>()) return;
+        const double end = to.tip.z() - stock.clearance(), z = stock.up_from(from.tip, end);
+        if (!(end - z > stock.clearance())) return;
+        add(MotionKind::cut, at_height(from, z));
+        add(MotionKind::rapid, at_height(from, end));
+    };
     const CutterLocation* last = nullptr;
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
         progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
@@ -147,13 +209,17 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
             result.motions.back().point = 0;
         } else {
             if (last) retract(*last);
-            add(MotionKind::rapid, at_height(start, result.clearance_z));
-            const double z = stock.down_to(start.tip, result.clearance_z);
-            if (z < result.clearance_z) add(MotionKind::rapid, at_height(start, z));
+            CutterLocation over = at_height(start, stock.down_to(start.tip, result.clearance_z));
+            if (const auto beside = stock.beside(start.tip, over.tip.z() - start.tip.z(), part, fine.spacing))
+                over.tip = *beside;
+            add(MotionKind::rapid, at_height(over, result.clearance_z));
+            if (over.tip.z() < result.clearance_z) add(MotionKind::rapid, over);
             add(MotionKind::approach, start, pass_index, 0);
         }
-        for (std::size_t k = 1; k < pass.cl.size(); ++k)
+        for (std::size_t k = 1; k < pass.cl.size(); ++k) {
+            rise(pass.cl[k - 1], pass.cl[k]);
             add(MotionKind::cut, pass.cl[k], pass_index, Index(k));
+        }
         last = &pass.cl.back();
     }
     if (last) retract(*last);

@@ -134,6 +134,44 @@ private slots:
                          qPrintable(QString::number(m.motions[i].to.tip.z())));
     }
 
+    /// A wall of height 8, its skin cut once: up along it, and down beside it, in rapids.
+    void along_a_wall_that_is_cut_tools_move_fast() {
+        const Mesh m = height_field([](double x, double) { return x > 5 ? 8.0 : 0.0; }, Vec2(-20, -15),
+                                    Vec2(20, 15), 400, 3);
+        Tool tool = ball_tool(6);
+        tool.flute_length = 12;
+        PlanContext context = context_of(m, tool);
+        context.stock.box = context.part_box;
+        // No wider than the cutter: nothing but the wall stays.
+        context.stock.box.lo.y() = -2;
+        context.stock.box.hi.y() = 2;
+        context.stock_box = context.stock.box;
+        const double x = 5 - 0.5 * tool.diameter - 0.2;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(x, 0, 0), Vec3(x, 0, 8)}),
+                       pass({Vec3(x, 0, 0), Vec3(x, 0.5, 0)})};
+        path.passes[1].from_above = true;
+        const ToolMotions all = link_three_axis(path, context, 0, near_options(0.1), Progress());
+        QVERIFY2(kinds_of(all) == "rraccrc^rrrac^r", kinds_of(all).c_str());
+        double up = 0, down = 0;
+        for (std::size_t i = 1; i < all.motions.size(); ++i) {
+            const Vec3 way = all.motions[i].to.tip - all.motions[i - 1].to.tip;
+            const MotionKind kind = all.motions[i].kind;
+            if (kind == MotionKind::cut) up += std::max(way.z(), 0.0);
+            if (kind == MotionKind::approach) down = way.norm();
+            // Down or level, never both; never down on what is not known to be gone.
+            if (kind == MotionKind::rapid) QVERIFY(way.z() == 0 || way.head<2>().norm() == 0);
+        }
+        QVERIFY2(std::abs(up - 3) < 1e-9, qPrintable(QString::number(up)));
+        QVERIFY2(down < 3, qPrintable(QString::number(down)));
+        // Flutes that end below the top of the wall: what a shank would come to from beside may stand.
+        tool.flute_length = 6;
+        context.tool = tool;
+        for (const Motion& motion : link_three_axis(path, context, 0, near_options(0.1), Progress()).motions)
+            if (motion.kind == MotionKind::approach) down = std::abs(motion.to.tip.x() - x);
+        QVERIFY(down < 1e-9);
+    }
+
     void a_link_climbs_over_what_stands_between() {
         // A rib of height 2 along y = 3.
         const Mesh m = height_field([](double, double y) { return std::abs(y - 3) < 0.5 ? 2.0 : 0.0; },
