@@ -12,9 +12,11 @@
 #include "core/job/verification.h"
 #include "core/output/apt.h"
 #include "core/setup/kinematics.h"
+#include "core/strategy/surface/stock_field.h"
 #include "tests/support/naive_check.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -110,6 +112,40 @@ Job job_of(const Project& project, const fs::path& plans) {
     for (const auto& o : project.operations)
         job.operations += (job.operations.empty() ? "" : ", ") + std::string(o->kind());
     return job;
+}
+
+/// Lengths by the kind of motion, mm.
+using ByKind = std::array<double, 5>;
+
+/// Of every program what it feeds, and on what of it nothing is taken away: not more than a fifth of the
+/// tolerance is cut anywhere, as far as cells of the stock's height tell. Of tools that stand upright alone.
+std::vector<std::array<ByKind, 2>> idle_feed(const Job& job) {
+    double radius = infinity;
+    for (const VerifyProgram& p : job.programs)
+        radius = std::min(radius, p.tool.cutter.max_radius());
+    StockField field(job.stock, 0.03 * radius, Progress());
+    const double least = 0.2 * job.settings.tolerance;
+    std::vector<std::array<ByKind, 2>> all;
+    for (const VerifyProgram& p : job.programs) {
+        const StockCutter cutter(p.tool.cutter);
+        std::array<ByKind, 2>& sums = all.emplace_back();
+        const auto& motions = p.motions->motions;
+        if (std::ranges::any_of(motions, [](const Motion& m) { return m.to.axis != Vec3::UnitZ(); }))
+            continue;
+        for (std::size_t i = 1; i < motions.size(); ++i) {
+            if (motions[i].kind == MotionKind::rapid) continue;
+            const Vec3 from = motions[i - 1].to.tip, way = motions[i].to.tip - from;
+            const auto kind = std::size_t(motions[i].kind);
+            const double pieces = std::floor(way.norm() / (0.25 * cutter.radius())) + 1;
+            for (double k = 0; k < pieces; ++k) {
+                const Vec3 a = from + k / pieces * way, b = from + (k + 1) / pieces * way;
+                sums[0][kind] += way.norm() / pieces;
+                if (!field.has_work(cutter, a, b, least)) sums[1][kind] += way.norm() / pieces;
+                field.cut(cutter, a, b);
+            }
+        }
+    }
+    return all;
 }
 
 /// Share of the time that is spent in rapids: the slowest linear axis at its largest speed.
@@ -214,6 +250,19 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
             "%s: naive: shank or holder in stock, program %zu GOTO %zu: %.4g mm at (%.4g, %.4g, %.4g)\n",
             name.c_str(), n.touch_program + 1, n.touch_motion + 1, n.touch_max, n.touch_at.x(),
             n.touch_at.y(), n.touch_at.z());
+    constexpr std::array kinds{"rapid", "approach", "cut", "link", "retract"};
+    const auto idle = idle_feed(job);
+    for (std::size_t i = 0; i < idle.size(); ++i) {
+        double all = 0, none = 0;
+        if (idle[i][0] == ByKind{}) continue;
+        std::fprintf(stderr, "%s: program %zu feeds", name.c_str(), i + 1);
+        for (std::size_t k = 1; k < kinds.size(); ++k) {
+            std::fprintf(stderr, ", %s %.0f / %.0f", kinds[k], idle[i][1][k], idle[i][0][k]);
+            all += idle[i][0][k];
+            none += idle[i][1][k];
+        }
+        std::fprintf(stderr, " mm without cutting anything: %.1f %%\n", 100 * none / all);
+    }
     std::fprintf(stderr, "%s: naive: %zu samples, %zu poses, gouge at (%.4g, %.4g, %.4g)\n", name.c_str(),
                  n.samples.size(), n.poses, n.gouge_at.x(), n.gouge_at.y(), n.gouge_at.z());
 }
