@@ -385,7 +385,11 @@ private slots:
                 const TipLine line = tips(link_three_axis(path, context, 0, options, Progress())).front();
                 ToolClearance kept;
                 kept.shank = kept.holder = clearance;
-                const ToolLift lift(context.contact, tool, kept);
+                // Of a cutter on a steep wall the lift along the axis says nothing: it is left out.
+                Tool above = tool;
+                above.diameter -= 0.1;
+                above.corner_radius -= 0.05;
+                const ToolLift lift(context.contact, above, kept);
                 ToolLift::Hint hint;
                 double low = infinity;
                 for (std::size_t i = 1; i < line.size(); ++i)
