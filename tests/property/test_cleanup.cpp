@@ -156,7 +156,8 @@ const PlannedPart& planned(int part, bool noisy, bool along_z) {
     // Long enough for a full block.
     Tool tool = ball_tool(v.diameter);
     tool.flute_length = std::max(tool.flute_length, v.mesh.box().size().z() + 20);
-    p.context = cleanup_context(noisy ? scanned(v.mesh, 1.6, 0.01, 7) : v.mesh, tool, ball_tool(v.previous));
+    p.context = cleanup_context(noisy ? scanned(v.mesh, 0.4 * v.diameter, 0.01, 7) : v.mesh, tool,
+                                ball_tool(v.previous));
     CleanupSettings s = settings();
     if (along_z) s.lift = CleanupSettings::Lift::z;
     p.op = Cleanup(s);
