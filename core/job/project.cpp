@@ -305,21 +305,38 @@ void check_project(const Project& project) {
 
 namespace {
 
+/// "NAME.key=value" in its parts.
+struct SettingParts {
+    std::optional<std::string_view> name;
+    std::string_view key;
+    std::optional<std::string_view> value; ///< nothing where there is no '='
+};
+
+/// `name`: that of an operation, whose length is known; a name may hold '.' and '='. Otherwise the key begins
+/// behind the last '.' before '='.
+SettingParts setting_parts(std::string_view setting, std::optional<std::size_t> name = {}) {
+    const std::size_t equal = setting.find('=', name.value_or(0));
+    const std::string_view left = setting.substr(0, equal);
+    const std::size_t dot = name.value_or(left.rfind('.'));
+    SettingParts parts;
+    if (dot != std::string_view::npos) parts.name = left.substr(0, dot);
+    parts.key = dot == std::string_view::npos ? left : left.substr(dot + 1);
+    if (equal != std::string_view::npos) parts.value = setting.substr(equal + 1);
+    return parts;
+}
+
 /// "post=grbl" for all setups, "Top.wcs=G55" for one; false where it names nothing of programs.
-bool apply_to_programs(Project& project, std::string_view setting, const std::string& shown) {
-    const std::size_t equal = setting.find('='), dot = setting.substr(0, equal).rfind('.');
-    if (equal == std::string_view::npos) return false;
-    const bool all = dot == std::string_view::npos;
-    const std::string key(all ? setting.substr(0, equal) : setting.substr(dot + 1, equal - dot - 1));
-    if (!program_parameters().find(key)) return false;
+bool apply_to_programs(Project& project, const SettingParts& parts, const std::string& shown) {
+    const std::string key(parts.key);
+    if (!parts.value || !program_parameters().find(key)) return false;
     bool found = false;
     for (std::size_t i = 0; i < setup_count(project); ++i) {
         Setup& setup = setup_at(project, i);
-        if (!all && setup.name != setting.substr(0, dot)) continue;
+        if (parts.name && setup.name != *parts.name) continue;
         found = true;
         ParameterView<ProgramSpec> programs(setup.programs, program_parameters());
         try {
-            programs.set(key, programs.parameter(key).parse(setting.substr(equal + 1), project.unit));
+            programs.set(key, programs.parameter(key).parse(*parts.value, project.unit));
         } catch (const Error& e) {
             throw Error(e.code(), shown, e.message(), e.remedy());
         }
@@ -352,12 +369,12 @@ void apply_setting(Project& project, std::string_view setting) {
             }
         }
     }
-    if (!operation && apply_to_programs(project, setting, shown)) return;
+    const SettingParts parts = operation ? setting_parts(setting, length) : setting_parts(setting);
+    if (!operation && apply_to_programs(project, parts, shown)) return;
+    if (!parts.value) usage("there is no '='");
     if (!operation) {
-        const std::size_t equal = setting.find('='), dot = setting.substr(0, equal).rfind('.');
-        if (equal == std::string_view::npos) usage("there is no '='");
-        if (dot == std::string_view::npos || dot == 0) usage("there is no operation name before the key");
-        const std::string name(setting.substr(0, dot)), near = nearest_name(name, names);
+        if (!parts.name || parts.name->empty()) usage("there is no operation name before the key");
+        const std::string name(*parts.name), near = nearest_name(name, names);
         std::string list;
         for (const auto& n : names)
             list += (list.empty() ? "" : ", ") + printable(n);
@@ -365,13 +382,10 @@ void apply_setting(Project& project, std::string_view setting) {
                     near.empty() ? "operations there are: " + list
                                  : "did you mean '" + printable(near) + "'?");
     }
-    const std::string_view rest = setting.substr(length + 1);
-    const std::size_t equal = rest.find('=');
-    if (equal == std::string_view::npos) usage("there is no '='");
-    const std::string key(rest.substr(0, equal));
+    const std::string key(parts.key);
     if (key.empty()) usage("there is no key before '='");
     try {
-        operation->set(key, operation->parameter(key).parse(rest.substr(equal + 1), project.unit));
+        operation->set(key, operation->parameter(key).parse(*parts.value, project.unit));
     } catch (const Error& e) {
         throw Error(e.code(), shown, e.message(), e.remedy());
     }
