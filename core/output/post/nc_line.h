@@ -27,6 +27,8 @@ struct NcLine {
     bool has(NcWord w) const { return given >> unsigned(w) & 1u; }
     double operator[](NcWord w) const { return value[std::size_t(w)]; }
     bool has_code(NcCode c) const;
+    bool has_axis() const { return (given & axis_bits) != 0; }
+    static constexpr unsigned axis_bits = (1u << (unsigned(NcWord::c) + 1)) - 1; ///< X to C
 };
 
 class NcLineReader {

@@ -489,7 +489,7 @@ void NcRun::arc(const NcLine& line, const Joints& to) {
 }
 
 void NcRun::motion(const NcLine& line) {
-    constexpr unsigned linear_bits = 7u, rotary_bits = 7u << 3, vector_bits = 7u << 6;
+    constexpr unsigned vector_bits = 7u << 6;
     const bool arcs =
         modes_.motion() == NcCode::arc_clockwise || modes_.motion() == NcCode::arc_anticlockwise;
     unsigned arc_bits = 0;
@@ -498,7 +498,7 @@ void NcRun::motion(const NcLine& line) {
     check_words(line, modes_, post_, setup_.machine, tcp() == Tcp::vectors);
     const unsigned given =
         line.given
-        & (linear_bits | rotary_bits | (tcp() == Tcp::vectors ? vector_bits : 0u) | (arcs ? arc_bits : 0u));
+        & (NcLine::axis_bits | (tcp() == Tcp::vectors ? vector_bits : 0u) | (arcs ? arc_bits : 0u));
     if (given == 0) return;
     if (modes_.gives_centre()) return take_centre(line);
     ++program_.blocks;

@@ -13,7 +13,7 @@ constexpr int inverse_digits = 6;
 } // namespace
 
 PostBlocks::PostBlocks(const Post& post, LengthUnit unit, double rapid_mm_per_min)
-    : post_(post), rapid_code_(post.code(NcCode::rapid)), feed_code_(post.code(NcCode::feed)),
+    : post_(post), reader_(post), rapid_code_(post.code(NcCode::rapid)), feed_code_(post.code(NcCode::feed)),
       minute_code_(post.code(NcCode::per_minute)), inverse_code_(post.code(NcCode::inverse_time)),
       straight_(post.code(NcCode::straight)), straight_vectors_(post.code(NcCode::straight_vectors)),
       rapid_block_(post.code(NcCode::rapid_block)), rapid_mm_per_min_(rapid_mm_per_min),
@@ -74,10 +74,25 @@ void PostBlocks::line(const std::string& body) {
     ++lines_;
 }
 
+/// A line of a template, as it will be read back.
+bool PostBlocks::moves_axis(const std::string& body) const {
+    if (body == "%") return false;
+    NcLine read;
+    try {
+        reader_.read(body, read, "", 0);
+    } catch (const Error& e) {
+        throw Error(e.code(), "post '" + printable(post_.name) + "'",
+                    "the line '" + printable(body) + "': " + e.message(), e.remedy());
+    }
+    return read.has_axis();
+}
+
 void PostBlocks::lines(const std::vector<std::string>& templates, const TemplateValues& values) {
     for (const std::string& t : templates) {
         const std::string body = filled(t, values);
-        if (!body.empty()) line(body);
+        if (body.empty()) continue;
+        if (moves_axis(body)) ++blocks_;
+        line(body);
     }
     for (Slot& s : slots_)
         s.last.reset();

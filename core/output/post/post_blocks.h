@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/output/post/arc.h"
+#include "core/output/post/nc_line.h"
 #include "core/output/post/nc_text.h"
 
 #include <array>
@@ -20,7 +21,8 @@ public:
     /// `rapid_mm_per_min`: of rapids that need a feed.
     PostBlocks(const Post& post, LengthUnit unit, double rapid_mm_per_min);
 
-    /// Lines of a template; those that come out empty are left out. Afterwards nothing is modal.
+    /// Lines of a template; those that come out empty are left out. Afterwards nothing is modal. Throws
+    /// Error(syntax) for one that would not be read back.
     void lines(const std::vector<std::string>& templates, const TemplateValues& values);
     /// Text that begins the next motion.
     void before_next(const std::string& text, const TemplateValues& values);
@@ -46,7 +48,7 @@ public:
     double printed(NcWord word, double value) const;
 
     std::string& text() { return text_; }
-    std::size_t blocks() const { return blocks_; }
+    std::size_t blocks() const { return blocks_; } ///< that move an axis
     std::size_t lines_written() const { return lines_; }
 
 private:
@@ -65,9 +67,11 @@ private:
     void end_block();
     void feed_word(double mm_per_min);
     void line(const std::string& body);
+    bool moves_axis(const std::string& body) const;
     std::string filled(const std::string& line, const TemplateValues& values) const;
 
     const Post& post_;
+    NcLineReader reader_;
     std::string text_, block_, before_;
     std::array<Slot, nc_words> slots_;
     std::string rapid_code_, feed_code_, minute_code_, inverse_code_, straight_, straight_vectors_,

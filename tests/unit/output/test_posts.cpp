@@ -125,6 +125,7 @@ private slots:
         const PostSetup setup = setup_for(program, "generic-3-axis");
         const PostedProgram posted = post_program(program, control, setup, {});
         const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QCOMPARE(read.blocks, posted.blocks);
         const double digit =
             inch ? 25.4 * std::pow(10, -control.inch_decimals) : std::pow(10, -control.mm_decimals);
         double seconds = 0;
@@ -148,6 +149,20 @@ private slots:
         QVERIFY(posted.seconds > 0.999 * seconds && posted.seconds < 1.05 * seconds);
         QVERIFY2(std::abs(read.seconds - posted.seconds) < 1e-3 * posted.seconds,
                  qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
+    }
+
+    /// A line of a post that nobody could read back is told before there is a program.
+    void lines_that_would_not_be_read() {
+        const ClProgram program = joined_program({upright_section("One", 1)});
+        const PostSetup setup = setup_for(program, "generic-3-axis");
+        for (const char* line : {"G61.1", "{coolant} #1=2", "X"}) {
+            const Post own =
+                parse_post(linuxcnc_with("\"{coolant}\"", '"' + std::string(line) + '"'), "own.json");
+            std::string message;
+            QCOMPARE(code_of([&] { post_program(program, own, setup, {}); }, &message),
+                     std::string("syntax"));
+            QVERIFY2(message.find("the line '") != std::string::npos, message.c_str());
+        }
     }
 
     void work_coordinates_are_chosen_data() {
@@ -354,6 +369,7 @@ private slots:
         const PostedProgram posted = post_program(program, control, setup, {});
         QCOMPARE(posted.planes, std::size_t(2));
         const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QCOMPARE(read.blocks, posted.blocks);
         QCOMPARE(read.sections.size(), std::size_t(3));
         for (std::size_t i = 0; i < 2; ++i) {
             const auto& motions = read.sections[i]->motions.motions;
@@ -468,6 +484,7 @@ private slots:
         const PostedProgram posted = post_program(program, control, setup, {});
         QVERIFY(posted.rewinds >= 1 && posted.rewinds <= 4);
         const NcProgram read = read_nc(posted.text, "p", control, reading(program, setup), {});
+        QCOMPARE(read.blocks, posted.blocks);
         // Out, up, over and in again are in the time, here and there.
         QVERIFY2(std::abs(read.seconds - posted.seconds) < 1e-3 * posted.seconds,
                  qPrintable(QString("%1 %2").arg(read.seconds).arg(posted.seconds)));
