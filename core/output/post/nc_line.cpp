@@ -29,7 +29,8 @@ bool NcLine::has_code(NcCode c) const {
 }
 
 NcLineReader::NcLineReader(const Post& post)
-    : parentheses_(post.comment_open == "("), bare_numbers_(post.numbers_blocks && post.block_letter.empty()),
+    : parentheses_(post.reads_comment("(")), semicolons_(post.reads_comment(";")),
+      bare_numbers_(post.numbers_blocks && post.block_letter.empty()),
       tool_in_comments_(post.word(NcWord::tool).empty()), needs_point_(post.point) {
     word_letter_.fill(-1);
     const auto add_word = [&](const std::string& text, NcWord w) {
@@ -281,7 +282,7 @@ void NcLineReader::read(std::string_view line, NcLine& into, const std::string& 
                 fail(c, "a comment is not closed, or holds another one", "write one ( and one )");
             comment(line.substr(c.at + 1, close - c.at - 1), into);
             c.at = close + 1;
-        } else if (!parentheses_ && ch == ';') {
+        } else if (semicolons_ && ch == ';') {
             return comment(line.substr(c.at + 1), into);
         } else {
             token(c, into);

@@ -64,7 +64,7 @@ private:
     /// A control that counts the last digits of numbers without a point would go a thousandth of the way.
     void check_point(const Cursor& c, std::size_t from, NcWord which, double value) const;
 
-    bool parentheses_, bare_numbers_, tool_in_comments_, needs_point_;
+    bool parentheses_, semicolons_, bare_numbers_, tool_in_comments_, needs_point_;
     std::array<bool, 26> code_letter_{};
     std::array<int, 26> word_letter_{};              ///< NcWord, -1: none
     std::unordered_map<long, Meaning> numbered_;     ///< letter * 1e6 + ten times the number

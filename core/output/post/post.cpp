@@ -191,12 +191,16 @@ void read_comments(PostReader& file, Post& post) {
     long longest = long(post.max_comment);
     r.integer("length", 8, 200, longest);
     post.max_comment = std::size_t(longest);
+    r.text("also", post.comment_also, 2);
     r.finish();
     if (post.comment_open != "(" && post.comment_open != ";")
         r.refuse("open", "comments begin with ( or ;", "write one of them");
     if (post.comment_close != (post.comment_open == "(" ? ")" : ""))
         r.refuse("close", "what begins with ( ends with ), what begins with ; with the line",
                  "mend it, or leave it out");
+    if (!post.comment_also.empty() && post.comment_also != (post.comment_open == "(" ? ";" : "("))
+        r.refuse("also", "this is no other kind of comment",
+                 "write the other one of ( and ;, or leave it out");
 }
 
 void read_block_numbers(PostReader& file, Post& post) {

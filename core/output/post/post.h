@@ -100,6 +100,7 @@ struct Post {
     std::string line_end = "\n", separator = " ";
     std::size_t max_block = 255; ///< characters
     std::string comment_open = "(", comment_close = ")";
+    std::string comment_also; ///< how comments that are read, and never written, begin; empty: none
     std::size_t max_comment = 60;
     int mm_decimals = 4, inch_decimals = 5, angle_decimals = 4, vector_decimals = 7, feed_decimals = 2,
         inch_feed_decimals = 3;
@@ -153,6 +154,10 @@ struct Post {
     bool has(NcCode what) const { return !code(what).empty(); }
     /// Programs say this: a line of theirs has the word in braces.
     bool tells(std::string_view template_word) const;
+    /// Comments that begin so are read over.
+    bool reads_comment(std::string_view begin) const {
+        return comment_open == begin || comment_also == begin;
+    }
     const std::string& word(NcWord which) const { return words[std::size_t(which)]; }
     /// The word of an arc's centre along X, Y or Z: its own, or that of the tool axis.
     NcWord centre_word(int axis) const;

@@ -91,6 +91,10 @@ private slots:
             "newer");
         row("no G93", linuxcnc_with("\"G93\": \"inverse_time\", ", ""), "out_of_range", "inverse_time");
         row("comment", linuxcnc_with("\"close\": \")\"", "\"close\": \"\""), "out_of_range", "comment.close");
+        row("other comment", linuxcnc_with("\"also\": \";\"", "\"also\": \"(\""), "out_of_range",
+            "comment.also");
+        row("no comment", linuxcnc_with("\"also\": \";\"", "\"also\": \"#\""), "out_of_range",
+            "comment.also");
         row("extension", linuxcnc_with(".ngc", "../x"), "out_of_range", "extension");
         row("decimals", linuxcnc_with("\"mm_decimals\": 4", "\"mm_decimals\": 40"), "out_of_range",
             "mm_decimals");
@@ -163,6 +167,41 @@ private slots:
                      std::string("syntax"));
             QVERIFY2(message.find("the line '") != std::string::npos, message.c_str());
         }
+    }
+
+    void comments_of_people_are_read_over_data() {
+        QTest::addColumn<QString>("post");
+        QTest::addColumn<bool>("reads");
+        for (const Post& p : posts())
+            QTest::addRow("%s", p.name.c_str()) << QString::fromStdString(p.name) << p.reads_comment(";");
+        QCOMPARE(find_post("linuxcnc").comment_also, std::string(";"));
+        QCOMPARE(find_post("fanuc").comment_also, std::string());
+    }
+    /// Somebody notes down what a line does, behind it and on lines of its own.
+    void comments_of_people_are_read_over() {
+        QFETCH(QString, post);
+        QFETCH(bool, reads);
+        const Post& control = find_post(post.toStdString());
+        const ClProgram program = joined_program({upright_section("One", 1)});
+        const PostSetup setup = setup_for(program, "generic-3-axis");
+        const PostedProgram posted = post_program(program, control, setup, {});
+        const auto with = [&](const std::string& comment) {
+            // Behind the last block that moves, and below it.
+            const std::size_t at = posted.text.rfind(control.line_end, posted.text.find("M30") - 3);
+            return posted.text.substr(0, at) + comment + control.line_end + comment + posted.text.substr(at);
+        };
+        for (const char* comment : {" ; G1 Z-50 (x", " ;G0 X1 (G0 X1) Z-9", ";;"}) {
+            std::string message;
+            NcProgram read;
+            const std::string code = code_of(
+                [&] { read = read_nc(with(comment), "p", control, reading(program, setup), {}); }, &message);
+            QVERIFY2((code == "none") == reads, message.c_str());
+            if (reads) QCOMPARE(read.blocks, posted.blocks);
+        }
+        for (const char* comment : {" (G1 Z-50)", "(;G1)"})
+            QCOMPARE(code_of([&] { read_nc(with(comment), "p", control, reading(program, setup), {}); })
+                         == "none",
+                     control.reads_comment("("));
     }
 
     void work_coordinates_are_chosen_data() {
