@@ -2,6 +2,7 @@
 // place of the program is where the joints are. With FACETMILL_POSTS_TABLE=1 each is judged as well, and the
 // table of core/output/README.md is printed.
 #include "core/base/file.h"
+#include "core/job/chain_verification.h"
 #include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -12,6 +13,7 @@
 #include "tests/support/rs274.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/job/block_job.h"
 
 #include <QTest>
 
@@ -143,15 +145,10 @@ double farthest_from_run(const ClProgram& program, const Interpreted& seen) {
     return farthest;
 }
 
-/// A row of the table of core/output/README.md.
+/// A row of the table of core/output/README.md: verdicts on the plan and on what was posted.
 void print_row(const QString& job, const QString& machine, const Project& project,
-               const std::shared_ptr<const PlanResult>& plan, const std::vector<PostedFile>& files,
-               const NcFilePrograms& read) {
-    const auto judge = [&](const std::vector<VerifyProgram>& programs) {
-        return verify(*plan->part->mesh, stock_solid(project.stock, *plan->part), programs,
-                      verify_settings(project, plan.get()), {});
-    };
-    const Verification planned = judge(verify_programs(project, plan)), posted = judge(read.programs);
+               const std::vector<PostedFile>& files, double read_seconds, const Verification& planned,
+               const Verification& posted) {
     double seconds = 0;
     std::string blocks;
     for (const PostedFile& f : files) {
@@ -166,8 +163,52 @@ void print_row(const QString& job, const QString& machine, const Project& projec
                 verdict_name(planned.verdict()).c_str(), verdict_name(posted.verdict()).c_str(),
                 planned.figures.gouge_max / unit, posted.figures.gouge_max / unit,
                 planned.figures.excess_max / unit, posted.figures.excess_max / unit,
-                100 * (read.seconds / seconds - 1));
+                100 * (read_seconds / seconds - 1));
     std::fflush(stdout);
+}
+
+/// The interpreter accepts the programs and puts every place where the joints are, and their time is that of
+/// the machine's model; what was read back is appended.
+void show_to_interpreter(const Project& project, const PlanResult& plan, const std::vector<PostedFile>& files,
+                         NcFilePrograms& all) {
+    const PostSetup setup = post_setup(project, plan);
+    const Post control = project_post(project, project.programs.post);
+    const bool arcs = project.programs.arcs;
+    for (const PostedFile& file : files) {
+        ClProgram program;
+        program.unit = project.unit;
+        for (const std::size_t i : file.programs)
+            program.sections.emplace_back(plan.operations[i], &plan.operations[i]->program);
+        const Interpreted seen = interpret(file.program.text, program);
+        QVERIFY2(seen.status == 0, seen.message.constData());
+        QCOMPARE(seen.arcs, file.program.arcs);
+        QCOMPARE(file.program.arcs > 0, arcs);
+        QVERIFY2(arcs || all_places_seen(program, setup, control, seen), "a place is missing");
+        if (arcs) {
+            // A quarter of the chord tolerance, the digits here and there, and the points on an arc.
+            double chord = infinity;
+            for (const std::size_t i : file.programs)
+                chord = std::min(chord, plan.operations[i]->path.chord_tolerance);
+            const double digit = mm_per(project.unit) * std::pow(10, -control.inch_decimals);
+            const double off = farthest_from_run(program, seen);
+            QVERIFY2(off < 0.25 * chord + digit + 0.003,
+                     qPrintable(QString("%1 mm, chord %2 mm").arg(off).arg(chord)));
+        }
+        NcFilePrograms read = parse_posted(project, *plan.part, control, file.program.text, file.name, {});
+        QCOMPARE(read.blocks, file.program.blocks);
+        QVERIFY2(std::abs(read.seconds - file.program.seconds) < 1e-3 * file.program.seconds,
+                 qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(file.program.seconds)));
+        std::move(read.programs.begin(), read.programs.end(), std::back_inserter(all.programs));
+        all.seconds += read.seconds;
+    }
+}
+
+/// Three setups, planned when first asked for: three axes go anywhere as they were planned.
+const std::vector<SetupPlan>& planned_setups() {
+    static BlockJob job(0.2);
+    static SetupPlanners planners;
+    static const std::vector<SetupPlan> setups = plan_setups(job.project, {}, planners, {});
+    return setups;
 }
 
 Mat3 turned(double degrees, const Vec3& line) {
@@ -239,40 +280,61 @@ private slots:
         const Project& project = asked.project(machine.toStdString(), post.toStdString(),
                                                post == QStringLiteral("linuxcnc"), arcs);
         const auto plan = asked.plan();
-        const PostSetup setup = post_setup(project, *plan);
-        const Post control = project_post(project, post.toStdString());
         const std::vector<PostedFile> files = post_plan(project, *plan, {});
         NcFilePrograms all;
-        for (const PostedFile& file : files) {
-            ClProgram program;
-            program.unit = project.unit;
-            for (const std::size_t i : file.programs)
-                program.sections.emplace_back(plan->operations[i], &plan->operations[i]->program);
-            const Interpreted seen = interpret(file.program.text, program);
-            QVERIFY2(seen.status == 0, seen.message.constData());
-            QCOMPARE(seen.arcs, file.program.arcs);
-            QCOMPARE(file.program.arcs > 0, arcs);
-            QVERIFY2(arcs || all_places_seen(program, setup, control, seen), "a place is missing");
-            if (arcs) {
-                // A quarter of the chord tolerance, the digits here and there, and the points on an arc.
-                double chord = infinity;
-                for (const std::size_t i : file.programs)
-                    chord = std::min(chord, plan->operations[i]->path.chord_tolerance);
-                const double digit = mm_per(project.unit) * std::pow(10, -control.inch_decimals);
-                const double off = farthest_from_run(program, seen);
-                QVERIFY2(off < 0.25 * chord + digit + 0.003,
-                         qPrintable(QString("%1 mm, chord %2 mm").arg(off).arg(chord)));
-            }
-            // The file's time is that of the machine's model.
-            NcFilePrograms read =
-                parse_posted(project, *plan->part, control, file.program.text, file.name, {});
-            QVERIFY2(std::abs(read.seconds - file.program.seconds) < 1e-3 * file.program.seconds,
-                     qPrintable(QString("%1 s, the model %2 s").arg(read.seconds).arg(file.program.seconds)));
-            std::move(read.programs.begin(), read.programs.end(), std::back_inserter(all.programs));
-            all.seconds += read.seconds;
+        show_to_interpreter(project, *plan, files, all);
+        if (QTest::currentTestFailed() || !qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE")) return;
+        const auto judge = [&](const std::vector<VerifyProgram>& programs) {
+            return verify(*plan->part->mesh, stock_solid(project.stock, *plan->part), programs,
+                          verify_settings(project, plan.get()), {});
+        };
+        print_row(job, machine, project, files, all.seconds, judge(verify_programs(project, plan)),
+                  judge(all.programs));
+    }
+
+    void setups_are_accepted_data() {
+        if (rs274_program().isEmpty())
+            QSKIP("SKIPPED: no rs274 on this machine (Debian: linuxcnc-uspace), programs of several setups "
+                  "were not shown to LinuxCNC's interpreter");
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<QString>("post");
+        for (const Machine& m : machines())
+            for (const char* post : {"linuxcnc", "grbl"})
+                if (m.name != "lathe-mill"
+                    && (!under_sanitizer || (m.name == "trunnion-ac" && post == std::string_view("grbl"))))
+                    QTest::addRow("%s, %s", m.name.c_str(), post)
+                        << QString::fromStdString(m.name) << QString(post);
+    }
+    /// A part that is turned over twice: each setup's programs in its own work coordinates.
+    void setups_are_accepted() {
+        QFETCH(QString, machine);
+        QFETCH(QString, post);
+        std::vector<SetupPlan> setups = planned_setups();
+        QCOMPARE(setups.size(), std::size_t(3));
+        std::vector<std::vector<VerifyProgram>> posted;
+        std::vector<PostedFile> files;
+        double seconds = 0;
+        const std::array<const char*, 3> wcs = {"G54", "G55", "G56"};
+        for (std::size_t i = 0; i < setups.size(); ++i) {
+            Project& project = setups[i].project;
+            project.machine = machine.toStdString();
+            project.programs.post = post.toStdString();
+            project.programs.wcs = wcs[i];
+            project.programs.arcs = false;
+            std::vector<PostedFile> own = post_plan(project, *setups[i].plan, {});
+            QVERIFY(own.size() == 1 && own[0].program.text.find(wcs[i]) != std::string::npos);
+            NcFilePrograms all;
+            show_to_interpreter(project, *setups[i].plan, own, all);
+            if (QTest::currentTestFailed()) return;
+            posted.push_back(std::move(all.programs));
+            seconds += all.seconds;
+            files.push_back(std::move(own[0]));
         }
-        if (qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE"))
-            print_row(job, machine, project, plan, files, all);
+        if (!qEnvironmentVariableIsSet("FACETMILL_POSTS_TABLE")) return;
+        const VerifySettings settings = chain_settings(setups);
+        print_row("block, three setups", machine, setups[0].project, files, seconds,
+                  *judge_chain(setups, planned_programs(setups), settings, {}).result,
+                  *judge_chain(setups, posted, settings, {}).result);
     }
 
     void a_leaning_face_is_cut_in_a_tilted_plane_data() {

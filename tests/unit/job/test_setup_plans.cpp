@@ -11,14 +11,15 @@
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/job/block_job.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <map>
 
 using namespace facetmill;
+using test::BlockJob;
 
 namespace {
 
@@ -52,33 +53,6 @@ bool as_expected(const StockModel& stock, int hollows) {
     constexpr double tolerance = 0.05, cut = 40 * 30 + 40 * 30 + 30 * 24;
     return excess > -0.02 * hollow_volume() && excess < 0.67 * tolerance * cut;
 }
-
-std::string operation(const char* kind, const char* name, double tolerance) {
-    return std::string("{ \"kind\": \"") + kind + "\", \"name\": \"" + name
-           + "\", \"tool\": 1, \"tolerance\": " + std::to_string(tolerance)
-           + ", \"feed\": 1000, \"clearance\": 3 }";
-}
-
-/// Top, bottom and the side at high X, each with one finishing operation on what was left before.
-struct BlockJob {
-    BlockJob() {
-        const std::filesystem::path root(dir.path().toStdString());
-        save_stl(test::HollowedBlock::mesh(), root / "block.stl", LengthUnit::mm, {});
-        project = parse_project(
-            R"({ "facetmill": 2, "units": "mm", "part": { "file": "block.stl" },)"
-            R"("tools": [ { "number": 1, "diameter": 6, "corner_radius": 3, "flute_length": 20, "shank_length": 30 } ],)"
-            R"("setups": [ { "name": "Top", "stock": { "kind": "box", "margin": [0, 0, 1] }, "operations": [ )"
-                + operation("finish3", "Finish", 0.05)
-                + R"( ] }, { "name": "Bottom", "place": { "rotate": [180, 0, 0], "translate": [0, 30, 24] }, "operations": [ )"
-                + operation("finish3", "Finish below", 0.05)
-                + R"( ] }, { "name": "Side", "place": { "rotate": [0, -90, 0], "translate": [24, 0, 0] }, "operations": [ )"
-                + operation("finish3", "Finish aside", 0.05) + " ] } ] }",
-            "block");
-        project.path = root / "block.facetmill";
-    }
-    QTemporaryDir dir;
-    Project project;
-};
 
 /// All setups planned, once for all tests.
 const std::vector<SetupPlan>& planned_block() {
