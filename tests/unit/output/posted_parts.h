@@ -8,8 +8,21 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 namespace facetmill::test {
+
+inline std::string changed_text(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the test's text is not there: " + from);
+    return text.replace(at, from.size(), to);
+}
+
+/// A post of one's own: LinuxCNC's with other text.
+inline std::string linuxcnc_with(const std::string& from, const std::string& to) {
+    return changed_text(find_post("linuxcnc").source, from, to);
+}
 
 inline ClSection plain_section(const std::string& name, long tool, bool several_axes) {
     ClSection s;
