@@ -163,6 +163,7 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
                 : open_posted(project, *result.part, asked_post(arguments, project), nc_files, opening);
         result.operations = std::move(opened.operations);
         programs = std::move(opened.programs);
+        stand_fixtures(programs, *result.part);
         settings = verify_settings(project, nullptr);
     }
     if (!verifies) return result;

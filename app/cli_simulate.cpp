@@ -189,6 +189,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
             std::move(cl.remarks.begin(), cl.remarks.end(), std::back_inserter(remarks));
         }
         part = planner.prepare(project, progress.part(0.2, 0.3));
+        stand_fixtures(programs, *part);
         settings = verify_settings(project, nullptr);
     }
     asked.apply(settings, *part);

@@ -36,7 +36,7 @@ void move_step(Project& project, const std::filesystem::path& path, const Copies
     const auto copy = copies.find(project.part_path());
     if (!path.empty() && project.path != path) move_project(project, path);
     project.path = path;
-    if (copy != copies.end()) set_input(project, ProjectInput::Kind::part, copy->second);
+    if (copy != copies.end()) set_input(project, {ProjectInput::Kind::part, {}}, copy->second);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "ui/document_keys.h"
 
 #include "core/job/asked_operations.h"
+#include "core/job/fixtures.h"
 #include "core/job/planner.h"
 #include "core/job/project_inputs.h"
 #include "core/output/post/post.h"
@@ -19,6 +20,9 @@ Project part_and_machine(const Project& project) {
     alone.part.file = project.part_path().lexically_normal().string();
     alone.stock = project.stock;
     alone.stock.file = project.stock_path().lexically_normal().string();
+    alone.fixtures = project.fixtures;
+    for (Fixture& fixture : alone.fixtures)
+        fixture.file = project.fixture_path(fixture).lexically_normal().string();
     alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
                                                      : project.machine;
     return alone;
@@ -39,6 +43,7 @@ std::string part_key(const Project& project) {
     if (project.part.flip) key += "|flip";
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
         key += "|" + placed(stock, project.stock);
+    if (const std::string fixtures = fixtures_key(project); !fixtures.empty()) key += "|held|" + fixtures;
     if (const std::string source = stock_source(project); !source.empty()) key += "|rest|" + source;
     return key;
 }

@@ -202,7 +202,7 @@ void InputsController::replace_part(const QString& file) {
         return;
     }
     Project candidate = document_.project();
-    set_input(candidate, Kind::part, path);
+    set_input(candidate, {Kind::part, {}}, path);
     take(candidate, tr("Replace part"), QString());
 }
 

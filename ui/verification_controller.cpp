@@ -55,10 +55,10 @@ void judge(VerificationOutcome& outcome, const Project& project, const std::vect
            const Progress& progress) {
     const PlanResult& plan = *outcome.plan;
     // A program from a file stands for itself.
-    const PostedPrograms posted = outcome.program
-                                      ? PostedPrograms{.programs = programs}
-                                      : programs_to_judge(project, outcome.plan, progress.part(0, 0.1));
+    PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
+                                            : programs_to_judge(project, outcome.plan, progress.part(0, 0.1));
     outcome.posted_blocks = posted.blocks;
+    stand_fixtures(posted.programs, *plan.part);
     VerifySettings settings = verify_settings(project, outcome.program ? nullptr : &plan);
     settings.max_samples = max_samples;
     auto result = std::make_shared<Verification>(facetmill::verify(

@@ -34,6 +34,8 @@ QString finding_text(Finding::Kind kind) {
         return VerificationModel::tr("Shank");
     case Finding::Kind::holder:
         return VerificationModel::tr("Holder");
+    case Finding::Kind::cutter:
+        return VerificationModel::tr("Cutter");
     case Finding::Kind::rapid:
         return VerificationModel::tr("Rapid");
     case Finding::Kind::excess:
@@ -59,8 +61,10 @@ void VerificationModel::take(std::shared_ptr<const VerificationOutcome> outcome)
     for (const Collision& c : v.collisions) {
         const auto kind = c.kind == Collision::Kind::shank    ? Finding::Kind::shank
                           : c.kind == Collision::Kind::holder ? Finding::Kind::holder
+                          : c.kind == Collision::Kind::cutter ? Finding::Kind::cutter
                                                               : Finding::Kind::rapid;
-        findings_.push_back({kind, c.depth, c.place, Vec3::Zero(), c.at, c.with_part});
+        findings_.push_back({kind, c.depth, c.place, Vec3::Zero(), c.at, c.with_part,
+                             QString::fromStdString(printable(c.fixture, 60))});
     }
     for (const DeviationExtreme& e : v.excess)
         findings_.push_back({Finding::Kind::excess, e.deviation, e.point, e.normal, e.by});

@@ -34,12 +34,13 @@ struct VerificationOutcome {
 
 /// One line of the list of findings.
 struct Finding {
-    enum class Kind { gouge, shank, holder, rapid, excess };
+    enum class Kind { gouge, shank, holder, rapid, cutter, excess };
     Kind kind = Kind::gouge;
     double depth = 0;                                 ///< mm, positive
     Vec3 place = Vec3::Zero(), normal = Vec3::Zero(); ///< normal: zero where there is none
     MotionPlace by;
     bool with_part = false; ///< a collision that reaches into the part
+    QString fixture;        ///< that is touched; empty: part or stock
 };
 QString finding_text(Finding::Kind kind);
 

@@ -333,6 +333,7 @@ void VerificationPanel::fill_findings() {
                           .arg(finding_text(f.kind), shown_length(f.depth, listed_unit_, 4), where);
         if (f.by.known()) tip += tr(", GOTO %1").arg(f.by.motion + 1);
         if (f.with_part) tip += tr(", into the part");
+        if (!f.fixture.isEmpty()) tip += tr(", into the fixture '%1'").arg(f.fixture);
         for (int c = kind_column; c <= operation_column; ++c)
             item->setToolTip(c, tip);
         findings_->addTopLevelItem(item);

@@ -3,9 +3,13 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/asked_operations.h"
+#include "core/job/cache_key.h"
+#include "core/job/fixtures.h"
+#include "core/job/placed_mesh.h"
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "core/link/fixture_reach.h"
 #include "core/link/link.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/outward.h"
@@ -16,10 +20,8 @@
 #include "core/strategy/plan/stock_bottom.h"
 #include "core/strategy/surface/region_edit.h"
 
-#include <charconv>
 #include <chrono>
 #include <optional>
-#include <system_error>
 
 namespace facetmill {
 
@@ -27,134 +29,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t vertices_per_block = 20000;
 /// A warning names this many of a machine's findings.
 constexpr std::size_t max_findings_told = 3;
 /// Rest material is looked for at samples, and with rays, so many radii of the tool apart that is to cut it;
 /// an axis that turns is followed to this share of the tolerance.
 constexpr double rest_sample_share = 0.25, rest_ray_share = 0.5, rest_motion_share = 0.2;
-
-/// Exact text of values, for cache keys.
-class Key {
-public:
-    Key& add(std::string_view text) {
-        text_ += std::to_string(text.size());
-        text_ += ':';
-        text_ += text;
-        return *this;
-    }
-    Key& add(double v) {
-        char buffer[40];
-        const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::hex).ptr;
-        return add(std::string_view(buffer, std::size_t(end - buffer)));
-    }
-    template <std::size_t N>
-    Key& add(const std::array<double, N>& values) {
-        for (double v : values)
-            add(v);
-        return *this;
-    }
-    Key& add(const Vec3& v) { return add(v.x()).add(v.y()).add(v.z()); }
-    Key& add_value(const ParameterValue& value) {
-        add(std::to_string(value.index()));
-        std::visit(
-            [this](const auto& v) {
-                using T = std::decay_t<decltype(v)>;
-                if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, long>)
-                    add(std::to_string(long(v)));
-                else if constexpr (std::is_same_v<T, std::string>)
-                    add(std::string_view(v));
-                else if constexpr (std::is_same_v<T, ParameterRecords>)
-                    add_records(v);
-                else
-                    add(v);
-            },
-            value);
-        return *this;
-    }
-    /// All parameters whose change makes `last` or a stage before it stale.
-    Key& add_up_to(Stage last, const Parameterized& values) {
-        for (const ParameterInfo* info : values.parameters())
-            if (info->stage <= last) add(std::string_view(info->key)).add_value(values.get(info->key));
-        return *this;
-    }
-    template <class Struct>
-    Key& add_up_to(Stage last, const Struct& values, const ParameterTable<Struct>& table) {
-        Struct copy = values;
-        return add_up_to(last, ParameterView<Struct>(copy, table));
-    }
-    const std::string& text() const { return text_; }
-
-private:
-    void add_records(const ParameterRecords& records) {
-        add(std::to_string(records.all.size()));
-        for (const auto& record : records.all)
-            for (const ParameterValue& value : record)
-                add_value(value);
-    }
-
-    std::string text_;
-};
-
-/// `Spec`: of the part or its stock.
-template <class Spec>
-MeshPtr placed(const MeshPtr& mesh, const Spec& spec, const Progress& progress) {
-    const std::array<double, 3> none{0, 0, 0};
-    if (spec.scale == 1 && spec.mirror == Mirror::none && spec.rotate == none && spec.translate == none)
-        return mesh;
-    Vec3 factors = Vec3::Constant(spec.scale);
-    if (spec.mirror != Mirror::none) factors[int(spec.mirror) - int(Mirror::x)] *= -1;
-    const Mat3 turn = rotation_of(spec.rotate);
-    const Vec3 move(spec.translate[0], spec.translate[1], spec.translate[2]);
-    auto copy = std::make_shared<Mesh>();
-    copy->facets = mesh->facets;
-    if (spec.mirror != Mirror::none)
-        for (auto& facet : copy->facets)
-            std::swap(facet[1], facet[2]); // counter-clockwise seen from outside again
-    copy->vertices.resize(mesh->vertices.size());
-    parallel_for(mesh->vertices.size(), vertices_per_block, progress, [&](std::size_t i) {
-        copy->vertices[i] = turn * factors.cwiseProduct(mesh->vertices[i]) + move;
-    });
-    return copy;
-}
-
-template <class Spec>
-std::string mesh_key(const fs::path& path, const Spec& spec) {
-    return Key()
-        .add(std::string_view(file_stamp(path)))
-        .add(unit_name(spec.unit))
-        .add(spec.scale)
-        .add(std::to_string(int(spec.mirror)))
-        .add(spec.rotate)
-        .add(spec.translate)
-        .text();
-}
-
-void check_coordinates(const Box3& box, const char* what) {
-    if (box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).maxCoeff() <= tolerance::largest_coordinate) return;
-    throw Error(ErrorCode::coordinate_range, what,
-                std::string("a coordinate is too large once the ") + what + " is in its place",
-                std::string("check the ") + what + "'s units and translate");
-}
-
-/// Only a closed mesh says what is inside.
-MeshPtr load_stock(const fs::path& path, const StockSpec& stock, const Progress& progress) {
-    const LoadedMesh loaded = load_mesh(path, stock.unit, progress.part(0.0, 0.9, "Reading the stock"));
-    const MeshReport& r = loaded.report;
-    const std::string file = printable(path.string(), 400);
-    if (!r.watertight)
-        throw Error(ErrorCode::out_of_range, file,
-                    "the stock's mesh is not closed: " + std::to_string(r.open_edges) + " open edges, "
-                        + std::to_string(r.non_manifold_edges) + " of more than two facets, "
-                        + std::to_string(r.inconsistent_edges) + " between facets that face apart",
-                    "close it, or use a box or cylinder");
-    if (std::abs(r.file_volume) <= tolerance::flat_volume * r.file_area * r.file_box.diagonal())
-        throw Error(ErrorCode::out_of_range, file, "the stock's mesh encloses nothing",
-                    "give a solid, or use a box or cylinder");
-    const MeshPtr mesh = placed(loaded.mesh, stock, progress.part(0.9, 1.0));
-    check_coordinates(mesh->box(), "stock");
-    return mesh;
-}
 
 MachineRun machine_run(const MachineMotion& motion, const Machine& machine, LengthUnit unit) {
     MachineRun run;
@@ -319,10 +198,12 @@ struct Planner::Cache {
         std::size_t motions = 0; ///< number of its motions: the same ones, the same number
     };
 
-    std::string load_key, part_key, stock_key; ///< stock_key: empty where its mesh is none
+    std::string load_key, part_key, stock_key, held_key; ///< stock_key: empty where its mesh is none
     std::optional<LoadedMesh> loaded;
     std::shared_ptr<const PreparedPart> part;
-    ContactIndexPtr index; ///< of part->mesh, or null
+    ContactIndexPtr index;    ///< of part->mesh, or null
+    ContactIndexPtr kept_off; ///< of part->kept_off, or null; the same without fixtures
+    ContactIndexPtr fixtures; ///< of the grown fixtures alone; null without
     std::vector<Planned> planned;
     std::size_t last_motions = 0;
     PlannerWork work;
@@ -330,6 +211,18 @@ struct Planner::Cache {
     std::string left_key; ///< of `rest`
     std::shared_ptr<const EarlierLeft> rest;
 
+    void index_part(const PreparedPart& prepared, const Progress& progress) {
+        if (!index || index->mesh_ptr() != prepared.mesh) {
+            index = std::make_shared<ContactIndex>(prepared.mesh, progress.part(0, 0.6));
+            ++work.indexes;
+        }
+        if (kept_off && kept_off->mesh_ptr() == prepared.kept_off) return;
+        fixtures = nullptr;
+        kept_off = index;
+        if (!prepared.fixtures) return;
+        kept_off = std::make_shared<ContactIndex>(prepared.kept_off, progress.part(0.6, 1));
+        fixtures = std::make_shared<ContactIndex>(grown_fixtures(*prepared.fixtures), progress.part(1, 1));
+    }
     Planned* find(std::string Planned::*key, const std::string& value) {
         for (Planned& p : planned)
             if (p.*key == value) return &p;
@@ -341,6 +234,17 @@ struct Planner::Cache {
                                             const std::shared_ptr<const PlanResult>& before,
                                             const Operation& operation, std::string_view motions,
                                             const Progress& progress);
+    KeptFixtures kept_fixtures() const {
+        KeptFixtures kept{fixtures, infinity, {}};
+        for (const FixtureSolid& f : *part->fixtures) {
+            kept.clearance = std::min(kept.clearance, f.clearance);
+            kept.names += (kept.names.empty() ? "'" : ", '") + printable(f.name, 60) + "'";
+        }
+        kept.names = (part->fixtures->size() == 1 ? "the fixture " : "one of the fixtures ") + kept.names;
+        return kept;
+    }
+    StrategyResult plan_beside_fixtures(const Operation& operation, PlanContext context,
+                                        const Progress& progress) const;
     /// What names the motions of the operations before, where an operation asks for them.
     struct Asked {
         std::string by_strategy, by_links;
@@ -420,10 +324,10 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const PartSpec spec = project.placed_part();
     Key load_key;
     load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
-    const std::string part_key = mesh_key(path, spec) + (spec.flip ? "flip" : "");
+    const std::string part_key = mesh_key(path, MeshPlace::of(spec)) + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
     const bool rests = project.stock.kind == StockSpec::Kind::rest;
-    const std::string stock_key = has_stock ? mesh_key(project.stock_path(), project.stock)
+    const std::string stock_key = has_stock ? mesh_key(project.stock_path(), MeshPlace::of(project.stock))
                                   : rests   ? rest_key(c.carried, project)
                                             : std::string();
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
@@ -435,7 +339,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
             c.load_key = load_key.text();
         }
         auto part = std::make_shared<PreparedPart>();
-        part->mesh = placed(c.loaded->mesh, spec, reading.part(0.6, 0.62));
+        part->mesh = placed(c.loaded->mesh, MeshPlace::of(spec), reading.part(0.6, 0.62));
         // What the part is has one answer, for planners and verifier alike.
         const OutwardSides sides = outward_sides(*part->mesh, reading.part(0.62, 0.68),
                                                  project.part.flip ? OpenSide::other : OpenSide::found);
@@ -451,19 +355,61 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         c.part = std::move(part);
         c.part_key = part_key;
         c.stock_key.clear();
-        c.index = nullptr;
+        c.held_key.clear();
+        c.index = c.kept_off = nullptr;
     }
     if (c.stock_key != stock_key) {
         auto part = std::make_shared<PreparedPart>(*c.part);
-        part->stock_mesh = has_stock
-                               ? load_stock(project.stock_path(), project.stock, progress.part(0.7, 1.0))
-                           : rests ? c.carried->mesh
-                                   : nullptr;
+        part->stock_mesh = has_stock ? load_solid(project.stock_path(), MeshPlace::of(project.stock), "stock",
+                                                  progress.part(0.7, 1.0))
+                           : rests   ? c.carried->mesh
+                                     : nullptr;
         c.part = std::move(part);
         c.stock_key = stock_key;
     }
+    const std::string held_key = fixtures_key(project);
+    if (!c.part->kept_off || c.held_key != held_key) {
+        auto part = std::make_shared<PreparedPart>(*c.part);
+        auto fixtures = load_fixtures(project, progress.part(1.0, 1.0));
+        part->kept_off = fixtures.empty() ? part->mesh : with_fixtures(*part->mesh, fixtures);
+        part->fixtures = fixtures.empty()
+                             ? nullptr
+                             : std::make_shared<const std::vector<FixtureSolid>>(std::move(fixtures));
+        c.part = std::move(part);
+        c.held_key = held_key;
+        c.kept_off = c.fixtures = nullptr;
+    }
     progress.set(1.0);
     return c.part;
+}
+
+/// Plans with part and fixtures as what must not be touched; where passes just end beside fixtures, with the
+/// part alone.
+StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, PlanContext context,
+                                                    const Progress& progress) const {
+    if (!fixtures) return operation.plan(context, progress);
+    const bool ends_beside =
+        operation.linking() == Linking::upright || operation.purpose() == Purpose::cleaning;
+    context.contact = ends_beside ? index : kept_off;
+    StrategyResult path = operation.plan(context, progress.part(0, 0.95));
+    // Layers and turns are planned clear of them, and what follows depends on what each of them cuts.
+    if (operation.linking() == Linking::over_stock || operation.turning()) return path;
+    const KeptFixtures kept = kept_fixtures();
+    keep_off_fixtures(path, context, kept, progress.part(0.95, 1));
+    if (auto* global_local = std::get_if<GlobalLocalPath>(&path.detail);
+        global_local && !global_local->rework->path.passes.empty()) {
+        auto rework = std::make_shared<ReworkPlan>(*global_local->rework);
+        context.tool = rework->tool;
+        try {
+            keep_off_fixtures(rework->path, context, kept, progress.part(1, 1));
+        } catch (const Error& e) {
+            if (e.code() != ErrorCode::empty_result) throw;
+            rework->path.passes.clear();
+            path.warnings.push_back("rework: " + e.message());
+        }
+        global_local->rework = std::move(rework);
+    }
+    return path;
 }
 
 const Planner::Cache::Planned& Planner::Cache::operation(const Project& project, const Operation& operation,
@@ -475,6 +421,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     key.add(std::string_view(part_key))
         .add(std::string_view(stock_key))
         .add(operation.kind())
+        .add(std::string_view(held_key))
         .add(std::string_view(context.machine.source));
     key.add_up_to(Stage::strategy, project.stock, stock_parameters());
     key.add(project.part.tessellation_tolerance);
@@ -506,7 +453,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         result->seconds_strategy = same->result->seconds_strategy;
     } else {
         try {
-            result->path = operation.plan(context, progress.part(0.0, 0.85, common.name));
+            result->path = plan_beside_fixtures(operation, context, progress.part(0.0, 0.85, common.name));
             if (!operation.turning()) keep_above_bottom(result->path, context, common);
         } catch (const NothingToDo& nothing) {
             result->nothing_to_do = nothing.message();
@@ -622,14 +569,11 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     result->part = prepare(project, progress.part(0.0, 0.15));
     result->stock = stock_solid(project.stock, *result->part);
     result->stock_warnings = stock_warnings(project.stock, *result->part, project.unit);
-    if (!c.index || c.index->mesh_ptr() != result->part->mesh) {
-        c.index =
-            std::make_shared<ContactIndex>(result->part->mesh, progress.part(0.15, 0.2, "Indexing the part"));
-        ++c.work.indexes;
-    }
+    c.index_part(*result->part, progress.part(0.15, 0.2, "Indexing the part"));
 
     PlanContext context = context_of(project, *result->part, result->stock);
-    context.contact = c.index;
+    context.contact = c.kept_off;
+    if (c.fixtures) context.fixtures_box = c.fixtures->mesh().box();
     Key earlier, before;
     std::vector<std::shared_ptr<const EarlierCuts>> cuts;
     auto done = std::make_shared<PlanResult>(*result); // with all operations until now

@@ -26,6 +26,8 @@ struct PreparedPart {
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
     MeshPtr stock_mesh;            ///< in place; null where the stock is neither one nor a rest
+    std::shared_ptr<const std::vector<FixtureSolid>> fixtures; ///< null: none
+    MeshPtr kept_off; ///< the part, and the fixtures grown by their clearance: what no tool may touch
 };
 
 /// How a program of several axes runs on its machine (motion_time.h).

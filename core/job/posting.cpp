@@ -276,6 +276,7 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
         result.programs.push_back(std::move(program));
         result.sections.push_back(section);
     }
+    stand_fixtures(result.programs, part);
     return result;
 }
 

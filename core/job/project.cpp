@@ -67,6 +67,10 @@ fs::path Project::stock_path() const {
     return stock.kind == StockSpec::Kind::mesh ? from_project(path, stock.file) : fs::path();
 }
 
+fs::path Project::fixture_path(const Fixture& fixture) const {
+    return fixture.kind == Fixture::Kind::mesh ? from_project(path, fixture.file) : fs::path();
+}
+
 PartSpec Project::placed_part() const {
     const SetupFrame frame = frame_of(place);
     if (frame.is_identity()) return part;
@@ -151,6 +155,8 @@ void move_project(Project& project, const fs::path& path) {
     for (std::size_t i = 0; i < setup_count(project); ++i) {
         Setup& setup = setup_at(project, i);
         setup.stock.file = moved(setup.stock.file);
+        for (Fixture& fixture : setup.fixtures)
+            fixture.file = moved(fixture.file);
         if (is_machine_file(setup.machine)) setup.machine = moved(setup.machine);
         if (is_post_file(setup.programs.post)) setup.programs.post = moved(setup.programs.post);
     }
@@ -180,7 +186,7 @@ std::string at(const char* list, std::size_t i) {
     return list + ("[" + std::to_string(i) + "]");
 }
 
-/// `what`: part or stock.
+/// `what`: part, stock or fixtures[0].
 void check_mesh_file(const std::string& file, const std::string& what) {
     if (file.empty())
         throw Error(ErrorCode::missing_key, what + ".file", "the " + what + " has no file",
@@ -206,6 +212,23 @@ void check_stock(const Project& p) {
         throw Error(ErrorCode::missing_reference, "stock.kind",
                     "no setup comes before the first, so there is no rest of its stock",
                     "give the stock of the first setup as box, cylinder or mesh");
+}
+
+void check_fixtures(const Project& p) {
+    for (std::size_t i = 0; i < p.fixtures.size(); ++i) {
+        const Fixture& fixture = p.fixtures[i];
+        const std::string place = at("fixtures", i);
+        check_struct(fixture, fixture_parameters(), place, p.unit);
+        if (fixture.name.find_first_not_of(' ') == std::string::npos)
+            throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
+                        "give the fixture a name");
+        if (fixture.kind == Fixture::Kind::mesh) check_mesh_file(fixture.file, place);
+        for (std::size_t k = 0; k < i; ++k)
+            if (p.fixtures[k].name == fixture.name)
+                throw Error(ErrorCode::out_of_range, place + ".name",
+                            "the name '" + printable(fixture.name) + "' occurs twice",
+                            "give every fixture its own name");
+    }
 }
 
 void check_tools(const Project& p) {
@@ -278,6 +301,7 @@ void check_setup(const Project& p) {
                         "the setup's name '" + printable(p.name) + "' occurs twice",
                         "give every setup its own name");
     check_stock(p);
+    check_fixtures(p);
     check_programs(p);
     // Until the project has a place, nobody knows where a relative file is.
     if (!is_machine_file(p.machine) || !p.path.empty()) project_machine(p);

@@ -43,6 +43,8 @@ struct Project : Setup {
 
     std::filesystem::path part_path() const;
     std::filesystem::path stock_path() const; ///< of the stock's file; empty where it has none
+    /// File of a fixture that is a mesh; empty for others.
+    std::filesystem::path fixture_path(const Fixture& fixture) const;
     /// The part as the chosen setup holds it: its own placement, then that of the setup.
     PartSpec placed_part() const;
     /// The machine's file; the project's `machine` may also be the name of a machine of the program.
@@ -55,13 +57,13 @@ struct Project : Setup {
 };
 
 /// Strict: every key is known, no key occurs twice, every value has its type and range, references lead
-/// somewhere; a stock has the keys of its kind. Required are `facetmill`, `units`, `part.file`, of a mesh
-/// stock `file`, per tool `number` and `diameter`, per operation `kind` and `tool`; anything else has its
-/// described default (`part.units`, `stock.units`: the project's; `shank_diameter`: the tool's diameter).
-/// Throws Error(syntax, truncated, encoding, limit_exceeded, unknown_key, wrong_type, out_of_range,
-/// missing_key, missing_reference, newer_version, files ...) whose place is "file: operations[0].tolerance".
-/// Older versions are migrated. In a file of version 2 the place is "file:
-/// setups[0].operations[0].tolerance"; the view is on its first setup.
+/// somewhere; a stock and a fixture have the keys of their kind. Required are `facetmill`, `units`,
+/// `part.file`, of a mesh as stock or fixture `file`, per tool `number` and `diameter`, per operation `kind`
+/// and `tool`; anything else has its described default (`part.units`, `stock.units`: the project's;
+/// `shank_diameter`: the tool's diameter). Throws Error(syntax, truncated, encoding, limit_exceeded,
+/// unknown_key, wrong_type, out_of_range, missing_key, missing_reference, newer_version, files ...) whose
+/// place is "file: operations[0].tolerance". Older versions are migrated. In a file of version 2 the place is
+/// "file: setups[0].operations[0].tolerance"; the view is on its first setup.
 Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
 /// Parsing and writing again gives the same text; which setup the view is on makes no difference. Throws

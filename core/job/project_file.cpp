@@ -39,26 +39,39 @@ std::unique_ptr<Operation> read_operation(const Json& object, const std::string&
     return operation;
 }
 
-void read_stock(const Json& object, const std::string& place, StockSpec& stock, LengthUnit unit) {
-    stock.unit = unit;
-    ParameterView<StockSpec> view(stock, stock_parameters());
-    read_parameters(object, place, view, unit);
-    // What says nothing of this kind was meant for another one.
-    const std::vector<std::string>& keys = stock_keys(stock.kind);
+/// What says nothing of this kind was meant for another one.
+void check_kind_keys(const Json& object, const std::string& place, const std::string& what,
+                     const std::string& kind, const std::vector<std::string>& keys) {
     for (auto it = object.begin(); it != object.end(); ++it) {
         if (std::find(keys.begin(), keys.end(), it.key()) != keys.end()) continue;
         std::string list;
         for (const auto& k : keys)
             list += (list.empty() ? "" : ", ") + k;
         throw Error(ErrorCode::unknown_key, member(place, it.key()),
-                    "a stock of kind '" + stock_kind_name(stock.kind) + "' has no such key",
-                    "known keys: " + list);
+                    "a " + what + " of kind '" + kind + "' has no such key", "known keys: " + list);
     }
+}
+
+Fixture read_fixture(const Json& object, const std::string& place, LengthUnit unit) {
+    Fixture fixture;
+    fixture.unit = unit;
+    ParameterView<Fixture> view(fixture, fixture_parameters());
+    read_parameters(object, place, view, unit);
+    check_kind_keys(object, place, "fixture", fixture_kind_name(fixture.kind), fixture_keys(fixture.kind));
+    if (fixture.kind == Fixture::Kind::mesh) require(object, place, "file", "name the fixture's mesh file");
+    return fixture;
+}
+
+void read_stock(const Json& object, const std::string& place, StockSpec& stock, LengthUnit unit) {
+    stock.unit = unit;
+    ParameterView<StockSpec> view(stock, stock_parameters());
+    read_parameters(object, place, view, unit);
+    check_kind_keys(object, place, "stock", stock_kind_name(stock.kind), stock_keys(stock.kind));
     if (stock.kind == StockSpec::Kind::mesh) require(object, place, "file", "name the stock's mesh file");
 }
 
 /// Members of a setup, which in a file of version 1 are those of the file.
-const std::vector<std::string> setup_members = {"stock", "machine", "operations"};
+const std::vector<std::string> setup_members = {"stock", "fixtures", "machine", "operations"};
 
 /// `own`: keys of `object` that say something else. Machine and programs stay as they are where it says
 /// nothing of them.
@@ -67,6 +80,11 @@ void read_setup(const Json& object, const std::string& place, std::vector<std::s
     const auto at = [&](const char* key) { return member(place, key); };
     setup.stock.unit = unit;
     if (object.contains("stock")) read_stock(object["stock"], at("stock"), setup.stock, unit);
+    if (object.contains("fixtures")) {
+        const Json& fixtures = expect_list(object["fixtures"], at("fixtures"));
+        for (std::size_t i = 0; i < fixtures.size(); ++i)
+            setup.fixtures.push_back(read_fixture(fixtures[i], element(at("fixtures"), i), unit));
+    }
     ParameterView<ProgramSpec> programs(setup.programs, program_parameters());
     own.insert(own.end(), setup_members.begin(), setup_members.end());
     read_parameters(object, place, programs, unit, own);
@@ -118,7 +136,7 @@ Project read_project(Json file) {
         known.insert(known.end(), {"setups", "machine"});
     else
         known.insert(known.end(), setup_members.begin(), setup_members.end());
-    for (const std::string key : {"stock", "operations"})
+    for (const std::string key : {"stock", "fixtures", "operations"})
         if (several && file.contains(key))
             throw Error(ErrorCode::unknown_key, key, "in a file of version 2 every setup has its own",
                         "put it into one of \"setups\"");
@@ -180,6 +198,18 @@ Project load_project(const std::filesystem::path& path) {
 
 namespace {
 
+void write_fixtures(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
+    to = Json::array();
+    for (std::size_t i = 0; i < setup.fixtures.size(); ++i) {
+        Fixture fixture = setup.fixtures[i];
+        const ParameterView<Fixture> view(fixture, fixture_parameters());
+        Json object = Json::object();
+        for (const std::string& key : fixture_keys(fixture.kind))
+            write_parameter(object, element(place, i), view, view.parameter(key), unit);
+        to.push_back(std::move(object));
+    }
+}
+
 void write_machining(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
     const auto at = [&](const char* key) { return member(place, key); };
     to["stock"] = Json::object();
@@ -187,6 +217,7 @@ void write_machining(Json& to, const Setup& setup, const std::string& place, Len
     const ParameterView<StockSpec> view(stock, stock_parameters());
     for (const std::string& key : stock_keys(stock.kind))
         write_parameter(to["stock"], at("stock"), view, view.parameter(key), unit);
+    if (!setup.fixtures.empty()) write_fixtures(to["fixtures"], setup, at("fixtures"), unit);
     check_text(setup.machine, at("machine"));
     to["machine"] = setup.machine;
     ProgramSpec spec = setup.programs;
@@ -210,7 +241,8 @@ void write_operations(Json& to, const Setup& setup, const std::string& place, Le
 
 /// What a file of version 1 has no words for.
 bool needs_setups(const Project& project) {
-    return setup_count(project) > 1 || project.name != usual_setup_name(0) || project.place != SetupPlace();
+    return setup_count(project) > 1 || project.name != usual_setup_name(0) || project.place != SetupPlace()
+           || !project.fixtures.empty();
 }
 
 } // namespace

@@ -12,10 +12,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string& input_file(Project& project, ProjectInput::Kind kind) {
-    switch (kind) {
+std::string& input_file(Project& project, const ProjectInput& input) {
+    switch (input.kind) {
     case ProjectInput::Kind::stock:
         return project.stock.file;
+    case ProjectInput::Kind::fixture:
+        return project.fixtures.at(input.place).file;
     case ProjectInput::Kind::machine:
         return project.machine;
     case ProjectInput::Kind::post:
@@ -32,6 +34,8 @@ std::string_view input_name(ProjectInput::Kind kind) {
     switch (kind) {
     case ProjectInput::Kind::stock:
         return "stock";
+    case ProjectInput::Kind::fixture:
+        return "fixture";
     case ProjectInput::Kind::machine:
         return "machine";
     case ProjectInput::Kind::post:
@@ -52,6 +56,9 @@ std::vector<ProjectInput> project_inputs(const Project& project) {
     std::vector<ProjectInput> inputs;
     if (!project.part.file.empty()) inputs.push_back({Kind::part, project.part_path()});
     if (const fs::path stock = project.stock_path(); !stock.empty()) inputs.push_back({Kind::stock, stock});
+    for (std::size_t i = 0; i < project.fixtures.size(); ++i)
+        if (const fs::path file = project.fixture_path(project.fixtures[i]); !file.empty())
+            inputs.push_back({Kind::fixture, file, i});
     if (is_machine_file(project.machine)) inputs.push_back({Kind::machine, project.machine_path()});
     if (is_post_file(project.programs.post)) inputs.push_back({Kind::post, project.post_path()});
     return inputs;
@@ -67,8 +74,9 @@ void check_inputs(const Project& project) {
     std::string keys, places;
     for (const ProjectInput& input : missing_inputs(project)) {
         if (input.kind == ProjectInput::Kind::post) continue;
-        const bool mesh = input.kind == ProjectInput::Kind::part || input.kind == ProjectInput::Kind::stock;
-        const std::string key = std::string(input_name(input.kind)) + (mesh ? ".file" : "");
+        std::string key(input_name(input.kind));
+        if (input.kind == ProjectInput::Kind::fixture) key = "fixtures[" + std::to_string(input.place) + "]";
+        if (input.kind != ProjectInput::Kind::machine) key += ".file";
         keys += (keys.empty() ? "" : ", ") + key;
         places += (places.empty() ? "" : ", ") + printable(input.path.string(), 400);
     }
@@ -77,7 +85,7 @@ void check_inputs(const Project& project) {
                     "put it there, or name another one in the project");
 }
 
-void set_input(Project& project, ProjectInput::Kind kind, const fs::path& file) {
+void set_input(Project& project, const ProjectInput& input, const fs::path& file) {
     std::error_code ec;
     const fs::path absolute = fs::absolute(file, ec).lexically_normal();
     fs::path named = absolute;
@@ -87,7 +95,7 @@ void set_input(Project& project, ProjectInput::Kind kind, const fs::path& file) 
         // A folder on the way that is a link has another folder above it than its name says.
         if (!relative.empty() && fs::equivalent(folder / relative, absolute, ec) && !ec) named = relative;
     }
-    input_file(project, kind) = named.generic_string();
+    input_file(project, input) = named.generic_string();
 }
 
 void take_inputs(Project& to, const Project& from) {
@@ -96,6 +104,8 @@ void take_inputs(Project& to, const Project& from) {
         Setup& setup = setup_at(to, i);
         const Setup& named = setup_at(from, i);
         setup.stock.file = named.stock.file;
+        for (std::size_t k = 0; k < setup.fixtures.size(); ++k)
+            setup.fixtures[k].file = named.fixtures.at(k).file;
         setup.machine = named.machine;
         setup.programs.post = named.programs.post;
     }
@@ -105,16 +115,16 @@ std::vector<ProjectInput> locate_input(Project& project, const ProjectInput& mis
     const std::vector<ProjectInput> others = missing_inputs(project);
     std::error_code ec;
     const fs::path folder = fs::absolute(file, ec).parent_path();
-    set_input(project, missing.kind, file);
+    set_input(project, missing, file);
     std::vector<ProjectInput> found;
     for (const ProjectInput& other : others) {
-        if (other.kind == missing.kind) continue;
+        if (other == missing) continue;
         const fs::path beside =
             other.path.lexically_normal().lexically_relative(missing.path.lexically_normal().parent_path());
         for (const fs::path& place : {folder / beside, folder / other.path.filename()}) {
             if (!fs::is_regular_file(place, ec)) continue;
-            set_input(project, other.kind, place);
-            found.push_back({other.kind, place.lexically_normal()});
+            set_input(project, other, place);
+            found.push_back({other.kind, place.lexically_normal(), other.place});
             break;
         }
     }

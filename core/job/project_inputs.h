@@ -12,28 +12,29 @@ namespace facetmill {
 
 /// A file that a project names.
 struct ProjectInput {
-    enum class Kind { part, stock, machine, post };
+    enum class Kind { part, stock, fixture, machine, post };
     Kind kind = Kind::part;
     std::filesystem::path path; ///< where it is looked for
+    std::size_t place = 0;      ///< fixture: in the setup's list
     bool operator==(const ProjectInput&) const = default;
 };
 
-/// "part", "stock", "machine", "post".
+/// "part", "stock", "fixture", "machine", "post".
 std::string_view input_name(ProjectInput::Kind kind);
 
 /// There is nothing at this place, neither a file nor anything else.
 bool is_missing(const std::filesystem::path& path);
-/// Those of the part, which come first, and of the setup that the project is the view on. A stock that is no
-/// mesh, machines and posts of the program have no file.
+/// Those of the part, which come first, and of the setup that the project is the view on. Stock and
+/// fixtures that are no mesh, machines and posts of the program have no file.
 std::vector<ProjectInput> project_inputs(const Project& project);
 /// Those that are missing. A folder in the place of a file, or a file that may not be read, is another error.
 std::vector<ProjectInput> missing_inputs(const Project& project);
 /// Throws Error(not_found) that names all files that planning reads and that are missing.
 void check_inputs(const Project& project);
 
-/// Names another file, relative to the project's where that has a place on disk and links on the way do not
-/// lead elsewhere.
-void set_input(Project& project, ProjectInput::Kind kind, const std::filesystem::path& file);
+/// Names another file in the place of one, relative to the project's where that has a place on disk and links
+/// on the way do not lead elsewhere.
+void set_input(Project& project, const ProjectInput& input, const std::filesystem::path& file);
 /// Takes over which files another project of the same setups names, and nothing else.
 void take_inputs(Project& to, const Project& from);
 /// Names `file` in place of a missing one. Other missing files that lie as they did beside it, or under their

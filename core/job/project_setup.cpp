@@ -32,8 +32,8 @@ std::string usual_setup_name(std::size_t place) {
 }
 
 Setup::Setup(const Setup& other)
-    : name(other.name), place(other.place), stock(other.stock), machine(other.machine),
-      programs(other.programs) {
+    : name(other.name), place(other.place), stock(other.stock), fixtures(other.fixtures),
+      machine(other.machine), programs(other.programs) {
     operations.reserve(other.operations.size());
     for (const auto& o : other.operations)
         operations.push_back(o->clone());
@@ -126,18 +126,6 @@ std::size_t operations_before(const Project& project) {
         n += setup.operations.size();
     return n;
 }
-
-namespace {
-
-/// The wish, or with the first number from 2 that makes it one of its own.
-template <class Taken>
-std::string free_name(const std::string& wish, const Taken& taken) {
-    if (!taken(wish)) return wish;
-    for (int n = 2;; ++n)
-        if (std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
-}
-
-} // namespace
 
 std::string free_operation_name(const Project& project, const std::string& wish) {
     const std::vector<const Operation*> all = all_operations(project);

@@ -4,6 +4,7 @@
 
 #include "core/base/parameter.h"
 #include "core/job/program_spec.h"
+#include "core/setup/fixture.h"
 #include "core/setup/placement.h"
 #include "core/setup/stock.h"
 #include "core/strategy/plan/operation.h"
@@ -32,6 +33,7 @@ struct Setup {
     std::string name = usual_setup_name(0);
     SetupPlace place;
     StockSpec stock;
+    std::vector<Fixture> fixtures;          ///< what holds the part
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
     ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs", "arcs"
     std::vector<std::unique_ptr<Operation>> operations;
@@ -59,6 +61,14 @@ Project view_of_setup(const Project& project, std::size_t i);
 std::size_t find_setup(const Project& project, const std::string& name);
 /// The place of the setup that has an operation of this name; that of the chosen one where none has.
 std::size_t setup_of_operation(const Project& project, const std::string& operation);
+
+/// The wish, or with the first number from 2 that makes it one that is not `taken`.
+template <class Taken>
+std::string free_name(const std::string& wish, const Taken& taken) {
+    if (!taken(wish)) return wish;
+    for (int n = 2;; ++n)
+        if (std::string name = wish + " " + std::to_string(n); !taken(name)) return name;
+}
 
 /// All operations of a project, in machining order.
 std::vector<const Operation*> all_operations(const Project& project);

@@ -112,6 +112,20 @@ void machine_tables(std::string& page) {
         }
 }
 
+/// What keys the kinds of a stock or fixture have.
+template <class Spec, class Keys>
+void kind_rows(std::string& page, const ParameterTable<Spec>& parameters, const Keys& keys_of) {
+    for (const std::string& kind : parameters.find("kind")->info.words) {
+        Spec spec;
+        ParameterView<Spec>(spec, parameters).set("kind", kind);
+        std::string keys;
+        for (const std::string& key : keys_of(spec))
+            if (key != "kind") keys += (keys.empty() ? "`" : ", `") + key + "`";
+        page += "- `" + kind + "`" + (keys.empty() ? "" : ": ") + keys
+                + (kind == "mesh" ? "; `file` is required" : "") + "\n";
+    }
+}
+
 } // namespace
 
 std::string reference_page() {
@@ -133,6 +147,7 @@ std::string reference_page() {
           "| `units` | `mm` or `in`: unit of every length in the file. Required. |\n"
           "| `part` | The part, see below. Required. |\n"
           "| `stock` | The raw material, see below. Default: the part's box. |\n"
+          "| `fixtures` | List of what holds the part, see below; written in a setup. |\n"
           "| `machine` | Name of a machine, see below, or a machine file of your own "
           "(`resources/machines/README.md`); its "
           "name ends with `.json`, a relative one starts at the project file. Default: `"
@@ -144,8 +159,9 @@ std::string reference_page() {
           "## Setups\n\n"
           "A file of version "
         + std::to_string(project_version)
-        + " has `setups`, a list in machining order. Each has its own `stock`, `operations`, `machine`\n"
-          "and keys of programs (`post`, `wcs`, `zero`, ...), as above; what the file itself says of machine "
+        + " has `setups`, a list in machining order. Each has its own `stock`, `fixtures`, `operations`,\n"
+          "`machine` and keys of programs (`post`, `wcs`, `zero`, ...), as above; what the file itself says "
+          "of machine "
           "and programs\n"
           "holds for setups that say nothing of them. `units`, `part`, `tools` and `verification` are "
           "shared. "
@@ -163,17 +179,15 @@ std::string reference_page() {
     page += "## Part\n\n";
     table(page, part_parameters().infos(), "###");
     page += "## Stock\n\n";
-    for (const std::string& kind : stock_parameters().find("kind")->info.words) {
-        StockSpec stock;
-        ParameterView<StockSpec>(stock, stock_parameters()).set("kind", kind);
-        std::string keys;
-        for (const std::string& key : stock_keys(stock.kind))
-            if (key != "kind") keys += (keys.empty() ? "`" : ", `") + key + "`";
-        page += "- `" + kind + "`" + (keys.empty() ? "" : ": ") + keys
-                + (stock.kind == StockSpec::Kind::mesh ? "; `file` is required" : "") + "\n";
-    }
+    kind_rows(page, stock_parameters(), [](const StockSpec& s) { return stock_keys(s.kind); });
     page += "\n";
     table(page, stock_parameters().infos(), "###");
+    page +=
+        "## Fixtures\n\nEvery operation keeps its tool off them, and the verification watches that. Places "
+        "are those of the\nsetup.\n\n";
+    kind_rows(page, fixture_parameters(), [](const Fixture& f) { return fixture_keys(f.kind); });
+    page += "\n";
+    table(page, fixture_parameters().infos(), "###");
     page += "## Verification\n\n";
     table(page, verify_limit_parameters().infos(), "###");
     machine_tables(page);

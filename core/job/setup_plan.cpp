@@ -168,6 +168,17 @@ VerifyProgram moved_program(const VerifyProgram& program, const SetupFrame& fram
     turn(motions->turning);
     turn(moved.turning);
     moved.motions = std::move(motions);
+    if (program.fixtures) {
+        auto fixtures = std::make_shared<std::vector<FixtureSolid>>(*program.fixtures);
+        for (FixtureSolid& fixture : *fixtures) {
+            auto mesh = std::make_shared<Mesh>(*fixture.mesh);
+            for (Vec3& p : mesh->vertices)
+                p = frame(p);
+            fixture.mesh = std::move(mesh);
+            fixture.grown = nullptr; // of planners
+        }
+        moved.fixtures = std::move(fixtures);
+    }
     moved.machine_turn = exact_turn(frame.turn * program.machine_turn);
     return moved;
 }

@@ -134,6 +134,7 @@ public:
     void setup_title();
     void pictures(std::span<const SheetPicture> all);
     void part_and_stock();
+    std::string fixture_text(const Fixture& fixture) const;
     void tools();
     void operations();
     void posted_programs();
@@ -172,6 +173,22 @@ void Sheet::pictures(std::span<const SheetPicture> all) {
     text += "</div>\n";
 }
 
+std::string Sheet::fixture_text(const Fixture& f) const {
+    const auto triple = [&](const std::array<double, 3>& v) { return point(Vec3(v[0], v[1], v[2])); };
+    std::string said = f.kind == Fixture::Kind::box ? "box, " + triple(f.size)
+                       : f.kind == Fixture::Kind::cylinder
+                           ? "cylinder, diameter " + length(f.diameter) + ", height " + length(f.height)
+                           : "mesh " + f.file;
+    said += std::string(f.kind == Fixture::Kind::mesh ? ", moved by " : ", the middle of its bottom at ")
+            + triple(f.translate);
+    if (f.rotate != std::array<double, 3>{0, 0, 0}) {
+        said += ", turned by ";
+        for (std::size_t k = 0; k < 3; ++k)
+            said += (k > 0 ? ", " : "") + format_number(degrees(f.rotate[k]), 6) + "°";
+    }
+    return said + "; tools keep " + length(f.clearance);
+}
+
 void Sheet::part_and_stock() {
     heading("Part, stock and machine");
     begin_facts();
@@ -194,6 +211,8 @@ void Sheet::part_and_stock() {
     fact("Origin", "0, 0, 0 of the part's coordinates, in which the programs are written; it is "
                        + length(-stock.box.lo.x()) + ", " + length(-stock.box.lo.y()) + ", "
                        + length(-stock.box.lo.z()) + " (X, Y, Z) from the stock's lowest corner");
+    for (const Fixture& f : project_.fixtures)
+        fact("Fixture '" + f.name + "'", fixture_text(f));
     const Machine machine = project_machine(project_);
     fact("Machine", machine.label);
     end_table();
@@ -370,9 +389,9 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
             const Collision& c = v.collisions[i];
             const char* body = c.kind == Collision::Kind::shank    ? "Shank"
                                : c.kind == Collision::Kind::holder ? "Holder"
+                               : c.kind == Collision::Kind::cutter ? "Cutter"
                                                                    : "Rapid";
-            row({std::string(body) + (c.with_part ? " in the part" : " in the stock"), number(c.depth, 4),
-                 where(c.at), point(c.place)});
+            row({body + touched_text(c), number(c.depth, 4), where(c.at), point(c.place)});
         }
         end_wide_table();
         if (v.collisions.size() > max_listed)

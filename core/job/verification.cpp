@@ -30,6 +30,8 @@ const char* kind_name(Collision::Kind kind) {
         return "holder";
     case Collision::Kind::rapid:
         return "rapid";
+    case Collision::Kind::cutter:
+        return "cutter";
     }
     return "";
 }
@@ -42,6 +44,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "no_tool_reaches";
     case UncutReason::Why::held:
         return "holder_touches";
+    case UncutReason::Why::fixture:
+        return "fixture";
     case UncutReason::Why::outside_stock:
         return "outside_stock";
     case UncutReason::Why::not_seen:
@@ -167,6 +171,11 @@ std::string verdict_name(Verdict verdict) {
     return "";
 }
 
+std::string touched_text(const Collision& collision) {
+    if (!collision.fixture.empty()) return " in the fixture '" + printable(collision.fixture) + "'";
+    return collision.with_part ? " in the part" : " in the stock";
+}
+
 std::string uncut_reason_text(const UncutReason& reason) {
     const std::string of = reason.program.empty() ? "" : " of '" + printable(reason.program) + "'";
     switch (reason.why) {
@@ -176,6 +185,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "no tool fits";
     case UncutReason::Why::held:
         return "the cutter" + of + " fits, but its shank or holder would touch the part";
+    case UncutReason::Why::fixture:
+        return "the tool" + of + " fits, but would come too near to a fixture";
     case UncutReason::Why::outside_stock:
         return "the stock does not reach there";
     case UncutReason::Why::not_seen:
@@ -200,7 +211,13 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             machine,
                             o->joints});
     }
+    stand_fixtures(programs, *plan->part);
     return programs;
+}
+
+void stand_fixtures(std::vector<VerifyProgram>& programs, const PreparedPart& part) {
+    for (VerifyProgram& program : programs)
+        program.fixtures = part.fixtures;
 }
 
 std::vector<double> feed_in_air(const Project& project, const std::shared_ptr<const PlanResult>& plan,
@@ -360,7 +377,8 @@ Json verify_object(const Project& project, std::span<const VerifyProgram> progra
     for (const Collision& c : v.collisions) {
         Json one;
         one["kind"] = kind_name(c.kind);
-        one["with"] = c.with_part ? "part" : "stock";
+        one["with"] = !c.fixture.empty() ? "fixture" : c.with_part ? "part" : "stock";
+        if (!c.fixture.empty()) one["fixture"] = printable(c.fixture, 200);
         put_place(one, c.at, programs);
         one["depth"] = n.length(c.depth);
         one["place"] = n.point(c.place);
@@ -438,8 +456,7 @@ std::string findings_line(const Project& project, std::span<const VerifyProgram>
                 + length_text(worst->depth, project.unit) + " by "
                 + (worst->kind == Collision::Kind::rapid ? "a rapid"
                                                          : std::string("the ") + kind_name(worst->kind))
-                + " in the " + (worst->with_part ? "part" : "stock") + " (" + place_text(worst->at, programs)
-                + ")";
+                + touched_text(*worst) + " (" + place_text(worst->at, programs) + ")";
     }
     const auto join = [&](const std::string& more) { line += (line.empty() ? "" : "; ") + more; };
     if (v.left_uncut())

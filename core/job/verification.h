@@ -17,6 +17,9 @@ namespace facetmill {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan);
 
+/// Puts the fixtures of the part's setup into programs that run in it.
+void stand_fixtures(std::vector<VerifyProgram>& programs, const PreparedPart& part);
+
 /// Length of the motions at feed of each planned program in which its cutter meets nothing of the stock as it
 /// stands then, mm: what the upright rays of a StockModel say that is cut with the programs; coarser than for
 /// `verify`, which is not in a hurry. Empty where the stock has no volume.
@@ -50,6 +53,8 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
 
 /// "verified", "failed", "not_judged".
 std::string verdict_name(Verdict verdict);
+/// " in the stock", " in the fixture 'Clamp'": what a tool came into.
+std::string touched_text(const Collision& collision);
 /// "the tool of 'Rough' fits but does not go there": why surface stays uncut.
 std::string uncut_reason_text(const UncutReason& reason);
 

@@ -140,7 +140,7 @@ private:
 
     EnvelopeInput kept_clear_of(const StrategyResult& path, const PlanContext& context) const {
         EnvelopeInput in;
-        in.part = context.part_box;
+        in.part = context.kept_off_box();
         in.stock = context.stock_box;
         in.tool = &context.tool;
         in.cutter_radius = radius_;

@@ -32,7 +32,8 @@ public:
         const Mesh stock = lathe_stock_mesh(context.stock, context.stock_box);
         const double zones =
             radius_about(frame_, lathe_zone_mesh(settings, frame_, stock, options.clearance));
-        const double material = std::max({turned.stock_radius, turned.part_radius, zones});
+        const double material = std::max(
+            {turned.stock_radius, turned.part_radius, zones, radius_about(frame_, context.contact->mesh())});
         const double radius = CutterProfile(context.tool.cutter()).max_radius();
         out_ = (material + options.clearance + reach_in(context.tool, radius, settings.tilt))
                / std::cos(settings.tilt);

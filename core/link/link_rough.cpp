@@ -32,7 +32,7 @@ public:
           reach_(context.contact, context, allowance + context.tessellation_tolerance[1],
                  std::max(path.chord_tolerance, tolerance::smallest_chord), -infinity) {
         const double top =
-            std::max({context.part_box.hi.z() + allowance, context.stock_box.hi.z(), field_.highest()});
+            std::max({context.kept_off_box().hi.z() + allowance, context.stock_box.hi.z(), field_.highest()});
         result_.clearance_z = top + options.clearance;
     }
 

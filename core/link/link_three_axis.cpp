@@ -165,7 +165,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
     fine.spacing = std::min(safe_spacing(profile, fine.below), bodies.spacing());
 
     const LiftField part{&lift, -infinity, &bodies};
-    double top = std::max(context.part_box.hi.z(), context.stock_box.hi.z()) + allowance;
+    double top = std::max(context.kept_off_box().hi.z(), context.stock_box.hi.z()) + allowance;
     for (const Pass& pass : path.passes)
         for (const CutterLocation& c : pass.cl)
             top = std::max(top, c.tip.z());

@@ -5,6 +5,7 @@
 
 #include "core/cutter/cutter.h"
 #include "core/mesh/mesh.h"
+#include "core/setup/fixture.h"
 #include "core/setup/kinematics.h"
 #include "core/setup/machine.h"
 #include "core/setup/motion.h"
@@ -54,6 +55,8 @@ struct VerifyProgram {
     /// How its joints stand at the end of each motion, as posts write them (joint_course.h); null: as they
     /// stand best, wherever the part is on the machine.
     std::shared_ptr<const std::vector<Joints>> joints = nullptr;
+    /// What holds the part meanwhile, in the coordinates of the motions; null: nothing that is known.
+    std::shared_ptr<const std::vector<FixtureSolid>> fixtures = nullptr;
     /// From the machine's coordinates to those of the motions, where a program is judged together with those
     /// of another setup.
     Mat3 machine_turn = Mat3::Identity();

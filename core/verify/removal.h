@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace facetmill {
@@ -18,12 +19,14 @@ struct StraightMove; // sweep.h
 
 struct Collision {
     /// The body that touches in a motion at feed; `rapid`: some part of the tool, in a rapid.
-    enum class Kind : std::uint8_t { shank, holder, rapid };
+    /// `cutter`: against fixtures alone; what it does to the part is a gouge.
+    enum class Kind : std::uint8_t { shank, holder, rapid, cutter };
     Kind kind = Kind::rapid;
     bool with_part = false; ///< reaches into the part itself, not only into stock
     MotionPlace at;
     Vec3 place = Vec3::Zero();
     double depth = 0; ///< mm; in stock known to about the resolution, in the part as exactly as probes are
+    std::string fixture = {}; ///< name of the fixture that is touched; empty: part or stock
 };
 
 /// The share of the lattice's resolution that `motion_bound` is unless something else is asked for.

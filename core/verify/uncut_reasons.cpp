@@ -18,6 +18,10 @@ constexpr std::size_t max_asked = 4000;
 constexpr std::size_t max_axes_tried = 12;
 /// Samples in a box of the tree.
 constexpr std::size_t samples_per_box = 32;
+/// Places on a fixture, how far apart at least in radii of the cutter, and what a tool has to keep of the
+/// clearance so that the fixture is no reason: planners of five axes are not that exact.
+constexpr std::size_t max_fixture_places = 200'000;
+constexpr double fixture_place_share = 0.2, beyond_clearance = 1.2;
 
 /// Whether bodies can stand somewhere without having samples of the part inside.
 class Room {
@@ -31,6 +35,10 @@ public:
             boxes[i / samples_per_box].add(points_[i]);
         tree_ = BoxTree(boxes, progress);
     }
+    Room(const Mesh& mesh, double spacing, const Progress& progress)
+        : Room(sample_surface(mesh, spacing, max_fixture_places, progress, 0), progress) {}
+    Room(const SurfaceSamples& samples, const Progress& progress)
+        : Room(samples, neighbors_together(samples.points, progress), progress) {}
     /// No sample lies deeper than `slack` in a body whose tip is here.
     bool has(const BodySupport& body, const CutterLocation& at, double slack) const {
         const Vec3 middle = at.tip + body.middle() * at.axis;
@@ -61,6 +69,8 @@ private:
 struct FitTool {
     BodySupport cutter;
     std::vector<BodySupport> sections;
+    std::vector<std::pair<Room, double>> fixtures; ///< and the clearance from each
+    std::vector<Vec3> axes;                        ///< with which its program cuts
 };
 
 constexpr std::size_t no_program = std::size_t(-1);
@@ -78,42 +88,57 @@ struct WhyUncut {
 class Fit {
 public:
     Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
-        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes, const VerifySettings& used,
-        const Progress& progress)
-        : room_(samples, order, progress), axes_(axes), allowance_(used.allowance),
-          limit_(2 * used.tolerance), gouge_limit_(used.gouge_limit) {
+        std::span<const VerifyProgram> programs, const VerifySettings& used, const Progress& progress)
+        : room_(samples, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
+          gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
-            FitTool tool{BodySupport(p.tool.cutter), {}};
+            FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress)};
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
+            if (p.fixtures)
+                for (const FixtureSolid& f : *p.fixtures)
+                    tool.fixtures.emplace_back(
+                        Room(*f.mesh, std::max(f.clearance, fixture_place_share * p.tool.cutter.max_radius()),
+                             progress),
+                        f.clearance);
             tools_.push_back(std::move(tool));
         }
     }
-    /// not_cut where a tool fits, held, or no_tool; and the program whose tool or cutter it is.
+    /// not_cut where a tool fits, fixture, held, or no_tool; and the program whose tool or cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
-        std::vector<std::pair<double, const Vec3*>> near;
-        for (const Vec3& a : axes_)
-            if (const double along = a.dot(normal); along > tolerance::vertical_normal_z)
-                near.push_back({-along, &a});
-        std::sort(near.begin(), near.end());
-        if (near.size() > max_axes_tried) near.resize(max_axes_tried);
         const Vec3 start = point + allowance_ * normal;
         for (std::size_t program = tools_.size(); program-- > 0;) {
             const FitTool& tool = tools_[program];
-            bool held = false;
+            const auto near = axes_near(tool, normal);
+            bool held = false, beside_fixture = false;
             for (const auto& [along, axis] : near)
                 for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
                     const CutterLocation at{start - touch, *axis};
                     if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
-                    if (body_stands(at, tool)) return {UncutReason::Why::not_cut, program};
-                    held = true;
+                    if (!body_stands(at, tool))
+                        held = true;
+                    else if (clear_of_fixtures(at, tool))
+                        return {UncutReason::Why::not_cut, program};
+                    else
+                        beside_fixture = true;
                 }
+            if (beside_fixture) return {UncutReason::Why::fixture, program};
             if (held) return {UncutReason::Why::held, program};
         }
         return {};
     }
 
 private:
+    /// Its program's axes that see the surface, the nearest to the normal first.
+    static std::vector<std::pair<double, const Vec3*>> axes_near(const FitTool& tool, const Vec3& normal) {
+        std::vector<std::pair<double, const Vec3*>> near;
+        for (const Vec3& a : tool.axes)
+            if (const double along = a.dot(normal); along > tolerance::vertical_normal_z)
+                near.push_back({-along, &a});
+        std::sort(near.begin(), near.end());
+        if (near.size() > max_axes_tried) near.resize(max_axes_tried);
+        return near;
+    }
     /// Places from the tip that may stand at the sample. With those of the cutter that touch a surface of
     /// this normal, lifted by a quarter of what counts as uncut, or nearly all of it; and with places round
     /// about them, lifted so that the cutter is in touch beside the sample. A flat end touches a level floor
@@ -150,8 +175,17 @@ private:
         return std::all_of(tool.sections.begin(), tool.sections.end(),
                            [&](const BodySupport& s) { return room_.has(s, at, gouge_limit_); });
     }
+    /// No nearer than the clearance, and what planners keep beyond it.
+    bool clear_of_fixtures(const CutterLocation& at, const FitTool& tool) const {
+        return std::all_of(tool.fixtures.begin(), tool.fixtures.end(), [&](const auto& fixture) {
+            const auto& [room, clearance] = fixture;
+            const double slack = -beyond_clearance * clearance;
+            return room.has(tool.cutter, at, slack)
+                   && std::all_of(tool.sections.begin(), tool.sections.end(),
+                                  [&](const BodySupport& s) { return room.has(s, at, slack); });
+        });
+    }
     Room room_;
-    const std::vector<Vec3>& axes_;
     std::vector<FitTool> tools_;
     double allowance_, limit_, gouge_limit_;
 };
@@ -159,8 +193,7 @@ private:
 } // namespace
 
 void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Probed& probed,
-                        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
-                        const Progress& progress) {
+                        std::span<const VerifyProgram> programs, const Progress& progress) {
     using Why = UncutReason::Why;
     v.uncut.clear();
     v.uncut_share = 0;
@@ -200,7 +233,7 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
     std::vector<WhyUncut> found(groups);
     if (groups > 0) {
-        const Fit fit(samples, order, programs, axes, v.used, progress);
+        const Fit fit(samples, order, programs, v.used, progress);
         parallel_for(groups, 4, progress, [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
             found[g] = fit.reason(samples.points[i], samples.normals[i]);

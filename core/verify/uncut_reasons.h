@@ -12,12 +12,12 @@ namespace facetmill {
 /// are bare, or on which more than twice the tolerance stands. Without a tolerance none are.
 ///
 /// The last tool whose cutter fits is asked for shank and holder: those of roughing are no help to finishing.
-/// A cutter fits where it, along one of the axes nearest to the normal, can stand so that less than
-/// twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample lies
-/// deeper in it than the gouge limit; shank and holder likewise. Some thousand samples are asked; each stands
+/// A cutter fits where it, along one of the axes of its program nearest to the normal, can stand so that less
+/// than twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample
+/// lies deeper in it than the gouge limit; shank and holder likewise. Where it does nearer to a fixture than
+/// the clearance, the fixture is the reason. Some thousand samples are asked; each stands
 /// for those about it.
 void find_uncut_reasons(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
-                        std::span<const VerifyProgram> programs, const std::vector<Vec3>& axes,
-                        const Progress& progress);
+                        std::span<const VerifyProgram> programs, const Progress& progress);
 
 } // namespace facetmill

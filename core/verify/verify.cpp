@@ -5,9 +5,11 @@
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_distance.h"
 #include "core/verify/deviation.h"
+#include "core/verify/fixture_touch.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_tiles.h"
 #include "core/verify/uncut_reasons.h"
+#include "core/verify/winding_number.h"
 
 #include <chrono>
 #include <cmath>
@@ -124,10 +126,10 @@ Reach reach_of(const VerifyProgram& program, const Box3& stock, const Progress& 
 }
 
 void merge(std::vector<Collision>& all, const std::vector<Collision>& more) {
-    std::map<std::tuple<std::size_t, std::size_t, Collision::Kind>, Collision> map;
+    std::map<std::tuple<std::size_t, std::size_t, Collision::Kind, std::string>, Collision> map;
     for (const std::vector<Collision>* list : {static_cast<const std::vector<Collision>*>(&all), &more})
         for (const Collision& c : *list) {
-            const auto [at, is_new] = map.try_emplace({c.at.program, c.at.motion, c.kind}, c);
+            const auto [at, is_new] = map.try_emplace({c.at.program, c.at.motion, c.kind, c.fixture}, c);
             if (is_new) continue;
             const bool part = at->second.with_part || c.with_part;
             if (c.depth > at->second.depth) at->second = c;
@@ -196,20 +198,6 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
                           + ": else there would be more than " + std::to_string(max_samples)
                           + ". What is narrower may be missed.");
     return remarks;
-}
-
-/// Winding number of a closed part about a point: 1 inside, 0 outside; of an open one a share of it
-/// (Jacobson, Kavan, Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers",
-/// 2013).
-double winding_number(const Mesh& part, const Vec3& p, const Progress& progress) {
-    double sum = 0;
-    for (std::size_t f = 0; f < part.facet_count(); ++f) {
-        if (f % 65536 == 0) progress.check();
-        const Vec3 a = part.corner(f, 0) - p, b = part.corner(f, 1) - p, c = part.corner(f, 2) - p;
-        const double x = a.norm(), y = b.norm(), z = c.norm();
-        sum += std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
-    }
-    return sum / (2 * pi);
 }
 
 /// Programs whose first location is within the part. Motions that begin in there may never meet the surface,
@@ -291,7 +279,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     const Probed probed = probe_samples(samples, sight, stock, programs, aims, progress.part(0.15, 0.95));
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
-    find_uncut_reasons(v, samples, probed, programs, axes, progress.part(0.95, 0.99));
+    find_uncut_reasons(v, samples, probed, programs, progress.part(0.95, 0.99));
     v.remarks =
         remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples, v.border.samples > 0);
     if (sides.turned_facets > 0)
@@ -386,6 +374,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     start = std::chrono::steady_clock::now();
     compare(v, part, stock, programs, prepared.radii, settings.sample_spacing > 0,
             progress.part(0.6, 1.0, "Comparing with the part"));
+    merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(1.0, 1.0)));
     v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);

@@ -20,23 +20,24 @@ Vec3 place_on(const Pass& pass, std::span<const double> arc, double at) {
     return pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
 }
 
-/// Ranges of a pass' length that shank and holder may come to.
-std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, const HolderReach& bodies,
+} // namespace
+
+std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, double spacing,
+                                  const std::function<bool(const Vec3& tip)>& is_free,
                                   const Progress& progress) {
-    HolderReach::Hints hints;
     std::vector<Interval> ranges;
     bool was_free = false;
     const auto look = [&](const Vec3& tip, double at) {
         progress.check();
-        const bool is_free = bodies.is_free(tip, hints);
-        if (is_free && !was_free) ranges.push_back({at, at});
-        if (is_free) ranges.back().hi = at;
-        was_free = is_free;
+        const bool free = is_free(tip);
+        if (free && !was_free) ranges.push_back({at, at});
+        if (free) ranges.back().hi = at;
+        was_free = free;
     };
     look(pass.cl.front().tip, 0);
     for (std::size_t i = 1; i < pass.cl.size(); ++i) {
         const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
-        const auto n = std::size_t(std::ceil((b - a).norm() / bodies.spacing())) + 1;
+        const auto n = std::size_t(std::ceil((b - a).norm() / spacing)) + 1;
         for (std::size_t k = 1; k <= n; ++k) {
             const double t = double(k) / double(n);
             look(a + t * (b - a), arc[i - 1] + t * (arc[i] - arc[i - 1]));
@@ -44,8 +45,6 @@ std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc,
     }
     return ranges;
 }
-
-} // namespace
 
 std::vector<double> arc_lengths(const Pass& pass) {
     std::vector<double> arc(pass.cl.size(), 0);
@@ -98,7 +97,9 @@ HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodie
         if (pass.cl.empty()) return;
         const std::vector<double> arc = arc_lengths(pass);
         part.length = arc.back();
-        std::vector<Interval> kept = free_ranges(pass, arc, bodies, progress);
+        HolderReach::Hints hints;
+        const auto is_free = [&](const Vec3& tip) { return bodies.is_free(tip, hints); };
+        std::vector<Interval> kept = free_ranges(pass, arc, bodies.spacing(), is_free, progress);
         if (kept.size() == 1 && kept[0].lo <= 0 && kept[0].hi >= arc.back()) {
             part.kept.push_back(pass);
             return;

@@ -22,6 +22,10 @@ inline constexpr double shortest_piece = 0.25;
 
 /// Length of a pass up to each of its locations, mm.
 std::vector<double> arc_lengths(const Pass& pass);
+/// Ranges of a pass's length that are free, looked at as often as `spacing`.
+std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, double spacing,
+                                  const std::function<bool(const Vec3& tip)>& is_free,
+                                  const Progress& progress);
 /// The pieces of a pass over ranges of its length; their ends may lie within a motion.
 std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::span<const Interval> ranges,
                             const ContactAt& contact);

@@ -48,8 +48,9 @@ struct EarlierLeft {
 struct PlanContext {
     MeshPtr part;
     std::shared_ptr<const MeshGeometry> geometry;
-    ContactIndexPtr contact;
+    ContactIndexPtr contact; ///< what must not be cut: the part, and after its facets what else
     Box3 part_box, stock_box;
+    Box3 fixtures_box; ///< of what `contact` holds beside the part: fixtures grown by their clearance
     Tool tool;
     Machine machine;
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
@@ -67,6 +68,13 @@ struct PlanContext {
     /// Curvatures of the part's vertices, where more is known of them than its facets tell (a piece cut out
     /// of a part).
     std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
+
+    /// Box of part and fixtures.
+    Box3 kept_off_box() const {
+        Box3 box = part_box;
+        box.add(fixtures_box);
+        return box;
+    }
 };
 
 /// What all operations have beside their own keys.

@@ -30,7 +30,7 @@ RoughReach::RoughReach(ContactIndexPtr index, const PlanContext& context, double
     const Tool& tool = context.tool;
     double base = tool.flute_length;
     const auto add = [&](double diameter, double length) {
-        if (diameter > 0 && length > 0 && lowest_tip + base < context.part_box.hi.z() + allowance)
+        if (diameter > 0 && length > 0 && lowest_tip + base < context.kept_off_box().hi.z() + allowance)
             bodies_.push_back(
                 {AxialLift(context.contact, CutterProfile(AptCutter::flat(diameter, unlimited_height)),
                            allowance + margin),

@@ -64,7 +64,8 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                 const Vec2 p = field.center(column, row);
                 if (field.middle(column, row) == -infinity) continue;
                 const AxialContact seen = needle.contact(p.x(), p.y());
-                if (seen.facet == no_index) continue;
+                // What else it sees is no part, but keeps the cutter off it.
+                if (seen.facet == no_index || seen.facet >= in.mesh->facet_count()) continue;
                 const Vec3 n = up.towards_tool(in.mesh->facet_normal(seen.facet));
                 if (!(n.z() > flattest_normal)) continue;
                 const Vec3 on_part(p.x(), p.y(), seen.tip_z);

@@ -55,7 +55,7 @@ private slots:
         const Job job;
         Project p = job.project();
         const auto named = [&](const fs::path& file) {
-            set_input(p, Kind::part, file);
+            set_input(p, {Kind::part, {}}, file);
             return p.part.file;
         };
         put(job.root / "job/b.stl");
