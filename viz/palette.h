@@ -47,6 +47,7 @@ struct Colors {
     Rgb part, part_back, feature_edges, mesh_edges;
     Rgb former_part; ///< before it was replaced
     Rgb stock, cut_stock;
+    Rgb fixture, chosen_fixture;
     Rgb gouge, excess, collision; ///< findings
     Rgb contacts;
     Rgb left, kept;                        ///< contact points left to clean-up; postures kept by hand

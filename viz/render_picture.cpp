@@ -48,6 +48,7 @@ std::string trimmed(std::string_view text) {
 
 void take_plan(RenderRequest& request, const Project& project, const PlanResult& plan) {
     if (plan.part) request.part = plan.part->mesh;
+    if (plan.part) request.fixtures = plan.part->fixtures;
     request.stock = plan.stock;
     request.operations = plan.operations;
     request.unit = project.unit;
@@ -72,6 +73,7 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     if (request.part) scene.part().set(prepare_part_display(request.part, progress.part(0.0, 0.4)));
     scene.stock().set(make_stock_shape(request.stock, progress));
     scene.stock().set_cut(request.cut_stock);
+    scene.fixtures().set(request.fixtures);
     if (wanted(Layer::deviation) && request.verification && request.verification->surface)
         scene.deviation().set(prepare_deviation_display(
             request.verification->surface,

@@ -19,10 +19,11 @@ struct RenderRequest {
     MeshPtr part;
     StockSolid stock; ///< box empty: none
     std::vector<std::shared_ptr<const OperationResult>> operations;
-    StockPatches cut_stock;                           ///< what the layer `stock` shows instead of it
-    std::shared_ptr<const Verification> verification; ///< for the layers `deviation` and `findings`
-    std::optional<DeviationScale> deviation_scale;    ///< default_scale without it
-    std::optional<Tool> tool;                         ///< drawn in the layer `tool` ...
+    std::shared_ptr<const std::vector<FixtureSolid>> fixtures; ///< null: none
+    StockPatches cut_stock;                                    ///< what the layer `stock` shows instead of it
+    std::shared_ptr<const Verification> verification;          ///< for the layers `deviation` and `findings`
+    std::optional<DeviationScale> deviation_scale;             ///< default_scale without it
+    std::optional<Tool> tool;                                  ///< drawn in the layer `tool` ...
     std::optional<CutterLocation> pose; ///< ... here; without it at the middle cut of the last operation
     std::vector<Layer> layers{Layer::part};
     StandardView view = StandardView::iso;

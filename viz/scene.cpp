@@ -44,6 +44,7 @@ struct Scene::Impl {
     SceneFormer former{stage};
     SceneDeviation deviation{stage};
     SceneStock stock{stage};
+    SceneFixtures fixtures{stage};
     ScenePaths paths{stage, part};
     SceneLevels levels{stage};
     SceneSupport support{stage};
@@ -52,8 +53,9 @@ struct Scene::Impl {
     SceneMarks marks{stage};
     SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 12> layers{&part,   &former, &stock, &levels,    &support, &findings,
-                                             &strips, &marks,  &paths, &deviation, &tool,    &zero};
+    const std::array<SceneLayer*, 13> layers{&part,      &former,   &stock,  &fixtures, &levels,
+                                             &support,   &findings, &strips, &marks,    &paths,
+                                             &deviation, &tool,     &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -258,6 +260,10 @@ const SceneFormer& Scene::former() const {
 }
 SceneStock& Scene::stock() {
     return impl_->stock;
+}
+
+SceneFixtures& Scene::fixtures() {
+    return impl_->fixtures;
 }
 SceneDeviation& Scene::deviation() {
     return impl_->deviation;

@@ -16,6 +16,7 @@
 #include "viz/scene_camera.h"
 #include "viz/scene_deviation.h"
 #include "viz/scene_findings.h"
+#include "viz/scene_fixtures.h"
 #include "viz/scene_former.h"
 #include "viz/scene_layer.h"
 #include "viz/scene_levels.h"
@@ -52,6 +53,7 @@ public:
     SceneFormer& former();
     const SceneFormer& former() const;
     SceneStock& stock();
+    SceneFixtures& fixtures();
     SceneDeviation& deviation();
     const SceneDeviation& deviation() const;
     SceneFindings& findings();

@@ -1,0 +1,109 @@
+#include "viz/scene_fixtures.h"
+
+#include "core/mesh/edge_table.h"
+#include "viz/overlay.h"
+#include "viz/poly_data.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Edges between facets that turn by less are not drawn: a cylinder's sides.
+const double sharp_fixture_cos = std::cos(radians(20));
+
+void put(std::vector<float>& to, const Vec3& v) {
+    to.insert(to.end(), {float(v.x()), float(v.y()), float(v.z())});
+}
+
+} // namespace
+
+SceneFixtures::SceneFixtures(SceneStage& stage) : SceneLayer(stage) {}
+
+void SceneFixtures::shape(Body& body, const Mesh& mesh) {
+    body.center = mesh.box().center();
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            body.triangles.push_back(std::int32_t(body.triangles.size()));
+            put(body.points, mesh.corner(f, k) - body.center);
+            put(body.normals, mesh.facet_normal(f));
+        }
+    const EdgeTable edges(mesh, {});
+    const auto corner = [](std::size_t side) { return std::int32_t(side); };
+    for (std::size_t low = 0; low < edges.vertex_count(); ++low)
+        edges.for_edges(low, [&](Index, std::span<const EdgeSide> sides) {
+            const bool smooth =
+                sides.size() == 2
+                && mesh.facet_normal(sides[0].facet()).dot(mesh.facet_normal(sides[1].facet()))
+                       > sharp_fixture_cos;
+            if (smooth) return;
+            const std::size_t side = sides[0].side, next = side / 3 * 3 + (side % 3 + 1) % 3;
+            body.segments.insert(body.segments.end(), {corner(side), corner(next)});
+        });
+}
+
+void SceneFixtures::set(std::shared_ptr<const std::vector<FixtureSolid>> fixtures) {
+    if (fixtures == fixtures_) return;
+    for (const auto& body : bodies_)
+        for (SceneActor* a : {&body->faces, &body->edges})
+            stage_.renderer->RemoveActor(a->actor);
+    bodies_.clear();
+    fixtures_ = std::move(fixtures);
+    if (fixtures_)
+        for (const FixtureSolid& fixture : *fixtures_) {
+            auto body = std::make_unique<Body>();
+            shape(*body, *fixture.mesh);
+            add_actor(body->faces);
+            add_actor(body->edges);
+            body->edges.unlit();
+            body->edges.nearer(12);
+            body->faces.set_data(triangle_data(body->points, body->normals, body->triangles), body->center);
+            body->edges.set_data(segment_data(body->points, body->segments), body->center);
+            bodies_.push_back(std::move(body));
+        }
+    apply_palette(colors_of(stage_.palette));
+    apply_line_widths();
+    apply_visibility(ShownSurface::part);
+}
+
+void SceneFixtures::choose(std::optional<std::size_t> chosen) {
+    chosen_ = chosen;
+    apply_palette(colors_of(stage_.palette));
+}
+
+void SceneFixtures::apply_palette(const Colors& colors) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        bodies_[i]->faces.color(chosen_ == i ? colors.chosen_fixture : colors.fixture);
+        bodies_[i]->edges.color(colors.feature_edges);
+    }
+}
+
+void SceneFixtures::apply_line_widths() {
+    for (const auto& body : bodies_)
+        body->edges.set_line_width(1.2 * stage_.ratio);
+}
+
+void SceneFixtures::apply_visibility(ShownSurface) {
+    for (const auto& body : bodies_) {
+        body->faces.show(true);
+        body->edges.show(true);
+    }
+}
+
+void SceneFixtures::add_bounds(Box3& box) const {
+    if (!fixtures_) return;
+    for (const FixtureSolid& fixture : *fixtures_)
+        box.add(fixture.mesh->box());
+}
+
+void SceneFixtures::add_legend(std::vector<LegendEntry>& entries, ShownSurface) const {
+    if (!bodies_.empty())
+        entries.push_back({LegendEntry::Sample::surface, colors_of(stage_.palette).fixture, 1,
+                           bodies_.size() == 1 ? "Fixture" : "Fixtures"});
+}
+
+} // namespace facetmill
