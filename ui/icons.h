@@ -67,6 +67,7 @@ enum class Icon {
     // the tree
     part,
     stock,
+    fixture,
     machine,
     tool,
     operations,

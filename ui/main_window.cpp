@@ -192,6 +192,8 @@ void MainWindow::connect_panels() {
     connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(properties_, &PropertiesPanel::choose_stock, files_.get(), &ProjectFiles::choose_stock);
+    connect(properties_, &PropertiesPanel::choose_fixture, files_.get(), &ProjectFiles::choose_fixture);
+    connect(tree_, &ProjectTree::new_mesh_fixture, files_.get(), &ProjectFiles::choose_fixture);
     connect(properties_, &PropertiesPanel::edit_regions, &regions(), &RegionController::open);
     connect(layers_, &LayerBar::toggled, this, [this] {
         layers_->apply(viewport_->scene());

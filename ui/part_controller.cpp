@@ -21,13 +21,15 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
     try {
         loaded.part = planner.prepare(project, reading);
     } catch (const Error& e) {
-        // Without its stock a part can be seen, though not planned.
+        // Without its stock and fixtures a part can be seen, though not planned.
         const bool rest = project.stock.kind == StockSpec::Kind::rest; // known when the setup is planned
-        if (project.stock.kind != StockSpec::Kind::mesh && !rest) throw;
+        const bool of_fixture = e.where().starts_with("fixture '");
+        if (project.stock.kind != StockSpec::Kind::mesh && !rest && !of_fixture) throw;
         Project alone = project;
-        alone.stock = StockSpec();
+        std::erase_if(alone.fixtures, [](const Fixture& f) { return f.kind == Fixture::Kind::mesh; });
+        if (!of_fixture || rest) alone.stock = StockSpec();
         loaded.part = planner.prepare(alone, reading);
-        if (!rest) loaded.stock_failure = text(e.what());
+        if (!rest || of_fixture) loaded.stock_failure = text(e.what());
     }
     loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 0.9, "Preparing the view"));
     if (loaded.part->stock_mesh)
@@ -122,9 +124,10 @@ void PartController::show(const LoadedPart& loaded, bool new_view) {
     viewport_.content_changed();
     stock_mesh_ = loaded.stock;
     document_.set_part(loaded.part, loaded.key);
+    viewport_.scene().fixtures().set(loaded.part->fixtures);
     show_stock();
     // One that is missing is told as such.
-    if (!loaded.stock_failure.isEmpty() && !is_missing(loaded.stock_file.path))
+    if (!loaded.stock_failure.isEmpty() && missing_inputs(document_.project()).empty())
         messages_.warning(sentence(loaded.stock_failure));
     if (new_view)
         viewport_.set_view(StandardView::iso);
@@ -163,6 +166,9 @@ void PartController::show_dimensions() {
 void PartController::node_chosen(const std::optional<TreeNode>& node) {
     node_ = node;
     show_dimensions();
+    const bool fixture = node && node->kind == TreeNode::Kind::fixture;
+    viewport_.scene().fixtures().choose(fixture ? std::optional(node->index) : std::nullopt);
+    viewport_.refresh();
 }
 
 void PartController::project_opened() {
@@ -175,6 +181,7 @@ void PartController::project_opened() {
     viewport_.scene().former().set(nullptr);
     viewport_.scene().part().set(PartDisplayPtr());
     viewport_.scene().stock().set_box(Box3());
+    viewport_.scene().fixtures().set(nullptr);
     viewport_.scene().set_unit(document_.unit());
 }
 

@@ -18,7 +18,7 @@ struct LoadedPart {
     std::shared_ptr<const PreparedPart> part;
     PartDisplayPtr display;
     StockShapePtr stock;   ///< where the stock is a mesh
-    QString stock_failure; ///< why there is none though there should be
+    QString stock_failure; ///< why it, or fixtures, are not there though they should be
     std::string key;       ///< Document::part_key of what was read
     MeshFile part_file, stock_file;
 };

@@ -1,4 +1,5 @@
 #include "ui/project_files.h"
+#include "ui/fixture_list.h"
 
 #include "core/base/file.h"
 #include "core/job/project_inputs.h"
@@ -145,8 +146,15 @@ void ProjectFiles::set_stock_file(const QString& path) {
     settings::set_last_folder(QFileInfo(path).absolutePath());
     document_.change(tr("Choose stock"), [&](Project& p) {
         p.stock.kind = StockSpec::Kind::mesh;
-        set_input(p, ProjectInput::Kind::stock, path_of(QFileInfo(path).absoluteFilePath()));
+        set_input(p, {ProjectInput::Kind::stock, {}}, path_of(QFileInfo(path).absoluteFilePath()));
     });
+}
+
+void ProjectFiles::choose_fixture(std::size_t index) {
+    const QString path = chosen_file(tr("Fixture mesh"), mesh_filters());
+    if (path.isEmpty()) return properties_.reset();
+    settings::set_last_folder(QFileInfo(path).absolutePath());
+    set_fixture_file(document_, index, path_of(QFileInfo(path).absoluteFilePath()));
 }
 
 void ProjectFiles::open(const QString& path, std::optional<LengthUnit> unit) {

@@ -45,6 +45,8 @@ public:
     bool save_to(const QString& path);
 
     void choose_stock();
+    /// The same for a fixture, by its place; behind the last one: a new one.
+    void choose_fixture(std::size_t index);
     /// Makes a mesh the stock, as a step of the history; it is read in the background.
     void set_stock_file(const QString& path);
 

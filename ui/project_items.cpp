@@ -35,7 +35,7 @@ private:
                               const QString& help = {}) {
         return add_tree_item(parent ? parent : tree_.invisibleRootItem(), node, which, label, help);
     }
-    /// Stock and machine of the chosen setup, below its item where there are several.
+    /// Stock, fixtures and machine of the chosen setup, below its item where there are several.
     void add_setup_items(QTreeWidgetItem* setup);
     void add_operations(QTreeWidgetItem* setup);
     void add_other_setup(std::size_t i, QTreeWidgetItem* setup);
@@ -80,6 +80,11 @@ void ProjectItems::build() {
 
 void ProjectItems::add_setup_items(QTreeWidgetItem* setup) {
     add_item(setup, {TreeNode::Kind::stock, 0}, Icon::stock, stock_label(project_));
+    for (std::size_t i = 0; i < project_.fixtures.size(); ++i)
+        add_item(setup, {TreeNode::Kind::fixture, i}, Icon::fixture, text(project_.fixtures[i].name),
+                 QObject::tr("%1: no tool comes nearer than %2")
+                     .arg(text(project_.fixtures[i].name),
+                          shown_length(project_.fixtures[i].clearance, project_.unit, 4)));
     QString machine = text(project_.machine);
     for (const Machine& m : machines())
         if (m.name == project_.machine) machine = text(m.label);
@@ -122,6 +127,15 @@ QTreeWidgetItem* add_tree_item(QTreeWidgetItem* parent, TreeNode node, Icon whic
     item->setData(0, kind_role, int(node.kind));
     item->setData(0, index_role, qulonglong(node.index));
     return item;
+}
+
+std::optional<std::size_t> setup_of(const Project& project, const std::optional<TreeNode>& node) {
+    if (!node) return std::nullopt;
+    if (node->kind == TreeNode::Kind::setup) return node->index;
+    if (node->kind != TreeNode::Kind::elsewhere) return std::nullopt;
+    const std::vector<const Operation*> all = all_operations(project);
+    if (node->index >= all.size()) return std::nullopt;
+    return setup_of_operation(project, all[node->index]->common().name);
 }
 
 void fill_tree(QTreeWidget& tree, const Document& document) {

@@ -14,6 +14,8 @@ inline constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1;
 
 QTreeWidgetItem* add_tree_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
                                const QString& help = {});
+/// The setup that an item stands for, or has its operation, where that is not the chosen one's.
+std::optional<std::size_t> setup_of(const Project& project, const std::optional<TreeNode>& node);
 /// All items of a document with a part, into an empty tree. Setups have items where there are several.
 void fill_tree(QTreeWidget& tree, const Document& document);
 

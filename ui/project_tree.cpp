@@ -1,5 +1,7 @@
 #include "ui/project_tree.h"
 
+#include "ui/fixture_list.h"
+#include "ui/fixture_menu.h"
 #include "ui/project_items.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
@@ -80,6 +82,7 @@ QString state_text(OperationState state) {
 
 std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree) {
     return {{"add_operation", tree.add_operation_menu()->menuAction()},
+            {"add_fixture", tree.add_fixture_menu()->menuAction()},
             {"add_setup", tree.add_setup_menu()->menuAction()},
             {"go_to_setup", tree.go_to_setup_action()},
             {"add_tool", tree.add_tool_action()},
@@ -162,6 +165,12 @@ void ProjectTree::make_actions() {
     add_setup(NewSetup::flipped_about_x, "setup_about_x", tr("Turned over about X, same zero"));
     add_setup(NewSetup::flipped_about_y, "setup_about_y", tr("Turned over about Y, same zero"));
     add_setup(NewSetup::as_it_lies, "setup_as_it_lies", tr("As the part lies"));
+    add_fixture_ = fixture_menu(
+        this, document_,
+        [this](std::size_t at) {
+            select({TreeNode::Kind::fixture, at});
+        },
+        [this](std::size_t at) { emit new_mesh_fixture(at); });
     go_to_setup_ = new QAction(icon(Icon::place), tr("Go to this setup"), this);
     connect(go_to_setup_, &QAction::triggered, this, &ProjectTree::go_to_setup);
     edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
@@ -177,20 +186,11 @@ void ProjectTree::make_actions() {
         auto* by_key = new QAction(this);
         by_key->setShortcut(key);
         by_key->setShortcutContext(Qt::WidgetShortcut);
-        connect(by_key, &QAction::triggered, this, [this] {
-            const auto node = selected();
-            if (node && node->kind == TreeNode::Kind::tool)
-                emit edit_tool(node->index);
-            else if (node)
-                emit edit_parameters();
-        });
+        connect(by_key, &QAction::triggered, this, &ProjectTree::edit_selected);
         tree_->addAction(by_key);
     }
     connect(add_tool_, &QAction::triggered, this, &ProjectTree::new_tool);
-    connect(edit_, &QAction::triggered, this, [this] {
-        if (const auto node = selected(); node && node->kind == TreeNode::Kind::tool)
-            emit edit_tool(node->index);
-    });
+    connect(edit_, &QAction::triggered, this, &ProjectTree::edit_selected); // enabled for tools alone
     connect(duplicate_, &QAction::triggered, this, &ProjectTree::duplicate);
     connect(remove_, &QAction::triggered, this, &ProjectTree::remove);
     connect(up_, &QAction::triggered, this, [this] { move(-1); });
@@ -203,12 +203,13 @@ QToolBar* ProjectTree::make_bar() {
     auto* add = new QToolButton(bar);
     add->setObjectName(QStringLiteral("add"));
     add->setIcon(icon(Icon::add));
-    add->setToolTip(tr("Add an operation, a tool or a setup"));
+    add->setToolTip(tr("Add an operation, a tool, a fixture or a setup"));
     add->setPopupMode(QToolButton::InstantPopup);
     auto* add_menu = new QMenu(add);
     add_menu->addActions(add_operation_->actions());
     add_menu->addSeparator();
     add_menu->addAction(add_tool_);
+    add_menu->addMenu(add_fixture_);
     add_menu->addMenu(add_setup_);
     add->setMenu(add_menu);
     bar->addWidget(add);
@@ -266,13 +267,7 @@ void ProjectTree::rebuild() {
 }
 
 std::optional<std::size_t> ProjectTree::selected_setup() const {
-    const auto node = selected();
-    if (!node) return std::nullopt;
-    if (node->kind == TreeNode::Kind::setup) return node->index;
-    if (node->kind != TreeNode::Kind::elsewhere) return std::nullopt;
-    const std::vector<const Operation*> all = all_operations(document_.project());
-    if (node->index >= all.size()) return std::nullopt;
-    return setup_of_operation(document_.project(), all[node->index]->common().name);
+    return setup_of(document_.project(), selected());
 }
 
 void ProjectTree::go_to_setup() {
@@ -356,20 +351,30 @@ void ProjectTree::update_actions() {
     const bool tool = node && node->kind == TreeNode::Kind::tool;
     const bool operation = node && node->kind == TreeNode::Kind::operation;
     const bool setup = node && node->kind == TreeNode::Kind::setup;
+    const bool fixture = node && node->kind == TreeNode::Kind::fixture;
     const std::size_t setups = setup_count(document_.project());
     const auto there = selected_setup();
     go_to_setup_->setEnabled(there && *there != chosen_setup(document_.project()));
-    for (QAction* a : add_setup_->actions())
-        a->setEnabled(document_.part_is_current());
+    for (const QMenu* menu : {add_setup_, add_fixture_})
+        for (QAction* a : menu->actions())
+            a->setEnabled(document_.part_is_current());
     add_tool_->setEnabled(document_.has_part());
     for (QAction* a : add_operation_->actions())
         a->setEnabled(document_.has_part());
     edit_->setEnabled(tool);
-    duplicate_->setEnabled(tool || operation || setup);
-    remove_->setEnabled(tool || operation || setup);
+    duplicate_->setEnabled(tool || operation || setup || fixture);
+    remove_->setEnabled(tool || operation || setup || fixture);
     up_->setEnabled((operation || setup) && node->index > 0);
     down_->setEnabled((operation && node->index + 1 < document_.operation_count())
                       || (setup && node->index + 1 < setups));
+}
+
+void ProjectTree::edit_selected() {
+    const auto node = selected();
+    if (node && node->kind == TreeNode::Kind::tool)
+        emit edit_tool(node->index);
+    else if (node)
+        emit edit_parameters();
 }
 
 void ProjectTree::duplicate() {
@@ -377,6 +382,8 @@ void ProjectTree::duplicate() {
     if (!node) return;
     if (node->kind == TreeNode::Kind::tool)
         document_.duplicate_tool(node->index);
+    else if (node->kind == TreeNode::Kind::fixture)
+        duplicate_fixture(document_, node->index);
     else if (node->kind == TreeNode::Kind::operation)
         document_.duplicate_operation(node->index);
     else if (node->kind == TreeNode::Kind::setup)
@@ -394,6 +401,8 @@ void ProjectTree::remove() {
     try {
         if (node->kind == TreeNode::Kind::tool)
             document_.remove_tool(node->index);
+        else if (node->kind == TreeNode::Kind::fixture)
+            remove_fixture(document_, node->index);
         else if (node->kind == TreeNode::Kind::operation)
             document_.remove_operation(node->index);
     } catch (const Error& e) {
@@ -426,18 +435,15 @@ void ProjectTree::menu(const QPoint& at) {
     }
     if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);
     if (selected_setup()) menu.addAction(go_to_setup_);
-    const bool setup = node && node->kind == TreeNode::Kind::setup;
-    if (setup || (node && (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::tool))) {
-        menu.addAction(duplicate_);
-        menu.addAction(remove_);
-        if (node->kind != TreeNode::Kind::tool) {
-            menu.addAction(up_);
-            menu.addAction(down_);
-        }
+    if (duplicate_->isEnabled()) {
+        menu.addActions({duplicate_, remove_});
+        if (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::setup)
+            menu.addActions({up_, down_});
         menu.addSeparator();
     }
     menu.addMenu(add_operation_);
     menu.addAction(add_tool_);
+    menu.addMenu(add_fixture_);
     menu.addMenu(add_setup_);
     menu.exec(tree_->viewport()->mapToGlobal(at));
 }

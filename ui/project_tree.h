@@ -26,6 +26,7 @@ struct TreeNode {
     enum class Kind {
         part,
         stock,
+        fixture,
         machine,
         limits,
         tools,
@@ -37,7 +38,7 @@ struct TreeNode {
         elsewhere
     };
     Kind kind = Kind::part;
-    std::size_t index = 0; ///< which tool or operation
+    std::size_t index = 0; ///< which tool, fixture or operation
     bool operator==(const TreeNode&) const = default;
 };
 
@@ -60,6 +61,7 @@ public:
     QAction* add_tool_action() { return add_tool_; }
     QMenu* add_operation_menu() { return add_operation_; }
     QMenu* add_setup_menu() { return add_setup_; }
+    QMenu* add_fixture_menu() { return add_fixture_; }
     QAction* go_to_setup_action() { return go_to_setup_; }
     QAction* edit_action() { return edit_; }
     QAction* duplicate_action() { return duplicate_; }
@@ -74,6 +76,8 @@ signals:
     /// The parameters of what is selected are wanted, by Enter or F2.
     void edit_parameters();
     void plan_operation(std::size_t index);
+    /// A mesh for a new fixture at this place of the list is asked for.
+    void new_mesh_fixture(std::size_t at);
     /// A change that the project refuses.
     void refused(const QString& why);
 
@@ -89,6 +93,7 @@ private:
     void show_states();
     void show_verdicts();
     void update_actions();
+    void edit_selected();
     void duplicate();
     void remove();
     void move(int by);
@@ -99,7 +104,7 @@ private:
     QTreeWidget* tree_ = nullptr;
     QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
             *down_ = nullptr;
-    QMenu *add_operation_ = nullptr, *add_setup_ = nullptr;
+    QMenu *add_operation_ = nullptr, *add_setup_ = nullptr, *add_fixture_ = nullptr;
     QAction* go_to_setup_ = nullptr;
     bool rebuilding_ = false;
 };

@@ -168,6 +168,20 @@ JoinedView<StockSpec, StockSize> stock_view(StockSpec& stock, StockSize& size) {
     return {{stock, stock_parameters()}, {size, stock_size()}, "margin"};
 }
 
+std::vector<std::string> stock_form_keys(const StockSpec& stock, const StockSize& total) {
+    std::vector<std::string> keys = stock_keys(stock.kind);
+    if (total.size[0] > 0) keys.push_back("size");
+    return keys;
+}
+
+/// The keys that a form does not show because they say nothing of this kind.
+std::vector<std::string> all_but(const std::vector<std::string>& keys, const Parameterized& values) {
+    std::vector<std::string> hidden;
+    for (const ParameterInfo* info : values.parameters())
+        if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
+    return hidden;
+}
+
 const std::vector<std::string> axis_points{"axis_from", "axis_to"};
 
 bool through_points(const LatheCommon& turning) {
@@ -228,8 +242,8 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     sketch_->setMinimumHeight(220);
     edit_tool_ = new QPushButton(icon(Icon::edit), tr("Edit tool…"), content);
     edit_tool_->setObjectName(QStringLiteral("edit_tool"));
-    choose_stock_ = new QPushButton(icon(Icon::open), tr("Choose mesh…"), content);
-    choose_stock_->setObjectName(QStringLiteral("choose_stock"));
+    choose_mesh_ = new QPushButton(icon(Icon::open), tr("Choose mesh…"), content);
+    choose_mesh_->setObjectName(QStringLiteral("choose_stock"));
     edit_regions_ = new QPushButton(icon(Icon::edit), tr("Rework regions…"), content);
     edit_regions_->setObjectName(QStringLiteral("edit_regions"));
     edit_regions_->setToolTip(
@@ -243,7 +257,7 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     column->addWidget(form_);
     auto* stock_box = new QVBoxLayout;
     stock_box->setContentsMargins(8, 4, 8, 4);
-    stock_box->addWidget(choose_stock_);
+    stock_box->addWidget(choose_mesh_);
     column->addLayout(stock_box);
     auto* tool_box = new QVBoxLayout;
     tool_box->setContentsMargins(8, 4, 8, 4);
@@ -266,7 +280,12 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     connect(edit_tool_, &QPushButton::clicked, this, [this] {
         if (node_ && node_->kind == TreeNode::Kind::tool) emit edit_tool(node_->index);
     });
-    connect(choose_stock_, &QPushButton::clicked, this, &PropertiesPanel::choose_stock);
+    connect(choose_mesh_, &QPushButton::clicked, this, [this] {
+        if (node_ && node_->kind == TreeNode::Kind::fixture)
+            emit choose_fixture(node_->index);
+        else
+            emit choose_stock();
+    });
     connect(edit_regions_, &QPushButton::clicked, this, [this] {
         if (node_ && node_->kind == TreeNode::Kind::operation && commit()) emit edit_regions(node_->index);
     });
@@ -303,8 +322,10 @@ QString PropertiesPanel::shape() const {
         if (const LatheCommon* turning = document_.operation(node_->index).turning())
             shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
     }
-    if (node_->kind == TreeNode::Kind::stock)
+    if (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::fixture)
         shape += QChar('/') + QString::number(chosen_setup(document_.project()));
+    if (node_->kind == TreeNode::Kind::fixture && node_->index < document_.project().fixtures.size())
+        shape += QChar('/') + text(fixture_kind_name(document_.project().fixtures[node_->index].kind));
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
                  + (document_.part() ? QStringLiteral("/sized") : QString());
@@ -320,7 +341,7 @@ void PropertiesPanel::refresh() {
     shape_ = now;
     QString title, hint;
     bool alarm = false; // what the hint says is wrong
-    bool form = false, tool = false, mesh_stock = false, regions = false;
+    bool form = false, tool = false, mesh = false, regions = false;
     const auto show = [&](const Parameterized& values,
                           const std::map<std::string, std::vector<FormChoice>>& choices = {},
                           const std::vector<std::string>& hidden = {}) {
@@ -341,13 +362,14 @@ void PropertiesPanel::refresh() {
         StockSpec copy = project.stock;
         StockSize total = total_size(copy, document_.part());
         const auto view = stock_view(copy, total);
-        std::vector<std::string> keys = stock_keys(copy.kind);
-        if (total.size[0] > 0) keys.push_back("size");
-        std::vector<std::string> hidden;
-        for (const ParameterInfo* info : view.parameters())
-            if (std::find(keys.begin(), keys.end(), info->key) == keys.end()) hidden.push_back(info->key);
-        show(view, {{"kind", stock_kinds(project)}}, hidden);
-        mesh_stock = copy.kind == StockSpec::Kind::mesh;
+        show(view, {{"kind", stock_kinds(project)}}, all_but(stock_form_keys(copy, total), view));
+        mesh = copy.kind == StockSpec::Kind::mesh;
+    } else if (node_->kind == Kind::fixture && node_->index < project.fixtures.size()) {
+        Fixture copy = project.fixtures[node_->index];
+        title = text(copy.name);
+        const ParameterView<Fixture> view(copy, fixture_parameters());
+        show(view, {}, all_but(fixture_keys(copy.kind), view));
+        mesh = copy.kind == Fixture::Kind::mesh;
     } else if (node_->kind == Kind::setup && node_->index < setup_count(project)) {
         const Setup& setup = setup_at(project, node_->index);
         title = text(setup.name);
@@ -406,7 +428,7 @@ void PropertiesPanel::refresh() {
     form_->setVisible(form);
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
-    choose_stock_->setVisible(mesh_stock);
+    choose_mesh_->setVisible(mesh);
     edit_regions_->setVisible(regions);
     if (build && !form) form_->set_parameters({}, unit);
 }
@@ -457,7 +479,18 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
     if (node.kind == Kind::stock && key == "kind" && std::get<std::string>(value) == "mesh"
         && document_.project().stock.file.empty())
         return emit choose_stock(); // no project without a file for it
-    if (node.kind == Kind::stock && key == "file" && std::get<std::string>(value).empty())
+    if (node.kind == Kind::fixture && key == "kind" && std::get<std::string>(value) == "mesh"
+        && document_.project().fixtures.at(node.index).file.empty())
+        return emit choose_fixture(node.index);
+    if (node.kind == Kind::fixture && key == "name") {
+        const QString name = text(std::get<std::string>(value)).trimmed();
+        if (name.isEmpty()) return wrong(tr("Give the fixture a name"));
+        for (std::size_t i = 0; i < document_.project().fixtures.size(); ++i)
+            if (i != node.index && text(document_.project().fixtures[i].name) == name)
+                return wrong(tr("Another fixture has this name"));
+    }
+    if ((node.kind == Kind::stock || node.kind == Kind::fixture) && key == "file"
+        && std::get<std::string>(value).empty())
         return wrong(tr("Name a mesh file"));
     // Of a list the form only says how many there are.
     const bool clears =
@@ -474,6 +507,8 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                          margins_for(std::get<std::array<double, 3>>(value), document_.part()->box, p.unit));
             else if (node.kind == Kind::stock)
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
+            else if (node.kind == Kind::fixture)
+                ParameterView<Fixture>(p.fixtures.at(node.index), fixture_parameters()).set(key, value);
             else if (node.kind == Kind::setup && key == "name")
                 setup_at(p, node.index).name = std::get<std::string>(value);
             else if (node.kind == Kind::setup)

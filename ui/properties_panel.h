@@ -45,6 +45,8 @@ signals:
     void shown();
     /// A mesh for the stock is asked for.
     void choose_stock();
+    /// A mesh for a fixture is asked for.
+    void choose_fixture(std::size_t index);
 
 private:
     void refresh();
@@ -60,7 +62,7 @@ private:
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
-    QPushButton *edit_tool_ = nullptr, *choose_stock_ = nullptr, *edit_regions_ = nullptr;
+    QPushButton *edit_tool_ = nullptr, *choose_mesh_ = nullptr, *edit_regions_ = nullptr;
 };
 
 } // namespace facetmill::ui
