@@ -676,6 +676,21 @@ private slots:
         QVERIFY(few.spacing > 0.4);
     }
 
+    void neither_side_of_a_crease_is_judged_across_it() {
+        const Vec3 half(5, 4, 3);
+        constexpr double inset = 0.1;
+        // Also where no facet has to be divided.
+        for (const double spacing : {100.0, 0.7}) {
+            const SurfaceSamples s = sample_surface(box(-half, half), spacing, 1'000'000, Progress(), inset);
+            for (std::size_t i = 0; i < s.points.size(); ++i) {
+                QVERIFY(s.normals[i].cwiseAbs().maxCoeff() > 1 - 1e-12);
+                Vec3 off = half - s.places[i].cwiseAbs(); // the faces of the box
+                std::sort(off.begin(), off.end());
+                QVERIFY(std::abs(off[0]) < 1e-12 && off[1] > 0.4 * inset);
+            }
+        }
+    }
+
     void borders_and_walls_are_flagged() {
         const Mesh part = step(-5, 0);
         const Outcome o =
@@ -709,15 +724,19 @@ private slots:
         StockSolid as_box = block({Vec3(-10, -8, -6), Vec3(10, 8, 6)}), as_mesh = as_box;
         as_mesh.kind = StockSolid::Kind::mesh;
         as_mesh.mesh = std::make_shared<Mesh>(box(as_box.box.lo, as_box.box.hi));
+        StockSolid inside_out = as_mesh; // wound the other way
+        inside_out.mesh = std::make_shared<Mesh>(box(as_box.box.hi, as_box.box.lo));
         StockSolid round = as_box;
         round.kind = StockSolid::Kind::cylinder;
         round.axis = 0;
         round.radius = 5;
-        const StockExit by_box(as_box, Progress()), by_mesh(as_mesh, Progress()), by_round(round, Progress());
+        const StockExit by_box(as_box, Progress()), by_mesh(as_mesh, Progress()), by_round(round, Progress()),
+            by_turned(inside_out, Progress());
         for (int i = 0; i < 5000; ++i) {
             const Vec3 p = 13 * Vec3(share(random), share(random), share(random)), n = random_unit(random);
             const double a = by_box(p, n), b = by_mesh(p, n), c = by_round(p, n);
             QVERIFY(std::abs(std::max(a, -1.0) - std::max(b, -1.0)) < 1e-9);
+            QCOMPARE(by_turned(p, n), b);
             const bool in = std::abs(p.x()) <= 10 && std::hypot(p.y(), p.z()) <= 5;
             QCOMPARE(c >= 0, in);
             if (!in) continue;
