@@ -210,8 +210,8 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         } else {
             if (last) retract(*last);
             CutterLocation over = at_height(start, stock.down_to(start.tip, result.clearance_z));
-            if (const auto beside = stock.beside(start.tip, over.tip.z() - start.tip.z(), part, fine.spacing))
-                over.tip = *beside;
+            if (const auto aside = stock.beside(start.tip, over.tip.z() - start.tip.z(), part, fine.spacing))
+                over.tip = *aside;
             add(MotionKind::rapid, at_height(over, result.clearance_z));
             if (over.tip.z() < result.clearance_z) add(MotionKind::rapid, over);
             add(MotionKind::approach, start, pass_index, 0);

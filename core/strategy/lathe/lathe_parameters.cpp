@@ -8,13 +8,11 @@ namespace facetmill {
 
 namespace {
 
-using K = ParameterKind;
-
 ParameterInfo axis_point(const char* key, const char* label, const char* help) {
     return {.key = key,
             .label = label,
             .help = help,
-            .kind = K::triple,
+            .kind = ParameterKind::triple,
             .quantity = Quantity::length,
             .minimum = -1e6,
             .maximum = 1e6};
@@ -25,7 +23,7 @@ ParameterInfo end_of_path(const char* key, const char* label, const char* help) 
     return {.key = key,
             .label = label,
             .help = help,
-            .kind = K::number_or_word,
+            .kind = ParameterKind::number_or_word,
             .quantity = Quantity::length,
             .minimum = -1e6,
             .maximum = 1e6,
@@ -38,7 +36,7 @@ ParameterInfo holding(const char* key, const char* label, const char* help) {
     return {.key = key,
             .label = label,
             .help = help,
-            .kind = K::pair,
+            .kind = ParameterKind::pair,
             .quantity = Quantity::length,
             .minimum = 0,
             .maximum = 1e5};
@@ -71,7 +69,7 @@ std::vector<ParameterInfo> course_parameters() {
          .label = "Points per turn",
          .help = "Even steps of the turning angle; more points are put in where the part asks for them. "
                  "auto takes as few as the chord tolerance allows. Of lengthwise lines: lines per turn.",
-         .kind = K::number_or_word,
+         .kind = ParameterKind::number_or_word,
          .quantity = Quantity::count,
          .minimum = 3,
          .maximum = 1e6,
@@ -96,7 +94,7 @@ std::vector<ParameterInfo> tool_parameters() {
          .label = "Off centre",
          .help = "How far beside the centre line the cutter runs, so that a "
                  "ball does not cut with its tip.",
-         .kind = K::number,
+         .kind = ParameterKind::number,
          .quantity = Quantity::length,
          .minimum = -1000,
          .maximum = 1000,
@@ -105,7 +103,7 @@ std::vector<ParameterInfo> tool_parameters() {
          .label = "Tilt",
          .help = "How far the cutter leans along the axis, away from square to "
                  "it.",
-         .kind = K::number,
+         .kind = ParameterKind::number,
          .quantity = Quantity::angle,
          .minimum = radians(-60),
          .maximum = radians(60),
@@ -114,7 +112,7 @@ std::vector<ParameterInfo> tool_parameters() {
          .label = "Core radius",
          .help = "The tip comes no nearer to the axis than this: nothing is cut off, and holes through the "
                  "axis are not entered deeper.",
-         .kind = K::number,
+         .kind = ParameterKind::number,
          .quantity = Quantity::length,
          .minimum = 0,
          .maximum = 1e6},
