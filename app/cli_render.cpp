@@ -114,7 +114,7 @@ void render_cspace(const Arguments& arguments, Session& session) {
         arguments.has("--point") ? point_number(arguments.value("--point")) : record->points.size() / 2;
     const FiveAxisStudy study(record, progress.part(0.7, 0.75, "Configuration space"));
     const FiveAxisStudy::Point point = study.point(number, progress.part(0.75, 0.95));
-    request.content = CSpaceContent::of(study, point);
+    request.content = CSpaceContent::of(point);
     request.unit = project.unit;
     request.title = name + " \u00b7 point " + std::to_string(number);
     request.subtitle = "Configuration space, pass " + std::to_string(record->line_of(number).drive + 1) + ", "

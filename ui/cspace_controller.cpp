@@ -231,7 +231,7 @@ void CSpaceController::study() {
 void CSpaceController::show_point(std::shared_ptr<const FiveAxisStudy::Point> point) {
     shown_ = std::move(point);
     tried_.reset();
-    auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*studies_->study(), *shown_));
+    auto content = std::make_shared<CSpaceContent>(CSpaceContent::of(*shown_));
     CSpaceScene& scene = panel_->view()->scene();
     scene.set_unit(document_.unit());
     panel_->heading()->set_text(heading());
@@ -361,8 +361,7 @@ bool CSpaceController::save_picture(const QString& path) {
 
 bool CSpaceController::save_table(const QString& path) {
     if (!shown_ || !studies_->study()) return false;
-    return report_written(
-        path, write_table(document_, path, cspace_csv(*studies_->study(), *shown_, document_.unit())));
+    return report_written(path, write_table(document_, path, cspace_csv(*shown_, document_.unit())));
 }
 
 QString CSpaceController::export_name() const {

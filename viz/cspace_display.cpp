@@ -59,9 +59,9 @@ Rgb cspace_choice_color(std::size_t choice) {
     return fixed_colors().postures.choices[choice];
 }
 
-CSpaceContent CSpaceContent::of(const FiveAxisStudy& study, const FiveAxisStudy::Point& point) {
+CSpaceContent CSpaceContent::of(const FiveAxisStudy::Point& point) {
     CSpaceContent c;
-    c.grid = study.field().grid();
+    c.grid = point.grid;
     c.bottom = point.space.bottom;
     c.top = point.space.top;
     c.block = point.space.block;

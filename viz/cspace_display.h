@@ -38,7 +38,7 @@ struct CSpaceContent {
     std::array<ChosenPosture, cspace_choices> choices;
     std::size_t free_nodes = 0;
 
-    static CSpaceContent of(const FiveAxisStudy& study, const FiveAxisStudy::Point& point);
+    static CSpaceContent of(const FiveAxisStudy::Point& point);
 };
 
 /// Separate triangles: 9 numbers and a colour (RGBA) each.

@@ -27,7 +27,7 @@ Json degrees_of(const std::vector<double>& values) {
 
 std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit) {
     const double per = mm_per(unit);
-    const PostureGrid& grid = study.field().grid();
+    const PostureGrid& grid = point.grid;
     const ContactFrame& frame = point.place.frame;
     Json json;
     json["units"] = std::string(unit_name(unit));
@@ -76,10 +76,10 @@ std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& 
     return pretty_json(json);
 }
 
-std::string cspace_csv(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit) {
+std::string cspace_csv(const FiveAxisStudy::Point& point, LengthUnit unit) {
     const double per = mm_per(unit);
     const std::string name(unit_name(unit));
-    const PostureGrid& grid = study.field().grid();
+    const PostureGrid& grid = point.grid;
     const auto number = [](double value) {
         return std::isfinite(value) ? format_number(value, 9) : std::string();
     };

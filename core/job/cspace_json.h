@@ -15,6 +15,6 @@ std::string cspace_json(const FiveAxisStudy& study, const FiveAxisStudy::Point& 
 
 /// The same as a table with a line per posture:
 /// lead_deg,yaw_deg,delta_bottom_UNIT,delta_top_UNIT,blocked. Values that are not finite are empty.
-std::string cspace_csv(const FiveAxisStudy& study, const FiveAxisStudy::Point& point, LengthUnit unit);
+std::string cspace_csv(const FiveAxisStudy::Point& point, LengthUnit unit);
 
 } // namespace facetmill

@@ -250,6 +250,30 @@ private:
     int unsatisfied_ = 0; ///< drive planes
 };
 
+/// What keeps the tool from most of a piece, and what helps.
+std::string why_unreached(const UnreachedPiece& piece) {
+    const auto most = std::max_element(piece.by_block.begin() + 1, piece.by_block.end());
+    switch (ReachBlock(most - piece.by_block.begin())) {
+    case ReachBlock::machine:
+        return "the tool has room there, and the machine's axes do not take it in; turn the part or take "
+               "another machine";
+    case ReachBlock::holder:
+        return "the cutter has room there, and the holder would hit the part by every axis; use a longer "
+               "tool "
+               "or a smaller holder";
+    case ReachBlock::shank:
+        return "the cutter has room there, and the shank would hit the part by every axis; use a longer or "
+               "thinner tool";
+    case ReachBlock::cutter:
+        return "the part is in the cutter's way by every axis; use a smaller or longer tool, or turn the "
+               "part";
+    case ReachBlock::below:
+    case ReachBlock::none:
+        break;
+    }
+    return "it faces down; turn the part over and cut it in another setup";
+}
+
 /// Cuts a part side by side: the pieces of part_sides.h one after the other, and their paths as one.
 class SidePlanner {
 public:
@@ -291,7 +315,9 @@ private:
         context.part = side.piece.mesh;
         context.geometry = side.piece.geometry;
         context.curvatures = side.piece.curvatures;
-        Planner5 planner(settings_, context, progress, true, 0, side.view);
+        Finish5Settings own = settings_;
+        own.lead_limits = side.lead_limits;
+        Planner5 planner(own, context, progress, true, 0, side.view);
         StrategyResult one = planner.run();
         order_by_travel(one.passes, false, clear_z(), progress.part(1, 1));
         const PassCutter& cutter = planner.cutter();
@@ -354,12 +380,9 @@ private:
         const std::size_t count = sides_.unreached.size();
         for (std::size_t i = 0; i < std::min(count, max_told); ++i) {
             const UnreachedPiece& piece = sides_.unreached[i];
-            result_.warnings.push_back(
-                "cannot be reached: " + area_text(piece.area) + " of the surface ("
-                + share_text(piece.area, sides_.whole_area) + ") around " + text_(piece.place)
-                + (piece.below ? ": it faces down; turn the part over and cut it in another setup"
-                               : ": part, holder or the machine's travel are in the way; use a longer or "
-                                 "smaller tool, or turn the part"));
+            result_.warnings.push_back("cannot be reached: " + area_text(piece.area) + " of the surface ("
+                                       + share_text(piece.area, sides_.whole_area) + ") around "
+                                       + text_(piece.place) + ": " + why_unreached(piece));
         }
         if (count > max_told)
             result_.warnings.push_back(
@@ -403,6 +426,17 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
                               "twice as coarse; what no axis reaches is said. top: everything is cut as it "
                               "is seen from above.",
                       .words = {"auto", "top"}});
+        t.add(&Finish5Settings::reach_lead,
+              {.key = "reach_lead",
+               .label = "Lead to reach",
+               .help =
+                   "Largest inclination on a part that is cut side by side, for pieces with places that no "
+                   "inclination within the lead limits reaches: undersides, faces of blades behind others. "
+                   "No larger than the upper lead limit: these are left, and said.",
+               .kind = ParameterKind::number,
+               .quantity = Quantity::angle,
+               .minimum = 0,
+               .maximum = radians(89)});
         t.add_records(&Finish5Settings::manual_postures, manual_posture_list,
                       {.label = "Kept postures",
                        .help = "Postures chosen by hand for single contact points, in the configuration "

@@ -37,6 +37,8 @@ struct Finish5Settings : OperationCommon {
     NumberOrWord stepover{0, "adaptive"}; ///< mm
     Pattern pattern = Pattern::zigzag;
     Sides sides = Sides::automatic;
+    /// The largest lead where a part is cut side by side and no lead within the limits reaches a place.
+    double reach_lead = radians(85);
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     double turn_limit = radians(15); ///< between neighbouring tool axes

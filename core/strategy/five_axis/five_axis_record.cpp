@@ -9,6 +9,12 @@ const FiveAxisRecord::Line& FiveAxisRecord::line_of(std::size_t point) const {
                              [](std::size_t p, const Line& line) { return p < line.end; });
 }
 
+Finish5Settings FiveAxisRecord::settings_of(std::size_t piece) const {
+    Finish5Settings own = settings;
+    own.lead_limits = pieces[piece].lead_limits;
+    return own;
+}
+
 void FiveAxisRecord::append(const FiveAxisRecord& other, int drives) {
     for (const Line& line : other.lines)
         lines.push_back({points.size() + line.begin, points.size() + line.end, drives + line.drive,

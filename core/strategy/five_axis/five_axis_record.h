@@ -26,14 +26,16 @@ struct FiveAxisRecord {
     struct Piece {
         PlanContext context;
         Mat3 view = Mat3::Identity();
+        std::array<double, 2> lead_limits{0, 0};
     };
     PlanContext context;      ///< of the first piece
-    Finish5Settings settings; ///< of all pieces
+    Finish5Settings settings; ///< of all pieces, but for their lead limits
     std::vector<Piece> pieces;
     std::vector<Point> points; ///< in machining order
     std::vector<Line> lines;
 
     const Line& line_of(std::size_t point) const;
+    Finish5Settings settings_of(std::size_t piece) const;
     /// Appends what was cut of other pieces; the number of drive planes before them is `drives`.
     void append(const FiveAxisRecord& other, int drives);
 };

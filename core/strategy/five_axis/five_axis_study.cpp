@@ -4,7 +4,7 @@ namespace facetmill {
 
 FiveAxisStudy::FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress)
     : record_(std::move(record)),
-      field_(record_->context, record_->settings, progress, true, record_->pieces.front().view),
+      field_(record_->context, record_->settings_of(0), progress, true, record_->pieces.front().view),
       further_(record_->pieces.size()) {}
 
 const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
@@ -14,7 +14,8 @@ const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
     auto& own = further_[line.piece];
     const FiveAxisRecord::Piece& piece = record_->pieces[line.piece];
     if (!own)
-        own = std::make_unique<FiveAxisField>(piece.context, record_->settings, progress, true, piece.view);
+        own = std::make_unique<FiveAxisField>(piece.context, record_->settings_of(line.piece), progress, true,
+                                              piece.view);
     return *own;
 }
 
@@ -57,6 +58,7 @@ std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const P
         Point& point = points[i];
         point.index = line.begin + i;
         point.place = places[i];
+        point.grid = field.grid();
         point.curves = std::move(study.curves[i]);
         point.space = std::move(study.spaces[i]);
         point.cm2_lead = study.points[i].cm2_lead;

@@ -19,6 +19,7 @@ public:
     struct Point {
         std::size_t index = 0;
         ContactPlace place;
+        PostureGrid grid; ///< that of its piece
         std::vector<RaisedCurve> curves;
         CSpace space;                        ///< with the bottom everywhere
         double cm2_lead = 0;                 ///< the CM2 lead, whether it is free or not
@@ -36,7 +37,7 @@ public:
     CSpaceBuilder::Reason reason(const Point& point, double lead, double yaw) const {
         return field_.builder().reason(point.place.frame, lead, yaw, point.curves);
     }
-    /// Tool, machine and grid: those of all pieces.
+    /// The field of the first piece; tool and machine are those of all.
     const FiveAxisField& field() const { return field_; }
     const FiveAxisRecord& record() const { return *record_; }
 

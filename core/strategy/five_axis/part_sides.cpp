@@ -2,17 +2,14 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/cspace/contact_frame.h"
-#include "core/gouge/tool_lift.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/refine.h"
-#include "core/setup/kinematics.h"
-#include "core/strategy/plan/budget.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace facetmill {
 
@@ -22,6 +19,9 @@ namespace {
 const double steep_z = std::cos(radians(75));
 /// They do so from this share of all that can be reached on.
 constexpr double steep_share = 0.02;
+/// And facets that only leads above the limits reach, from this one on: an edge that turns under is a matter
+/// of the setup that has the part turned over.
+constexpr double far_share = 0.1;
 /// A view serves facets whose normals lie this near to it; more views are taken as long as they add this
 /// share of the surface.
 const double served_cos = std::cos(radians(40));
@@ -39,8 +39,8 @@ constexpr double crumb = 0.25;
 /// Larger facets are divided before they are judged, in radii of the cutter.
 constexpr double longest_edge = 4;
 constexpr std::size_t max_facets = 4'000'000, facets_per_block = 64;
-/// The axes by which a facet is tried: inclinations from the least to the largest, turned evenly.
-constexpr int tried_leads = 4, tried_yaws = 12;
+/// By how much normals at contact points may differ from those of the facets of a piece.
+const double normals_differ = radians(5);
 /// Vertex normals are those of the whole part where all facets of a piece lie this near to them: elsewhere
 /// the part has an edge, and the piece ends at it.
 const double smooth_cos = std::cos(radians(25));
@@ -139,45 +139,38 @@ private:
         }
     }
 
-    /// Which facets some axis of the operation reaches.
+    /// Which facets some axis of the operation reaches, and what keeps it from the others.
     void find_reach() {
-        const double allowance = settings_.allowance + context_.tessellation_tolerance[1];
-        const double cusp = cusp_budget(settings_, context_);
-        const ToolLift lift(context_.contact, context_.tool,
-                            {allowance, settings_.holder_clearance, settings_.holder_clearance});
-        const Kinematics kinematics(context_.machine, gauge_length(context_.tool),
-                                    default_part_origin(context_.machine, context_.part_box));
-        const double lo = settings_.lead_limits[0], hi = settings_.lead_limits[1];
+        reach_.emplace(context_, settings_);
         reached_.assign(area_.size(), 0);
-        parallel_blocks(
-            area_.size(), facets_per_block, progress_.part(0.3, 0.9),
-            [&](std::size_t begin, std::size_t end) {
-                ToolLift::Hint hint;
-                for (std::size_t f = begin; f < end; ++f) {
-                    if (buried_[f] || normal_[f].isZero()) continue;
-                    const Vec3 middle = (mesh_.corner(f, 0) + mesh_.corner(f, 1) + mesh_.corner(f, 2)) / 3;
-                    const auto frame =
-                        ContactFrame::at(middle + allowance * normal_[f], normal_[f], Vec3::UnitX());
-                    for (int l = 0; l < tried_leads && !reached_[f]; ++l)
-                        for (int y = 0; y < (l == 0 && lo == 0 ? 1 : tried_yaws) && !reached_[f]; ++y) {
-                            const double lead = lo + (hi - lo) * l / (tried_leads - 1);
-                            const double yaw = -pi + 2 * pi * y / tried_yaws;
-                            if (posture_axis(frame, lead, yaw).z() < tolerance::lowest_axis_z) continue;
-                            const ToolPose pose = posture_pose(lift.cutter(), frame, {lead, yaw, 0});
-                            reached_[f] = !lift.is_deeper(pose, cusp, hint) && kinematics.reaches(pose);
-                        }
-                }
-            });
+        far_.assign(area_.size(), 0);
+        block_.assign(area_.size(), ReachBlock::none);
+        parallel_blocks(area_.size(), facets_per_block, progress_.part(0.3, 0.9),
+                        [&](std::size_t begin, std::size_t end) {
+                            ToolLift::Hint hint;
+                            for (std::size_t f = begin; f < end; ++f) {
+                                if (buried_[f] || normal_[f].isZero()) continue;
+                                const Vec3 middle =
+                                    (mesh_.corner(f, 0) + mesh_.corner(f, 1) + mesh_.corner(f, 2)) / 3;
+                                const AxisReach::Found found = reach_->at(middle, normal_[f], hint);
+                                reached_[f] = found.reached;
+                                far_[f] = found.far;
+                                block_[f] = found.block;
+                            }
+                        });
     }
 
     bool asks_for_sides() const {
-        double steep = 0, all = 0;
+        double steep = 0, far = 0, all = 0;
         for (std::size_t f = 0; f < area_.size(); ++f) {
             if (!reached_[f]) continue;
             all += area_[f];
-            if (normal_[f].z() < steep_z) steep += area_[f];
+            if (far_[f])
+                far += area_[f];
+            else if (normal_[f].z() < steep_z)
+                steep += area_[f];
         }
-        return steep > steep_share * all;
+        return steep > steep_share * (all - far) || far > far_share * all;
     }
 
     void join_neighbours() {
@@ -236,14 +229,8 @@ private:
             if (areas[number[f]] >= least || buried_[f]) continue;
             // Crumbs that can be reached in the middle of what cannot are no places to cut either.
             if (reached_[f] && areas[number[f]] < crumb * radius_ * radius_) reached_[f] = 0;
-            if (!reached_[f] && !too_low(f)) reached_[f] = 1;
+            if (!reached_[f] && !reach_->too_low(normal_[f])) reached_[f] = 1;
         }
-    }
-
-    bool too_low(std::size_t f) const {
-        const double lowest =
-            std::acos(tolerance::lowest_axis_z) + settings_.lead_limits[1]; // from +Z, of a normal
-        return normal_[f].z() < std::cos(std::min(lowest, pi));
     }
 
     void tell_unreached() {
@@ -251,21 +238,19 @@ private:
         const std::vector<Index> label(reached_.begin(), reached_.end());
         const std::vector<Index> number = components(label, joined_, areas);
         std::vector<UnreachedPiece> pieces(areas.size());
-        std::vector<double> largest(areas.size(), -1), low(areas.size(), 0);
+        std::vector<double> largest(areas.size(), -1);
         for (std::size_t f = 0; f < area_.size(); ++f) {
             if (reached_[f] || buried_[f]) continue;
             found_.unreached_area += area_[f];
             UnreachedPiece& piece = pieces[number[f]];
             piece.area += area_[f];
-            if (too_low(f)) low[number[f]] += area_[f];
+            piece.by_block[std::size_t(block_[f])] += area_[f];
             if (area_[f] <= largest[number[f]]) continue;
             largest[number[f]] = area_[f];
             piece.place = (mesh_.corner(f, 0) + mesh_.corner(f, 1) + mesh_.corner(f, 2)) / 3;
         }
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            pieces[i].below = low[i] > 0.5 * pieces[i].area;
-            if (pieces[i].area >= crumb * radius_ * radius_) found_.unreached.push_back(pieces[i]);
-        }
+        for (const UnreachedPiece& piece : pieces)
+            if (piece.area >= crumb * radius_ * radius_) found_.unreached.push_back(piece);
         std::stable_sort(found_.unreached.begin(), found_.unreached.end(),
                          [](const auto& a, const auto& b) { return a.area > b.area; });
     }
@@ -421,12 +406,27 @@ private:
                       std::move(curvatures)};
         made.view = view_turn(views_[view]);
         made.area = area;
+        made.lead_limits = lead_limits_of(facets);
         found_.pieces.push_back(std::move(made));
+    }
+
+    /// Wider ones where enough of a piece asks for them, without those that are too small for all of it.
+    std::array<double, 2> lead_limits_of(const std::vector<Index>& facets) const {
+        double far = 0, highest = -1;
+        for (const Index f : facets) {
+            if (far_[f]) far += area_[f];
+            highest = std::max(highest, normal_[f].z());
+        }
+        if (far < crumb * radius_ * radius_) return settings_.lead_limits;
+        const double least =
+            std::acos(std::min(highest, 1.0)) - std::acos(tolerance::lowest_axis_z) - normals_differ;
+        return {std::clamp(least, settings_.lead_limits[0], settings_.lead_limits[1]), reach_->widest_lead()};
     }
 
     const PlanContext& context_;
     const Finish5Settings& settings_;
     const Progress& progress_;
+    std::optional<AxisReach> reach_;
     double radius_ = 0;
     Mesh mesh_;
     std::vector<Vec3> normals_; ///< of vertices
@@ -434,6 +434,8 @@ private:
     std::vector<double> area_; ///< per facet, as all that follows
     std::vector<Vec3> normal_;
     std::vector<char> buried_, reached_;
+    std::vector<char> far_; ///< reached by leads above the limits only
+    std::vector<ReachBlock> block_;
     /// Per side of a facet: the facet beyond it, or nowhere; `beside_` has none beyond sharp edges.
     std::vector<Index> beside_, joined_;
     std::vector<Index> view_of_; ///< the number of its view, or nowhere

@@ -4,9 +4,10 @@
 // another matter: the axis is chosen per contact point, among all that machine and part allow.
 #pragma once
 
-#include "core/strategy/five_axis/finish5.h"
+#include "core/strategy/five_axis/axis_reach.h"
 #include "core/strategy/surface/region_field.h"
 
+#include <array>
 #include <vector>
 
 namespace facetmill {
@@ -16,13 +17,16 @@ struct SidePiece {
     PartPiece piece;
     Mat3 view = Mat3::Identity(); ///< turns the part so that the side faces up
     double area = 0;              ///< mm^2
+    /// The settings' own; or up to `reach_lead`, from the least by which the piece is reached, where it has
+    /// places that these do not reach.
+    std::array<double, 2> lead_limits{0, 0};
 };
 
 /// A connected piece of the surface that no axis of the operation reaches.
 struct UnreachedPiece {
-    double area = 0;           ///< mm^2
-    Vec3 place = Vec3::Zero(); ///< the middle of its largest facet
-    bool below = false;        ///< it faces down too steeply for any axis that the machine may take
+    double area = 0;                                                   ///< mm^2
+    Vec3 place = Vec3::Zero();                                         ///< the middle of its largest facet
+    std::array<double, std::size_t(ReachBlock::below) + 1> by_block{}; ///< mm^2 that each keeps the tool from
 };
 
 struct PartSides {
