@@ -10,6 +10,8 @@ namespace {
 
 /// A mesh that is grown has 44 times as many.
 constexpr std::size_t max_fixture_facets = 50'000;
+/// What stands less deep in a fixture touches it, mm.
+constexpr double touching = 0.01;
 
 void append(Mesh& mesh, const Mesh& more) {
     const auto first = Index(mesh.vertices.size());
@@ -61,6 +63,30 @@ std::vector<FixtureSolid> load_fixtures(const Project& project, const Progress& 
         }
     }
     return solids;
+}
+
+std::vector<std::string> fixture_warnings(const Project& project, const Mesh& part) {
+    std::vector<std::string> warnings;
+    for (const Fixture& f : project.fixtures) {
+        if (f.kind == Fixture::Kind::mesh) continue;
+        const bool round = f.kind == Fixture::Kind::cylinder;
+        const Mat3 back = rotation_of(f.rotate).transpose();
+        const Vec3 move(f.translate[0], f.translate[1], f.translate[2]);
+        double deepest = 0;
+        for (const Vec3& vertex : part.vertices) {
+            const Vec3 p = back * (vertex - move);
+            const double height = round ? f.height : f.size[2];
+            const double beside =
+                round ? 0.5 * f.diameter - p.head<2>().norm()
+                      : std::min(0.5 * f.size[0] - std::abs(p.x()), 0.5 * f.size[1] - std::abs(p.y()));
+            deepest = std::max(deepest, std::min({beside, p.z(), height - p.z()}));
+        }
+        if (deepest > touching)
+            warnings.push_back("The fixture '" + printable(f.name, 60)
+                               + "' stands in the part, which reaches "
+                               + length_text(deepest, project.unit, 3) + " into it.");
+    }
+    return warnings;
 }
 
 MeshPtr grown_fixtures(const std::vector<FixtureSolid>& fixtures) {

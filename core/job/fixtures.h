@@ -16,6 +16,9 @@ std::string fixtures_key(const Project& project);
 /// Those of the chosen setup. Throws what load_solid does; Error(limit_exceeded) for a mesh of too many
 /// facets. The place names the fixture.
 std::vector<FixtureSolid> load_fixtures(const Project& project, const Progress& progress);
+/// One sentence for each box or cylinder that has corners of the part inside, and how deep; of meshes nothing
+/// is told.
+std::vector<std::string> fixture_warnings(const Project& project, const Mesh& part);
 /// One mesh of the part's facets, first and in their order, and of the fixtures grown by their clearance: all
 /// that tools keep off.
 MeshPtr with_fixtures(const Mesh& part, const std::vector<FixtureSolid>& fixtures);

@@ -392,9 +392,13 @@ StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, 
         operation.linking() == Linking::upright || operation.purpose() == Purpose::cleaning;
     context.contact = ends_beside ? index : kept_off;
     StrategyResult path = operation.plan(context, progress.part(0, 0.95));
+    const KeptFixtures kept = kept_fixtures();
+    if (!ends_beside && !path.warnings.empty())
+        path.warnings.push_back(kept.names
+                                + " is kept off like the part: what the warnings before this one say of the "
+                                  "part may be said of it");
     // Layers and turns are planned clear of them, and what follows depends on what each of them cuts.
     if (operation.linking() == Linking::over_stock || operation.turning()) return path;
-    const KeptFixtures kept = kept_fixtures();
     keep_off_fixtures(path, context, kept, progress.part(0.95, 1));
     if (auto* global_local = std::get_if<GlobalLocalPath>(&path.detail);
         global_local && !global_local->rework->path.passes.empty()) {
@@ -569,6 +573,8 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     result->part = prepare(project, progress.part(0.0, 0.15));
     result->stock = stock_solid(project.stock, *result->part);
     result->stock_warnings = stock_warnings(project.stock, *result->part, project.unit);
+    for (std::string& warning : fixture_warnings(project, *result->part->mesh))
+        result->stock_warnings.push_back(std::move(warning));
     c.index_part(*result->part, progress.part(0.15, 0.2, "Indexing the part"));
 
     PlanContext context = context_of(project, *result->part, result->stock);

@@ -88,7 +88,7 @@ struct PlannerWork {
 struct PlanResult {
     std::shared_ptr<const PreparedPart> part;
     StockSolid stock;
-    std::vector<std::string> stock_warnings;
+    std::vector<std::string> stock_warnings; ///< of stock and fixtures
     /// One per program, in the project's order; those asked for. What an operation has `further` stands after
     /// it, too.
     std::vector<std::shared_ptr<const OperationResult>> operations;
