@@ -1,6 +1,7 @@
 #include "ui/controllers.h"
 
 #include "ui/cspace_controller.h"
+#include "ui/fixture_controller.h"
 #include "ui/inputs_controller.h"
 #include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
@@ -53,6 +54,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
                                window);
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
+    auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
     // A click in the view is for one of them.
     connect(picker, &PointPicker::picking_begun, place_, &PlaceController::leave);
     connect(place_, &PlaceController::picking_begun, picker, &PointPicker::leave);
@@ -60,7 +62,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
     all_ = {picker, verification_, rough_, regions_, inspection_, unrolled_, cspace_,
-            tool_,  strips_,       part_,  inputs_,  place_,      paths_};
+            tool_,  strips_,       part_,  fixtures, inputs_,     place_,    paths_};
 }
 
 void Controllers::connect_document(const Document& document) {

@@ -124,7 +124,6 @@ void PartController::show(const LoadedPart& loaded, bool new_view) {
     viewport_.content_changed();
     stock_mesh_ = loaded.stock;
     document_.set_part(loaded.part, loaded.key);
-    viewport_.scene().fixtures().set(loaded.part->fixtures);
     show_stock();
     // One that is missing is told as such.
     if (!loaded.stock_failure.isEmpty() && missing_inputs(document_.project()).empty())
@@ -166,9 +165,6 @@ void PartController::show_dimensions() {
 void PartController::node_chosen(const std::optional<TreeNode>& node) {
     node_ = node;
     show_dimensions();
-    const bool fixture = node && node->kind == TreeNode::Kind::fixture;
-    viewport_.scene().fixtures().choose(fixture ? std::optional(node->index) : std::nullopt);
-    viewport_.refresh();
 }
 
 void PartController::project_opened() {
@@ -181,7 +177,6 @@ void PartController::project_opened() {
     viewport_.scene().former().set(nullptr);
     viewport_.scene().part().set(PartDisplayPtr());
     viewport_.scene().stock().set_box(Box3());
-    viewport_.scene().fixtures().set(nullptr);
     viewport_.scene().set_unit(document_.unit());
 }
 

@@ -64,7 +64,8 @@ Viewport::~Viewport() = default;
 
 SceneCanvas::Hand Viewport::hand() const {
     if (!drag_) return Hand::free;
-    return drag_.kind() == Drag::handle ? Hand::drags_in_view : Hand::drags_view;
+    return drag_.kind() == Drag::handle || drag_.kind() == Drag::fixture ? Hand::drags_in_view
+                                                                         : Hand::drags_view;
 }
 
 void Viewport::content_changed() {
@@ -160,6 +161,12 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         handle_from_ = handle_to_ = *handle;
         return;
     }
+    if (const auto held = fixture_at(drag_.press()); held && scene().fixtures().chosen() == held->index) {
+        drag_.begin(Drag::fixture, drag_.press());
+        held_ = *held;
+        held_by_ = Vec3::Zero();
+        return;
+    }
     // What is under the pointer stays there; off the part it turns about the middle of what is shown.
     const Box3 bounds = scene().bounds();
     pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
@@ -202,6 +209,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         }
         break;
     }
+    case Drag::fixture:
+        held_by_ = fixture_travel(event->position(), event->modifiers() & Qt::ControlModifier);
+        emit fixture_dragged(held_.index, held_by_);
+        break;
     case Drag::none:
         break;
     }
@@ -218,11 +229,33 @@ std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
     return scene().strips().pick_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
 }
 
+std::optional<SceneFixtures::Pick> Viewport::fixture_at(const QPointF& at) const {
+    const QPointF p = device(at);
+    return scene().fixtures().pick(p.x(), p.y(), scene().part());
+}
+
+/// How far the place that was taken goes to stay under the pointer: in its level plane, or upright. Where
+/// that plane is seen from the side it goes in the upright plane that faces the eye.
+Vec3 Viewport::fixture_travel(const QPointF& to, bool upright) const {
+    constexpr double level_seen = 0.25; // a quarter of a circle's width
+    const QPointF p = device(to);
+    const Vec3 d = sight(), from = scene().camera().point_at(p.x(), p.y());
+    const bool level = !upright && std::abs(d.z()) > level_seen;
+    const Vec3 facing(d.x(), d.y(), 0);
+    const Vec3 n = level ? Vec3(Vec3::UnitZ()) : facing;
+    const double along = d.dot(n);
+    if (!(std::abs(along) > 1e-6)) return Vec3::Zero(); // straight from above nothing can be raised
+    const Vec3 by = from + (held_.point - from).dot(n) / along * d - held_.point;
+    return upright ? Vec3(0, 0, by.z()) : by;
+}
+
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const Drag was = drag_.end();
     if (was == Drag::handle && drag_.moved()) emit handle_dropped(handle_from_, handle_to_);
+    if (was == Drag::fixture && drag_.moved()) emit fixture_dropped(held_.index, held_by_);
     if (drag_.moved() || was == Drag::none) return;
-    if ((was == Drag::turn || was == Drag::handle) && event->button() == Qt::LeftButton)
+    if ((was == Drag::turn || was == Drag::handle || was == Drag::fixture)
+        && event->button() == Qt::LeftButton)
         click(event->position(), event->modifiers());
     if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
 }
@@ -258,6 +291,8 @@ void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
     if (picking_) return emit point_picked(scene().part().pick(p.x(), p.y()), modifiers);
     if (const auto pick = scene().paths().pick(p.x(), p.y(), pick_radius * devicePixelRatioF()))
         emit path_picked(*pick);
+    else if (const auto held = fixture_at(at))
+        emit fixture_picked(held->index);
     else if (const auto part = scene().part().pick(p.x(), p.y()))
         emit part_picked(*part);
     else
@@ -269,7 +304,8 @@ void Viewport::hover(const QPointF& at) {
     const QPointF p = device(at);
     if (picking_)
         setCursor(Qt::CrossCursor);
-    else if (handle_at(at))
+    else if (const auto held = fixture_at(at);
+             handle_at(at) || (held && scene().fixtures().chosen() == held->index))
         setCursor(Qt::SizeAllCursor);
     else
         unsetCursor();

@@ -1,6 +1,6 @@
 // The 3D view of a Scene, with the mouse: left turns, or moves the boundary point under it where the scene
-// shows handles; middle or Shift+left moves, right or the wheel zooms about the pointer, a click picks, a
-// double click fits.
+// shows handles, or the chosen fixture; middle or Shift+left moves, right or the wheel zooms about the
+// pointer, a click picks, a double click fits.
 #pragma once
 
 #include "ui/pointer.h"
@@ -49,6 +49,11 @@ signals:
     /// there.
     void handle_dragged(const facetmill::Vec3& from, const facetmill::Vec3& to);
     void handle_dropped(const facetmill::Vec3& from, const facetmill::Vec3& to);
+    /// A click that met a fixture, by its place among them. The chosen one can be dragged: level, with Ctrl
+    /// up and down; then it was let go so far from its place.
+    void fixture_picked(std::size_t index);
+    void fixture_dragged(std::size_t index, const facetmill::Vec3& by);
+    void fixture_dropped(std::size_t index, const facetmill::Vec3& by);
 
 protected:
     Hand hand() const override;
@@ -61,7 +66,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Drag { none, turn, move, zoom, handle };
+    enum class Drag { none, turn, move, zoom, handle, fixture };
     static Drag drag_of(const QMouseEvent& press);
     void place_overlays();
     void turn(const QPointF& by);
@@ -70,6 +75,8 @@ private:
     void zoom_at(const QPointF& at, double factor);
     void hover(const QPointF& at);
     std::optional<Vec3> handle_at(const QPointF& at) const;
+    std::optional<SceneFixtures::Pick> fixture_at(const QPointF& at) const;
+    Vec3 fixture_travel(const QPointF& to, bool upright) const;
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     ViewCube* cube_ = nullptr;
@@ -78,6 +85,8 @@ private:
     bool picking_ = false;
     Vec3 pivot_ = Vec3::Zero();
     Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();
+    SceneFixtures::Pick held_; ///< the fixture that is dragged, where it was taken
+    Vec3 held_by_ = Vec3::Zero();
 };
 
 } // namespace facetmill::ui

@@ -265,6 +265,10 @@ SceneStock& Scene::stock() {
 SceneFixtures& Scene::fixtures() {
     return impl_->fixtures;
 }
+
+const SceneFixtures& Scene::fixtures() const {
+    return impl_->fixtures;
+}
 SceneDeviation& Scene::deviation() {
     return impl_->deviation;
 }

@@ -54,6 +54,7 @@ public:
     const SceneFormer& former() const;
     SceneStock& stock();
     SceneFixtures& fixtures();
+    const SceneFixtures& fixtures() const;
     SceneDeviation& deviation();
     const SceneDeviation& deviation() const;
     SceneFindings& findings();

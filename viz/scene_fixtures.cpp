@@ -3,10 +3,12 @@
 #include "core/mesh/edge_table.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
+#include "viz/scene_part.h"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill {
@@ -20,12 +22,28 @@ void put(std::vector<float>& to, const Vec3& v) {
     to.insert(to.end(), {float(v.x()), float(v.y()), float(v.z())});
 }
 
+/// How far along a line it enters a mesh; infinity where it misses. Fixtures have few facets.
+double distance_along(const Mesh& mesh, const Vec3& from, const Vec3& direction) {
+    double nearest = infinity;
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        const Vec3 &a = mesh.corner(f, 0), u = mesh.corner(f, 1) - a, v = mesh.corner(f, 2) - a;
+        const Vec3 across = direction.cross(v);
+        const double det = u.dot(across);
+        if (det == 0) continue;
+        const Vec3 s = from - a, q = s.cross(u);
+        const double b = s.dot(across) / det, c = direction.dot(q) / det;
+        if (b >= 0 && c >= 0 && b + c <= 1) nearest = std::min(nearest, v.dot(q) / det);
+    }
+    return nearest;
+}
+
 } // namespace
 
 SceneFixtures::SceneFixtures(SceneStage& stage) : SceneLayer(stage) {}
 
 void SceneFixtures::shape(Body& body, const Mesh& mesh) {
-    body.center = mesh.box().center();
+    body.box = mesh.box();
+    body.center = body.box.center();
     for (std::size_t f = 0; f < mesh.facet_count(); ++f)
         for (int k = 0; k < 3; ++k) {
             body.triangles.push_back(std::int32_t(body.triangles.size()));
@@ -73,6 +91,33 @@ void SceneFixtures::set(std::shared_ptr<const std::vector<FixtureSolid>> fixture
 void SceneFixtures::choose(std::optional<std::size_t> chosen) {
     chosen_ = chosen;
     apply_palette(colors_of(stage_.palette));
+}
+
+void SceneFixtures::shift(std::size_t i, const Vec3& by) {
+    if (i >= bodies_.size()) return;
+    const Vec3 at = bodies_[i]->center + by;
+    for (SceneActor* a : {&bodies_[i]->faces, &bodies_[i]->edges})
+        a->actor->SetPosition(at.x(), at.y(), at.z());
+}
+
+std::optional<SceneFixtures::Pick> SceneFixtures::pick(double x, double y, const ScenePart& part) const {
+    const SceneCamera& camera = stage_.camera;
+    if (bodies_.empty() || camera.pixel_size() <= 0) return std::nullopt;
+    const Vec3 direction = -camera.toward_eye(), at = camera.point_at(x, y);
+    double nearest = infinity;
+    Pick found;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const double back = 2 * bodies_[i]->box.diagonal() + (bodies_[i]->center - at).norm();
+        const double along = distance_along(*(*fixtures_)[i].mesh, at - back * direction, direction) - back;
+        if (along < nearest) {
+            nearest = along;
+            found = {i, at + along * direction};
+        }
+    }
+    if (nearest == infinity) return std::nullopt;
+    const auto behind = part.pick(x, y);
+    if (behind && (behind->point - found.point).dot(direction) < 0) return std::nullopt;
+    return found;
 }
 
 void SceneFixtures::apply_palette(const Colors& colors) {

@@ -11,6 +11,8 @@
 
 namespace facetmill {
 
+class ScenePart; // scene_part.h
+
 class SceneFixtures : public SceneLayer {
 public:
     explicit SceneFixtures(SceneStage& stage);
@@ -19,6 +21,16 @@ public:
     void set(std::shared_ptr<const std::vector<FixtureSolid>> fixtures);
     /// The one that stands out by its colour, by its place among them.
     void choose(std::optional<std::size_t> chosen);
+    std::optional<std::size_t> chosen() const { return chosen_; }
+    /// Draws one of them so far from its place, until there are others.
+    void shift(std::size_t i, const Vec3& by);
+
+    struct Pick {
+        std::size_t index = 0;
+        Vec3 point = Vec3::Zero();
+    };
+    /// What lies under a pixel, before everything else but the part.
+    std::optional<Pick> pick(double x, double y, const ScenePart& part) const;
 
 private:
     /// Faces with a corner of their own for each facet, and sharp edges.
@@ -26,6 +38,7 @@ private:
         std::vector<float> points, normals; ///< 3 per corner, from `center`
         std::vector<std::int32_t> triangles, segments;
         Vec3 center = Vec3::Zero();
+        Box3 box;
         SceneActor faces, edges;
     };
     static void shape(Body& body, const Mesh& mesh);

@@ -11,9 +11,11 @@
 #include "ui/verification_controller.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -67,6 +69,8 @@ private slots:
         const Fixture& jaw = project().fixtures[0];
         QVERIFY(std::abs(jaw.translate[1] + 0.5 * jaw.size[1] + stock.margin[1]) < 1e-2);
         const Box3 held = w().viewport().scene().bounds();
+        const Vec2 corner = w().viewport().scene().camera().display_of(held.lo);
+        QVERIFY(corner.x() > 0 && corner.y() > 0); // in sight
         QVERIFY(held.lo.y() < bare.lo.y() - 1 && held.hi.y() > bare.hi.y() + 1);
         QVERIFY(changed_pixels(alone, view_picture(w())) > 1000);
         shot(w(), QStringLiteral("fixtures-vice"));
@@ -99,6 +103,61 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(project_to_json(project()), before);
         QVERIFY((w().viewport().scene().bounds().hi - bare.hi).norm() < 1e-6);
+    }
+
+    /// A click chooses a fixture, a drag moves it level under the pointer, with Ctrl upright.
+    void one_is_dragged() {
+        add_and_wait("fixture_box");
+        w().viewport().set_view(StandardView::top);
+        w().viewport().fit();
+        QVERIFY(wait_until_settled(w()));
+        auto& scene = w().viewport().scene();
+        const double ratio = w().viewport().devicePixelRatioF();
+        const auto pixel = [&](const Vec3& p) {
+            const Vec2 at = scene.camera().display_of(p) / ratio;
+            return QPoint(int(std::lround(at.x())), int(std::lround(at.y())));
+        };
+        const auto place = [&] {
+            const auto& t = project().fixtures[0].translate;
+            return Vec3(t[0], t[1], t[2]);
+        };
+        const Vec3 was = place(), top = was + Vec3(0, 0, project().fixtures[0].size[2]);
+        w().tree().select({TreeNode::Kind::part, 0});
+        QTest::mouseClick(&w().viewport(), Qt::LeftButton, {}, pixel(top));
+        QVERIFY(w().tree().selected() == (TreeNode{TreeNode::Kind::fixture, 0}));
+        const auto drag = [&](const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys) {
+            QTest::mousePress(&w().viewport(), Qt::LeftButton, keys, from);
+            for (int k = 1; k <= 4; ++k) {
+                const QPointF at = QPointF(from) + 0.25 * k * QPointF(to - from);
+                QMouseEvent move(QEvent::MouseMove, at, w().viewport().mapToGlobal(at), Qt::NoButton,
+                                 Qt::LeftButton, keys);
+                QApplication::sendEvent(&w().viewport(), &move);
+            }
+            QTest::mouseRelease(&w().viewport(), Qt::LeftButton, keys, to);
+        };
+        const double slack = 2 * scene.camera().pixel_size() * ratio + 0.1;
+        const Vec3 by(6, -9, 0);
+        drag(pixel(top), pixel(top + by), {});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2((place() - was - by).norm() < slack,
+                 qPrintable(QString::number((place() - was - by).norm())));
+        QVERIFY(std::abs(place().x() * 10 - std::round(place().x() * 10)) < 1e-9); // a tenth
+        shot(w(), QStringLiteral("fixtures-dragged"));
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY((place() - was).norm() < 1e-12);
+        // From the front it goes along X and Z; with Ctrl along Z alone.
+        w().viewport().set_view(StandardView::front);
+        QVERIFY(wait_until_settled(w()));
+        const Vec3 front =
+            was + Vec3(0, -0.5 * project().fixtures[0].size[1], 0.5 * project().fixtures[0].size[2]);
+        drag(pixel(front), pixel(front + Vec3(5, 0, 4)), Qt::ControlModifier);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY((place() - was - Vec3(0, 0, 4)).norm() < slack);
+        // Beside it the view turns, and nothing moves.
+        const Vec3 there = place();
+        drag(QPoint(20, 20), QPoint(60, 60), {});
+        QVERIFY((place() - there).norm() < 1e-12);
     }
 
     /// A plan made before is out of date; the new one keeps off, and the verdict names the clamp as the
