@@ -177,6 +177,40 @@ private slots:
                          == "none",
                      control.reads_comment("("));
     }
+
+    /// A lathe-mill whose control calls the turning part C.
+    void an_axis_is_called_as_the_control_calls_it() {
+        ClSection section = plain_section("Turn", 1, true);
+        section.motions.turning = TurningAxis{Vec3::Zero(), Vec3::UnitX()};
+        const auto place = [](MotionKind kind, double turned, double out, ClSection& to) {
+            const Vec3 axis(0, -std::sin(turned), std::cos(turned));
+            add_motion(to, kind, out * axis + Vec3(3 * turned, 0, 0), axis);
+        };
+        place(MotionKind::rapid, 0, 40, section);
+        place(MotionKind::approach, 0, 12, section);
+        for (double turned = 0; turned < 9; turned += 0.1)
+            place(MotionKind::cut, turned, 12 + 0.2 * std::sin(3 * turned), section);
+        const ClProgram program = joined_program({section});
+        const PostSetup setup = setup_for(program, "lathe-mill");
+        NcSetup read = reading(program, setup);
+        read.turning = section.motions.turning;
+        const Post own =
+            parse_post(linuxcnc_with(R"("a": "A", "b": "B", "c": "C")", R"("a": "C")"), "own.json");
+        const PostedProgram posted = post_program(program, own, setup, {}),
+                            usual = post_program(program, find_post("linuxcnc"), setup, {});
+        std::string renamed = usual.text;
+        std::size_t words = 0;
+        for (std::size_t at = 0; (at = renamed.find(" A", at)) != std::string::npos; ++words)
+            renamed[at + 1] = 'C';
+        QVERIFY(words > 90);
+        QCOMPARE(posted.text, renamed);
+        const NcProgram back = read_nc(posted.text, "p", own, read, {});
+        QCOMPARE(back.blocks, posted.blocks);
+        QVERIFY(std::abs(back.seconds - posted.seconds) < 1e-3 * posted.seconds);
+        std::string message;
+        code_of([&] { read_nc(posted.text, "p", find_post("linuxcnc"), read, {}); }, &message);
+        QVERIFY2(message.find("no axis C") != std::string::npos, message.c_str());
+    }
 };
 
 FACETMILL_TEST(TestNcLines)
