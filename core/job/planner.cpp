@@ -399,13 +399,13 @@ StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, 
                                   "part may be said of it");
     // Layers and turns are planned clear of them, and what follows depends on what each of them cuts.
     if (operation.linking() == Linking::over_stock || operation.turning()) return path;
-    keep_off_fixtures(path, context, kept, progress.part(0.95, 1));
+    keep_off_fixtures(path, context, operation.common(), kept, progress.part(0.95, 1));
     if (auto* global_local = std::get_if<GlobalLocalPath>(&path.detail);
         global_local && !global_local->rework->path.passes.empty()) {
         auto rework = std::make_shared<ReworkPlan>(*global_local->rework);
         context.tool = rework->tool;
         try {
-            keep_off_fixtures(rework->path, context, kept, progress.part(1, 1));
+            keep_off_fixtures(rework->path, context, operation.common(), kept, progress.part(1, 1));
         } catch (const Error& e) {
             if (e.code() != ErrorCode::empty_result) throw;
             rework->path.passes.clear();

@@ -3,7 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/gouge/tool_lift.h"
 #include "core/strategy/finish3/left_out.h"
+#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/five_axis/posture_path.h"
+#include "core/strategy/plan/pass_order.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/lift_line.h"
 
@@ -92,13 +94,14 @@ public:
         return free;
     }
 
-private:
     CutterContact contact(const Vec3& tip) const {
         const AxialContact at = lift_.contact(tip.x(), tip.y());
         if (at.facet == no_index) return {tip, Vec3::UnitZ()};
         const Vec3 n = mesh_.facet_normal(at.facet);
         return {at.point, n.z() < 0 ? Vec3(-n) : n};
     }
+
+private:
     const Mesh& mesh_;
     CutterProfile profile_;
     AxialLift lift_;
@@ -152,16 +155,18 @@ private:
 
 } // namespace
 
-void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const KeptFixtures& fixtures,
-                       const Progress& progress) {
+void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const OperationCommon& common,
+                       const KeptFixtures& fixtures, const Progress& progress) {
     std::vector<FreePasses> parts(path.passes.size());
     const auto divide = [&](const auto& divider) {
-        parallel_for(path.passes.size(), 1, progress, [&](std::size_t i) {
+        parallel_for(path.passes.size(), 1, progress.part(0, 0.7), [&](std::size_t i) {
             if (!path.passes[i].cl.empty()) parts[i] = divider(path.passes[i], progress);
         });
     };
-    if (is_upright(path.passes))
-        divide(UprightDivider(context, fixtures));
+    std::optional<UprightDivider> upright;
+    if (is_upright(path.passes)) upright.emplace(context, fixtures);
+    if (upright)
+        divide(*upright);
     else
         divide(TiltedDivider(context, fixtures));
     FreePasses all;
@@ -178,6 +183,15 @@ void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const K
     path.passes = std::move(all.kept);
     path.warnings.push_back(fixtures.names + " would be in the way of " + PlanText{context.unit}(all.left)
                             + " of the passes, which are left out");
+    const double top = std::max(context.kept_off_box().hi.z(), context.stock_box.hi.z()) + common.clearance;
+    order_by_travel(path.passes, false, top, progress.part(0.7, 0.8));
+    if (!upright) return;
+    const auto clear = keep_clear_of_left_stock(
+        path.passes, context, CutterProfile(context.tool.cutter()).max_radius(), common.tolerance,
+        [&](const Vec3& tip) { return upright->contact(tip); }, progress.part(0.8, 1));
+    if (!clear) return;
+    if (path.passes.empty()) refuse_beside_stock(common.name, *clear, context);
+    if (clear->left_length > 0) path.warnings.push_back(beside_stock_warning(*clear, context));
 }
 
 } // namespace facetmill

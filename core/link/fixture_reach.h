@@ -41,8 +41,10 @@ struct KeptFixtures {
 };
 
 /// Leaves out what of the passes is not free of fixtures, and warns of it. Tilted tools may be nearer than
-/// the clearance by a tenth of it. Throws Error(empty_result) when nothing is left.
-void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const KeptFixtures& fixtures,
-                       const Progress& progress);
+/// the clearance by a tenth of it. Pieces come in an order in which the tool travels less between them, and
+/// an upright tool's are kept clear once more of what stands: what is left out stays in the way of shank and
+/// holder. `common`: the operation's. Throws Error(empty_result) when nothing is left.
+void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const OperationCommon& common,
+                       const KeptFixtures& fixtures, const Progress& progress);
 
 } // namespace facetmill

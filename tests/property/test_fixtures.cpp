@@ -4,6 +4,7 @@
 #include "core/job/planner.h"
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/sample.h"
 #include "core/verify/fixture_touch.h"
 #include "tests/property/shapes.h"
 #include "tests/support/brute_lift.h"
@@ -256,6 +257,32 @@ private slots:
                                     .arg(told)));
         }
         QVERIFY(planned > 0 && in_the_way > 0);
+    }
+
+    /// What finishing leaves out for a clamp stands beside its other passes, in a cavity deeper than the
+    /// flutes are long: the shank keeps out of that, too.
+    void what_is_left_for_a_clamp_keeps_the_shank_out() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder(dir.path().toStdString());
+        save_stl(*make_sample("mould", 0.05, {}), folder / "mould.stl", LengthUnit::mm, {});
+        Project project = parse_project(R"({ "facetmill": 2, "units": "mm", "part": { "file": "mould.stl" },
+            "tools": [ { "number": 1, "diameter": 10, "flute_length": 40 },
+                       { "number": 2, "diameter": 8, "corner_radius": 4, "flute_length": 6, "shank_length": 40 } ],
+            "setups": [ { "name": "Top", "stock": { "kind": "box", "margin": [2, 2, 1] },
+              "fixtures": [ { "name": "Clamp", "kind": "box", "size": [20, 15, 12], "translate": [-45, 0, 0] },
+                            { "name": "Bolt", "kind": "cylinder", "diameter": 12, "height": 20, "translate": [35, 30, 0] } ],
+              "operations": [ { "kind": "rough", "name": "Rough", "tool": 1, "tolerance": 1, "allowance": 0.8 },
+                              { "kind": "finish3", "name": "Finish", "tool": 2, "tolerance": 0.3 } ] } ] })",
+                                        "mould");
+        project.path = folder / "mould.facetmill";
+        const auto plan = Planner().plan(project, {}, {});
+        VerifySettings settings = verify_settings(project, plan.get());
+        settings.resolution = 0.5;
+        const Verification v =
+            verify(*plan->part->mesh, plan->stock, verify_programs(project, plan), settings, {});
+        QVERIFY2(v.collisions.empty(), findings_line(project, verify_programs(project, plan), v).c_str());
+        QVERIFY(std::any_of(v.uncut.begin(), v.uncut.end(),
+                            [](const UncutReason& r) { return r.why == UncutReason::Why::fixture; }));
     }
 };
 
