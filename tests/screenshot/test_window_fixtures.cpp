@@ -1,7 +1,7 @@
 // Fixtures in the window: added from a menu, edited in a form, drawn, kept off by what is planned, watched by
 // the verification; each change a step of the history.
 #include "core/mesh/mesh_io.h"
-#include "tests/property/shapes.h"
+#include "tests/support/part_meshes.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/fixture_list.h"
 #include "ui/message_bar.h"

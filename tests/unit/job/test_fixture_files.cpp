@@ -7,7 +7,7 @@
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "core/verify/verify.h"
-#include "tests/property/shapes.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 

@@ -1,7 +1,7 @@
 // Tools in fixtures: depths that are known, of every body, in cuts and rapids, and none where there is none.
 #include "core/verify/fixture_touch.h"
 #include "core/verify/verify.h"
-#include "tests/property/shapes.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
