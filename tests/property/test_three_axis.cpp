@@ -385,10 +385,11 @@ private slots:
                 const TipLine line = tips(link_three_axis(path, context, 0, options, Progress())).front();
                 ToolClearance kept;
                 kept.shank = kept.holder = clearance;
-                // Of a cutter on a steep wall the lift along the axis says nothing: it is left out.
+                // Straight moves run beside the exact path by the chord tolerance at most, on a steep wall
+                // too, where the lift along the axis is any multiple of that: so the ball is smaller by it.
                 Tool above = tool;
-                above.diameter -= 0.1;
-                above.corner_radius -= 0.05;
+                above.diameter -= 2 * options.chord_tolerance;
+                above.corner_radius -= options.chord_tolerance;
                 const ToolLift lift(context.contact, above, kept);
                 ToolLift::Hint hint;
                 double low = infinity;
@@ -396,7 +397,8 @@ private slots:
                     for (int k = 0; k <= 16; ++k) {
                         const Vec3 tip = line[i - 1] + k / 16.0 * (line[i] - line[i - 1]);
                         low = std::min(low, tip.z());
-                        QVERIFY(!lift.is_deeper({tip, Vec3(0, 0, 1)}, 0.005, hint));
+                        const Vec3 end = tip + options.chord_tolerance * Vec3::UnitZ();
+                        QVERIFY(!lift.is_deeper({end, Vec3(0, 0, 1)}, 0.0005, hint));
                     }
                 QVERIFY(low < 0.01); // where there is room, it is cut
                 // A tool as long as is said to reach it needs nothing.
