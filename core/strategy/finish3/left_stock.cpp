@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace facetmill {
@@ -15,11 +14,11 @@ namespace {
 /// How often passes are tried that something stood in the way of: each time what the others cut since is
 /// gone, and mostly nothing is left for a third.
 constexpr int max_rounds = 4;
-/// The cells in which shank and holder see what stands, in radii of the cutter, and in thicknesses of the
-/// thinnest skin that an operation before left on purpose, down to the least.
-constexpr double skin_cell_share = 0.04, skin_cells = 0.5, min_cell_share = 0.01;
+/// The cells in which shank and holder see what stands, and the points over those that a wall crosses, in
+/// radii of the cutter: a touch of four thousandths is as large as several points.
+constexpr double cell_share = 0.04, fine_share = 0.008;
 /// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
-constexpr double skin_share = 0.2;
+constexpr double skin_share = 0.05;
 
 /// Follows one pass; cuts what it keeps.
 class PassFollower {
@@ -133,33 +132,25 @@ std::vector<LeftStock::Body> LeftStock::bodies_of(const Tool& tool) {
     return bodies;
 }
 
-LeftStock::LeftStock(const PlanContext& context, double cell, double skin, double lowest_tip,
+LeftStock::LeftStock(const PlanContext& context, double cell, double fine, double skin, double lowest_tip,
                      const Progress& progress)
     : bodies_(bodies_of(context.tool)), lowest_base_(bodies_.empty() ? infinity : bodies_.front().base),
       field_(stock_before(context, cell, progress, lowest_tip + lowest_base_)),
       cutter_(CutterProfile(context.tool.cutter())),
-      part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))), skin_(skin) {
+      fine_(context, field_, cutter_, fine, skin, lowest_tip + lowest_base_) {
     for (const Body& body : bodies_)
         widest_ = std::max(widest_, body.radius);
-    part_tops_.assign(std::size_t(field_.columns()) * std::size_t(field_.rows()),
-                      std::numeric_limits<double>::quiet_NaN());
-}
-
-double LeftStock::part_top(std::size_t cell, const Vec2& center) {
-    double& top = part_tops_[cell];
-    if (std::isnan(top)) top = part_.tip_z(center.x(), center.y());
-    return top;
 }
 
 double LeftStock::lack(const Vec3& tip) {
     double lack = 0;
-    const double half_diagonal = std::sqrt(0.5) * field_.cell();
-    for (const Body& body : bodies_)
-        field_.each_above(tip.head<2>(), body.radius + half_diagonal, tip.z() + body.base + lack,
-                          [&](std::size_t cell, const Vec2& center, double middle) {
-                              const double over = middle - (tip.z() + body.base);
-                              if (over > lack && middle > part_top(cell, center) + skin_) lack = over;
-                          });
+    const Vec2 p = tip.head<2>();
+    for (const Body& body : bodies_) {
+        const double base = tip.z() + body.base;
+        field_.each_above(p, body.radius, base + lack, [&](std::size_t cell, double top) {
+            if (top > base + lack) lack += fine_.over(cell, p, body.radius, base + lack);
+        });
+    }
     return lack;
 }
 
@@ -211,16 +202,13 @@ std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, 
                                                      const ContactAt& contact, const Progress& progress) {
     // Nothing is known of a stock: nothing is asked.
     if (context.stock.box.empty() && context.earlier.empty()) return std::nullopt;
-    double lowest = infinity, thinnest = infinity;
+    double lowest = infinity;
     for (const Pass& p : passes)
         for (const CutterLocation& c : p.cl)
             lowest = std::min(lowest, c.tip.z());
     if (lowest + context.tool.flute_length >= context.stock_box.hi.z()) return std::nullopt;
-    for (const auto& earlier : context.earlier)
-        if (earlier->no_nearer > 0) thinnest = std::min(thinnest, earlier->no_nearer);
-    const double cell =
-        std::max(std::min(skin_cell_share * radius, skin_cells * thinnest), min_cell_share * radius);
-    LeftStock stock(context, cell, skin_share * tolerance, lowest, progress);
+    LeftStock stock(context, cell_share * radius, fine_share * radius, skin_share * tolerance, lowest,
+                    progress);
     ClearOfStock clear =
         keep_clear_of_stock(std::move(passes), stock, shortest_piece * radius, contact, progress);
     passes = std::move(clear.kept);

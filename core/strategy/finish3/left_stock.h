@@ -7,6 +7,7 @@
 // tried again when all others have cut.
 #pragma once
 
+#include "core/strategy/finish3/fine_stock.h"
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/plan/operation.h"
 
@@ -18,36 +19,37 @@ namespace facetmill {
 
 class LeftStock {
 public:
-    /// The stock as operations before left it, in cells of about `cell`. What stands no farther than `skin`
-    /// from the part, or above it, is not asked: HolderReach answers for the part itself. No tip that is
-    /// asked about is lower than `lowest_tip`.
-    LeftStock(const PlanContext& context, double cell, double skin, double lowest_tip,
+    /// The stock as operations before left it, in cells of about `cell`, and those that are asked about in
+    /// points `fine` apart. What stands no farther than `skin` from the part, or above it, is not
+    /// asked: HolderReach answers for the part itself. No tip that is asked about is lower than `lowest_tip`.
+    LeftStock(const PlanContext& context, double cell, double fine, double skin, double lowest_tip,
               const Progress& progress);
+    LeftStock(const LeftStock&) = delete;
+    LeftStock& operator=(const LeftStock&) = delete;
 
     /// How much higher a tip would have to be for shank and holder to touch nothing that was left; 0 where
-    /// they do not. Sees what is wider than a cell.
+    /// they do not. Sees what is wider than `fine`.
     double lack(const Vec3& tip);
     /// Below this height of the tip shank or holder are lower than something within their reach of a line.
     double free_height(const Vec3& a, const Vec3& b) const;
-    void cut(const Vec3& a, const Vec3& b) { field_.cut(cutter_, a, b); }
+    void cut(const Vec3& a, const Vec3& b) {
+        field_.cut(cutter_, a, b);
+        fine_.cut(a, b);
+    }
     double spacing() const { return field_.cell(); } ///< how often a motion is looked at, mm
 
 private:
     struct Body {
         double radius, base; ///< its lower face over the tip
     };
-    double part_top(std::size_t cell, const Vec2& center);
-
     static std::vector<Body> bodies_of(const Tool& tool); ///< from below
 
     std::vector<Body> bodies_;
     double lowest_base_;
     StockField field_;
     StockCutter cutter_;
-    AxialLift part_;
-    double skin_;
+    FineStock fine_;
     double widest_ = 0;
-    std::vector<double> part_tops_; ///< of cells that were asked, else NaN
 };
 
 /// What shank and holder keep passes from because something stands there.

@@ -138,7 +138,7 @@ void StockField::find_run_tops() {
 
 void StockField::forget_below(double z) {
     for (Cell& cell : cells_)
-        if (cell.middle <= z) cell = {-infinity, -infinity};
+        if (cell.top <= z) cell = {-infinity, -infinity};
     find_run_tops();
 }
 
@@ -330,15 +330,12 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
     return height;
 }
 
-void StockField::each_above(
-    const Vec2& p, double radius, double z,
-    const std::function<void(std::size_t cell, const Vec2& center, double middle)>& visit) const {
+void StockField::each_above(const Vec2& p, double radius, double z,
+                            const std::function<void(std::size_t cell, double top)>& visit) const {
     near_line(
-        *this, p, p, radius, z, [&](const Cell& cell) { return cell.middle > z; },
+        *this, p, p, radius + half_diagonal_, z, [&](const Cell& cell) { return cell.top > z; },
         [&](const Cell& cell, double, double) {
-            const auto i = std::size_t(&cell - cells_.data());
-            const auto columns = std::size_t(columns_);
-            visit(i, center(int(i % columns), int(i / columns)), cell.middle);
+            visit(std::size_t(&cell - cells_.data()), cell.top);
             return true;
         });
 }

@@ -81,8 +81,8 @@ public:
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
     double highest() const; ///< top of all
-    /// Cells over whose centre nothing stands higher than z are as if without material: whoever asks only
-    /// what is higher spends no time on them.
+    /// Cells on which nothing stands higher than z are as if without material: whoever asks only what is
+    /// higher spends no time on them.
     void forget_below(double z);
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
@@ -94,11 +94,10 @@ public:
     /// The highest top within `radius` of the line from a to b, if that is above `floor`; else any height not
     /// above it.
     double highest_near(const Vec2& a, const Vec2& b, double radius, double floor = -infinity) const;
-    /// Calls visit for the cells whose centre is within `radius` of p and whose middle is above z; `cell`
-    /// counts along rows.
-    void
-    each_above(const Vec2& p, double radius, double z,
-               const std::function<void(std::size_t cell, const Vec2& center, double middle)>& visit) const;
+    /// Calls visit for the cells that come within `radius` of p and whose top is above z; `cell` counts along
+    /// rows.
+    void each_above(const Vec2& p, double radius, double z,
+                    const std::function<void(std::size_t cell, double top)>& visit) const;
     /// Where on the line from a to b (shares 0 to 1 of it, level) the cutter takes away more than `least` of
     /// height. Cells beside the line count where the axis passes them.
     std::vector<Interval> work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const;
