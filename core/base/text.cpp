@@ -35,10 +35,21 @@ Character character_at(std::string_view s, std::size_t i) {
     return {n, code};
 }
 
-/// A terminal, a line or a page would obey it instead of showing it.
+/// A terminal, a line or a page would obey it instead of showing it, or shows nothing, so that two names look
+/// the same. Joiners (U+200C, U+200D) are left: some scripts cannot be written without them.
 bool is_hidden(char32_t c) {
-    return c < 0x20 || (c >= 0x7F && c <= 0x9F) || (c >= 0x2028 && c <= 0x202E)
-           || (c >= 0x2066 && c <= 0x2069);
+    static constexpr std::array<std::array<char32_t, 2>, 10> hidden = {{{0x00, 0x1F},
+                                                                        {0x7F, 0x9F},
+                                                                        {0xAD, 0xAD},
+                                                                        {0x61C, 0x61C},
+                                                                        {0x200B, 0x200B},
+                                                                        {0x200E, 0x200F},
+                                                                        {0x2028, 0x202E},
+                                                                        {0x2060, 0x206F},
+                                                                        {0xFEFF, 0xFEFF},
+                                                                        {0xE0000, 0xE007F}}};
+    return std::any_of(hidden.begin(), hidden.end(),
+                       [c](const auto& range) { return c >= range[0] && c <= range[1]; });
 }
 
 } // namespace
@@ -69,7 +80,7 @@ void check_text(std::string_view text, const std::string& place) {
                         "rename the file or the item");
         if (is_hidden(c.code))
             throw Error(ErrorCode::out_of_range, place,
-                        "the text holds control characters: '" + printable(text) + "'",
+                        "the text holds control or invisible characters: '" + printable(text) + "'",
                         "write it on one line without them");
         i += c.bytes;
     }
@@ -90,9 +101,14 @@ std::string json_text(std::string_view text, const std::string& place) {
         else if (c.code == '\t')
             out += "\\t";
         else if (is_hidden(c.code)) {
-            out += "\\u";
-            for (int shift = 12; shift >= 0; shift -= 4)
-                out += digits[c.code >> shift & 15];
+            const char32_t above = c.code - 0x10000;
+            const bool pair = c.code > 0xFFFF;
+            for (const char32_t half : {0xD800 + (above >> 10 & 0x3FF), 0xDC00 + (above & 0x3FF)}) {
+                out += "\\u";
+                for (int shift = 12; shift >= 0; shift -= 4)
+                    out += digits[(pair ? half : c.code) >> shift & 15];
+                if (!pair) break;
+            }
         } else
             out.append(text.substr(i, c.bytes));
         i += c.bytes;

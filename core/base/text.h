@@ -1,7 +1,7 @@
 // Texts that come in from elsewhere, and texts that go out to a terminal, a report or a page. Characters that
 // move what stands beside them (controls of both sets, line and paragraph separators, bidirectional
-// embeddings, overrides and isolates) are neither let in nor let out: every text that leaves passes
-// `printable` (error.h) or `json_text`.
+// embeddings, overrides and isolates) and those that nobody sees (spaces of no width, tags) are neither let
+// in nor let out: every text that leaves passes `printable` (error.h) or `json_text`.
 #pragma once
 
 #include <string>

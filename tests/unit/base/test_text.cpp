@@ -13,10 +13,12 @@ using test::code_of;
 namespace {
 
 /// A control of the second set, an override, an isolate, a separator of lines, one of paragraphs, a next
-/// line, a delete, a bell, nothing.
+/// line, a delete, a bell, nothing; and what is not seen: spaces of no width, marks, a soft hyphen, a tag.
 const std::vector<std::string> hidden = {"\xC2\x9B",           "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x80\xA8",
                                          "\xE2\x80\xA9",       "\xC2\x85",     "\x7F",         "\x07",
-                                         std::string(1, '\0'), "\n",           "\x1B"};
+                                         std::string(1, '\0'), "\n",           "\x1B",         "\xEF\xBB\xBF",
+                                         "\xE2\x80\x8B",       "\xE2\x80\x8F", "\xE2\x81\xA0", "\xC2\xAD",
+                                         "\xF3\xA0\x81\x81"};
 /// Letters with marks, a no-break space, a zero-width joiner, Hebrew, a tool beyond the first plane.
 const std::string shown = "d\xC3\xA9j\xC3\xA0\xC2\xA0\xE2\x80\x8D\xD7\xA9\xF0\x9F\x94\xA7";
 
