@@ -39,7 +39,7 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit
 /// appears complete or not at all.
 void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
 /// A binary STL as save_stl writes it, facet by facet, for surfaces that are never in memory as a whole. The
-/// caller commits the output after `finish`. Throws as save_stl.
+/// caller commits the output after `finish`. Throws as save_stl, but takes no facets as well.
 class StlStream {
 public:
     StlStream(OutputFile& file, LengthUnit unit);

@@ -62,8 +62,6 @@ void StlStream::flush() {
 }
 
 void StlStream::finish() {
-    if (count_ == 0)
-        throw Error(ErrorCode::no_facets, name_, "the mesh to write has no facet", "nothing was written");
     flush();
     std::array<char, 4> count;
     put_word(count.data(), std::uint32_t(count_));
@@ -71,6 +69,9 @@ void StlStream::finish() {
 }
 
 void write_stl(const Mesh& mesh, OutputFile& file, LengthUnit unit, const Progress& progress) {
+    if (mesh.facets.empty())
+        throw Error(ErrorCode::no_facets, printable(file.target().string(), 400),
+                    "the mesh to write has no facet", "nothing was written");
     StlStream stl(file, unit);
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
         if (f % facets_per_write == 0) progress.set(double(f) / double(mesh.facets.size()));

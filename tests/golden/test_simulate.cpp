@@ -306,6 +306,18 @@ private slots:
         QCOMPARE(s.files("out").size(), 3);
     }
 
+    void nothing_is_left() {
+        Sandbox s;
+        QByteArray apt = cl(0, 0, "UNITS/MM\nCUTTER/8,4,0,4,0,0,40\nLOADTL/1\n");
+        apt.replace(",0.0000\n", ",-11.0000\n");
+        const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
+        QCOMPARE(run.status, 1);
+        QCOMPARE(json(run.out)["verdict"].toString(), QString("failed"));
+        QVERIFY2(run.err.contains("gouge of"), run.err.constData());
+        QCOMPARE(s.files("out").size(), 3);
+        QCOMPARE(file(s.path() + "/out/stock.stl").size(), 84); // no facets
+    }
+
     void what_is_left_is_the_stock_of_the_next_job() {
         Sandbox s;
         QByteArray text = plate_project;
@@ -407,7 +419,7 @@ private slots:
 
     void a_rapid_through_the_part() {
         Sandbox s;
-        QByteArray apt = cl();
+        QByteArray apt = cl(0, 0, "UNITS/MM\nCUTTER/8,4,0,4,0,0,40\nLOADTL/1\n");
         apt.replace("FINI\n", "RAPID\nGOTO/60,15,-3\nRAPID\nGOTO/-20,15,-3\nFINI\n");
         const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 1);
@@ -530,7 +542,7 @@ private slots:
 
     void words_that_are_read_over_are_listed() {
         Sandbox s;
-        QByteArray apt = cl();
+        QByteArray apt = cl(0, 0, "UNITS/MM\nCUTTER/8,4,0,4,0,0,40\nLOADTL/1\n");
         apt.replace("LOADTL/1\n", "LOADTL/1\nPPRINT HELLO\nFROBNI/3\n");
         const CliRun run = run_cli(simulate, prepared_plate(s, apt).path());
         QCOMPARE(run.status, 0);
@@ -621,7 +633,7 @@ private slots:
 #endif
 
     void moves_of_no_length_do_no_harm() {
-        QByteArray apt = cl();
+        QByteArray apt = cl(0, 0, "UNITS/MM\nCUTTER/8,4,0,4,0,0,40\nLOADTL/1\n");
         apt.replace("GOTO/0.0000,0.0000,0.0000\n", "GOTO/0.0000,0.0000,0.0000\nGOTO/0.0000,0.0000,0.0000\n");
         Sandbox s;
         QCOMPARE(run_cli(simulate, prepared_plate(s, apt).path()).status, 0);
