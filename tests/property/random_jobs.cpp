@@ -151,6 +151,24 @@ Tool any_tool(Random& rng, long number) {
     return tool;
 }
 
+/// Seeds below stand for jobs of one setup.
+constexpr std::uint64_t first_with_setups = 403;
+
+/// The part turned over or on its side, and the same done once more: to what the first setup left, or to a
+/// stock of its own.
+void add_setup(Random& rng, Project& project, const std::vector<std::string>& machine_names) {
+    Setup next = project;
+    next.name = "Setup 2";
+    const double x = any_of(rng, std::vector<double>{pi, pi / 2, 0});
+    next.place.rotate = {x, any_of(rng, std::vector<double>{0, pi}), 0};
+    next.place.translate = {0, uniform(rng, -20, 20), uniform(rng, -20, 20)};
+    if (chance(rng, 0.7)) next.stock.kind = StockSpec::Kind::rest;
+    if (chance(rng, 0.2)) next.machine = any_of(rng, machine_names);
+    for (std::size_t i = 0; i < next.operations.size(); ++i)
+        next.operations[i]->common().name = "Then " + std::to_string(i + 1);
+    project.after.push_back(std::move(next));
+}
+
 } // namespace
 
 Project random_job(std::uint64_t seed, const std::filesystem::path& folder) {
@@ -194,6 +212,7 @@ Project random_job(std::uint64_t seed, const std::filesystem::path& folder) {
         if (op->common().allowance > 0) op->common().allowance = uniform(rng, 0, 0.5);
         project.operations.push_back(std::move(op));
     }
+    if (seed >= first_with_setups && chance(rng, 0.25)) add_setup(rng, project, names);
     return project;
 }
 
