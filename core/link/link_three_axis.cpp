@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/link.h"
+#include "core/link/straight_up.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/lift_line.h"
@@ -35,23 +36,13 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
     return route;
 }
 
-/// Whether shank and holder, all of them, are as wide as the cutter: what would stand in its way up stood in
-/// theirs.
-bool is_wide_above(const Tool& tool, double radius) {
-    double narrowest = tool.shank_length > 0 ? tool.shank_diameter : infinity;
-    for (const HolderSection& s : tool.holder)
-        if (s.length > 0) narrowest = std::min(narrowest, s.diameter);
-    return narrowest < infinity && narrowest >= 2 * radius * (1 - tolerance::same_shape);
-}
-
 /// What stands at each moment, where the operation knows its stock: down to the clearance over it a tool goes
 /// in a rapid.
 class DescentOver {
 public:
     DescentOver(const PlanContext& context, const LinkOptions& options, const Progress& progress)
         : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
-          clearance_(std::min(options.clearance, near_share * profile_.max_radius())),
-          wide_above_(is_wide_above(context.tool, profile_.max_radius())) {
+          clearance_(std::min(options.clearance, near_share * profile_.max_radius())), up_(context.tool) {
         if (context.stock.box.empty() && context.earlier.empty()) return;
         field_ = stock_before(context, cell_share * profile_.max_radius(), progress);
     }
@@ -67,11 +58,8 @@ public:
     /// Where a rapid straight up from a tip begins. What stands higher than the cutter beside a slimmer
     /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
     double up_from(const Vec3& tip, double top) const {
-        if (!field_ || is_undercut(profile_)) return top;
-        const Vec2 p = tip.head<2>();
-        const double covered = tip.z() + profile_.height();
-        if (!wide_above_ && field_->highest_near(p, p, profile_.max_radius(), covered) > covered)
-            return down_to(tip, top);
+        if (!field_ || up_.is_undercut()) return top;
+        if (!up_.is_free(*field_, tip)) return down_to(tip, top);
         return std::min(top, tip.z() + clearance_);
     }
     /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high
@@ -106,8 +94,7 @@ private:
         const Vec2 from = place.head<2>(), to = tip.head<2>();
         if (bodies_.clear_height(*field_, from, to) > tip.z()) return false;
         // A shank as wide as the cutter comes down in what that has cut, but not sideways.
-        const double covered = tip.z() + profile_.height();
-        if (field_->highest_near(from, to, profile_.max_radius(), covered) > covered) return false;
+        if (up_.stands_above(*field_, from, to, tip.z())) return false;
         const double parts = std::floor((place - tip).norm() / spacing) + 1;
         LiftHint hint;
         for (double i = 0; i < parts; ++i) {
@@ -128,7 +115,7 @@ private:
     StockCutter cutter_;
     UprightBodies bodies_;
     double clearance_;
-    bool wide_above_;
+    StraightUp up_;
     std::optional<StockField> field_;
 };
 
@@ -182,18 +169,18 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         location.tip.z() = z;
         return location;
     };
+    const auto up = [&](MotionKind kind, const CutterLocation& from, double z, double end) {
+        add(kind, at_height(from, z));
+        if (z < end) add(MotionKind::rapid, at_height(from, end));
+    };
     const auto retract = [&](const CutterLocation& from) {
-        const double z = stock.up_from(from.tip, result.clearance_z);
-        add(MotionKind::retract, at_height(from, z));
-        if (z < result.clearance_z) add(MotionKind::rapid, at_height(from, result.clearance_z));
+        up(MotionKind::retract, from, stock.up_from(from.tip, result.clearance_z), result.clearance_z);
     };
     // Straight up a wall, of which the flutes have cut all that they reach, most of the way in a rapid.
     const auto rise = [&](const CutterLocation& from, const CutterLocation& to) {
         if (from.tip.head<2>() != to.tip.head<2>()) return;
         const double end = to.tip.z() - stock.clearance(), z = stock.up_from(from.tip, end);
-        if (!(end - z > stock.clearance())) return;
-        add(MotionKind::cut, at_height(from, z));
-        add(MotionKind::rapid, at_height(from, end));
+        if (end - z > stock.clearance()) up(MotionKind::cut, from, z, end);
     };
     const CutterLocation* last = nullptr;
     for (std::size_t i = 0; i < path.passes.size(); ++i) {

@@ -1,0 +1,26 @@
+// Straight up out of a cut: how soon that may be a rapid. Millimetres, part coordinates, the tool's axis +Z.
+#pragma once
+
+#include "core/setup/tool.h"
+#include "core/strategy/surface/stock_field.h"
+
+namespace facetmill {
+
+class StraightUp {
+public:
+    explicit StraightUp(const Tool& tool);
+
+    /// Whether the cutter is narrower above than below: what stands beside its neck is cut on the way up.
+    bool is_undercut() const { return undercut_; }
+    /// Whether something may stand higher than the flutes of a tip at z, beside a level line from a to b.
+    bool stands_above(const StockField& field, const Vec2& a, const Vec2& b, double z) const;
+    /// Whether the cutter comes up from a tip without cutting: beside a shank and a holder that are as wide
+    /// what would stand in its way stood in theirs; beside slimmer ones nothing may stand above the flutes.
+    bool is_free(const StockField& field, const Vec3& tip) const;
+
+private:
+    double radius_, height_;
+    bool undercut_, wide_above_;
+};
+
+} // namespace facetmill
