@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/link/link.h"
+#include "core/link/straight_up.h"
 #include "core/strategy/lathe/lathe.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/rough/rough_reach.h"
@@ -26,7 +27,7 @@ public:
     RoughLinker(const StrategyResult& path, const PlanContext& context, double allowance,
                 const LinkOptions& options, const Progress& progress)
         : path_(path), options_(options), progress_(progress), profile_(context.tool.cutter()),
-          cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
+          cutter_(profile_), bodies_(context.tool, profile_.max_radius()), up_(context.tool),
           field_(stock_before(context, path.as<RoughPath>()->stock_cell, progress.part(0, 0.1))),
           // Links keep from the part what cuts keep.
           reach_(context.contact, context, allowance + context.tessellation_tolerance[1],
@@ -106,9 +107,10 @@ private:
 
     /// Out of the cut at feed, the rest in a rapid.
     void up_to(double z) {
-        // Where a pass is nearer to the part than links keep, on the way up too.
-        const double out = std::max(at_.z(), reach_.tip_z(at_.head<2>(), hints_))
-                           + std::min(options_.clearance, profile_.max_radius());
+        // A pass along a wall is nearer to it than links keep, all the way up: that alone asks for no feed.
+        const double from =
+            up_.is_free(field_, at_) ? at_.z() : std::max(at_.z(), reach_.tip_z(at_.head<2>(), hints_));
+        const double out = from + std::min(options_.clearance, profile_.max_radius());
         if (z > at_.z()) feed(MotionKind::retract, Vec3(at_.x(), at_.y(), std::min(z, out)));
         if (z > at_.z()) rapid(Vec3(at_.x(), at_.y(), z));
     }
@@ -136,6 +138,7 @@ private:
     CutterProfile profile_;
     StockCutter cutter_;
     UprightBodies bodies_;
+    StraightUp up_;
     StockField field_;
     RoughReach reach_;
     RoughReach::Hints hints_;

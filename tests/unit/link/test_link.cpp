@@ -11,6 +11,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <random>
 
 using namespace facetmill;
@@ -170,6 +171,32 @@ private slots:
         for (const Motion& motion : link_three_axis(path, context, 0, near_options(0.1), Progress()).motions)
             if (motion.kind == MotionKind::approach) down = std::abs(motion.to.tip.x() - x);
         QVERIFY(down < 1e-9);
+    }
+
+    /// Roughing along a wall, as near as it may cut and nearer than links keep: out of it in a rapid as well,
+    /// but beside a slim shank not through what stands above the flutes.
+    void roughing_comes_up_a_wall_in_a_rapid() {
+        for (const bool slim : {false, true}) {
+            Tool tool = flat_tool(6);
+            tool.flute_length = 4;
+            tool.shank_diameter = slim ? 4 : 6;
+            tool.shank_length = 30;
+            PlanContext context = context_of(step(0, 12), tool);
+            context.stock.box = context.stock_box = context.part_box;
+            StrategyResult path;
+            path.chord_tolerance = 0.01;
+            RoughPath rough;
+            rough.stock_cell = 0.3;
+            path.detail = rough;
+            // The second pass is on the other side of the wall's top.
+            path.passes = {pass({Vec3(-25, 3, 0), Vec3(10, 3, 0)}),
+                           pass({Vec3(-10, -10, 12), Vec3(0, -10, 12)})};
+            const ToolMotions all = link_rough(path, context, 0, near_options(0), Progress());
+            const auto out = std::ranges::find(all.motions, MotionKind::retract, &Motion::kind);
+            QVERIFY(out != all.motions.end());
+            const double up = out->to.tip.z();
+            QVERIFY2(slim ? up >= 12 : up == 3, qPrintable(QString::number(up)));
+        }
     }
 
     void a_link_climbs_over_what_stands_between() {
