@@ -4,8 +4,10 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/box_tree.h"
 #include "core/verify/probes.h"
+#include "core/verify/winding_number.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace facetmill {
@@ -69,8 +71,13 @@ private:
 struct FitTool {
     BodySupport cutter;
     std::vector<BodySupport> sections;
-    std::vector<std::pair<Room, double>> fixtures; ///< and the clearance from each
-    std::vector<Vec3> axes;                        ///< with which its program cuts
+    struct Held {
+        Room room;
+        double clearance;
+        MeshPtr mesh;
+    };
+    std::vector<Held> fixtures;
+    std::vector<Vec3> axes; ///< with which its program cuts
 };
 
 constexpr std::size_t no_program = std::size_t(-1);
@@ -96,11 +103,11 @@ public:
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
             if (p.fixtures)
-                for (const FixtureSolid& f : *p.fixtures)
-                    tool.fixtures.emplace_back(
-                        Room(*f.mesh, std::max(f.clearance, fixture_place_share * p.tool.cutter.max_radius()),
-                             progress),
-                        f.clearance);
+                for (const FixtureSolid& f : *p.fixtures) {
+                    const double apart =
+                        std::max(f.clearance, fixture_place_share * p.tool.cutter.max_radius());
+                    tool.fixtures.push_back({Room(*f.mesh, apart, progress), f.clearance, f.mesh});
+                }
             tools_.push_back(std::move(tool));
         }
     }
@@ -177,12 +184,12 @@ private:
     }
     /// No nearer than the clearance, and what planners keep beyond it.
     bool clear_of_fixtures(const CutterLocation& at, const FitTool& tool) const {
-        return std::all_of(tool.fixtures.begin(), tool.fixtures.end(), [&](const auto& fixture) {
-            const auto& [room, clearance] = fixture;
-            const double slack = -beyond_clearance * clearance;
-            return room.has(tool.cutter, at, slack)
-                   && std::all_of(tool.sections.begin(), tool.sections.end(),
-                                  [&](const BodySupport& s) { return room.has(s, at, slack); });
+        return std::all_of(tool.fixtures.begin(), tool.fixtures.end(), [&](const FitTool::Held& held) {
+            const double slack = -beyond_clearance * held.clearance;
+            const auto has = [&](const BodySupport& body) { return held.room.has(body, at, slack); };
+            // Deep in a large one no place of its surface is near.
+            return std::abs(winding_number(*held.mesh, at.tip, Progress())) < 0.5 && has(tool.cutter)
+                   && std::all_of(tool.sections.begin(), tool.sections.end(), has);
         });
     }
     Room room_;

@@ -10,6 +10,7 @@
 #include "core/verify/stock_tiles.h"
 #include "core/verify/uncut_reasons.h"
 #include "core/verify/winding_number.h"
+#include "core/verify/working_radius.h"
 
 #include <chrono>
 #include <cmath>
@@ -43,19 +44,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 std::string percent(double share) {
     return format_number(100 * share, 3) + " %";
-}
-
-/// How wide the end of a cutter is: the largest radius at which its profile is no higher than wide. A ball's
-/// and a flat end's own radius, near the tip of a taper; of a point a share of its largest.
-double working_radius(const CutterProfile& cutter) {
-    constexpr double point_share = 0.02;
-    double lo = 0, hi = cutter.max_radius();
-    if (cutter.height_at(hi) <= hi) return hi;
-    for (int k = 0; k < 50; ++k) {
-        const double mid = 0.5 * (lo + hi);
-        (cutter.height_at(mid) <= mid ? lo : hi) = mid;
-    }
-    return std::max(lo, point_share * cutter.max_radius());
 }
 
 struct Radii {

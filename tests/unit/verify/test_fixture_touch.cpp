@@ -84,6 +84,28 @@ private slots:
         QVERIFY(std::any_of(found.begin(), found.end(),
                             [](const Collision& c) { return c.kind == Collision::Kind::holder; }));
     }
+    /// Small tips in a large plate: wherever they dip in they are found, as deep as they are.
+    void a_fine_tip_in_a_large_plate() {
+        using K = MotionKind;
+        Tool tool = ball_tool(1);
+        tool.taper_angle = radians(10);
+        tool.flute_length = 8;
+        tool.shank_length = 0;
+        const auto plate = std::make_shared<const std::vector<FixtureSolid>>(std::vector<FixtureSolid>{
+            {"Plate", std::make_shared<Mesh>(box(Vec3(-300, -200, -20), Vec3(300, 200, 0))), nullptr, 1}});
+        for (int k = 0; k < 20; ++k) {
+            const double x = 283.7 * std::sin(1.3 * k), y = 191.1 * std::cos(2.1 * k);
+            auto path = std::make_shared<ToolMotions>();
+            path->motions = {to(K::rapid, x, y, 5), to(K::cut, x, y, -0.1), to(K::cut, x, y, 5)};
+            std::vector<VerifyProgram> programs{{"Test", VerifyTool(tool), path, std::nullopt}};
+            programs[0].fixtures = plate;
+            const auto found = fixture_touches(programs, 1e-4, {});
+            QCOMPARE(found.size(), std::size_t(1));
+            QVERIFY2(std::abs(found[0].depth - 0.1) < 0.01, qPrintable(QString::number(found[0].depth)));
+            path->motions[1].to.tip.z() = 0.001;
+            QVERIFY(fixture_touches(programs, 1e-4, {}).empty());
+        }
+    }
     void a_program_that_begins_inside() {
         using K = MotionKind;
         auto path = std::make_shared<ToolMotions>();
@@ -92,12 +114,18 @@ private slots:
         tool.flute_length = 5;
         tool.shank_length = 0;
         std::vector<VerifyProgram> programs{{"Test", VerifyTool(tool), path, std::nullopt}};
-        programs[0].fixtures = std::make_shared<const std::vector<FixtureSolid>>(std::vector<FixtureSolid>{
-            {"Big", std::make_shared<Mesh>(box(Vec3(-100, -100, -100), Vec3(100, 100, 0))), nullptr, 1}});
-        const auto found = fixture_touches(programs, 1e-4, {});
-        QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(found[0].at, (MotionPlace{0, 0}));
-        QVERIFY(found[0].kind == Collision::Kind::cutter);
+        // Whichever way its mesh is wound.
+        for (const bool inward : {false, true}) {
+            auto big = std::make_shared<Mesh>(box(Vec3(-100, -100, -100), Vec3(100, 100, 0)));
+            for (Facet& f : big->facets)
+                if (inward) std::swap(f[1], f[2]);
+            programs[0].fixtures = std::make_shared<const std::vector<FixtureSolid>>(
+                std::vector<FixtureSolid>{{"Big", big, nullptr, 1}});
+            const auto found = fixture_touches(programs, 1e-4, {});
+            QCOMPARE(found.size(), std::size_t(1));
+            QCOMPARE(found[0].at, (MotionPlace{0, 0}));
+            QVERIFY(found[0].kind == Collision::Kind::cutter);
+        }
     }
     void the_verdict_fails_for_it() {
         using K = MotionKind;
