@@ -2,7 +2,12 @@
 
 #include "core/job/cache_key.h"
 #include "core/job/placed_mesh.h"
+#include "core/job/planner.h"
 #include "core/mesh/grown.h"
+#include "core/verify/winding_number.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace facetmill {
 
@@ -10,8 +15,6 @@ namespace {
 
 /// A mesh that is grown has 44 times as many.
 constexpr std::size_t max_fixture_facets = 50'000;
-/// What stands less deep in a fixture touches it, mm.
-constexpr double touching = 0.01;
 
 void append(Mesh& mesh, const Mesh& more) {
     const auto first = Index(mesh.vertices.size());
@@ -65,26 +68,41 @@ std::vector<FixtureSolid> load_fixtures(const Project& project, const Progress& 
     return solids;
 }
 
-std::vector<std::string> fixture_warnings(const Project& project, const Mesh& part) {
+namespace {
+
+/// Places all over a box or cylinder, off its sides by a share of its size: what touches the part has none in
+/// it.
+std::vector<Vec3> places_within(const Fixture& f) {
+    const bool round = f.kind == Fixture::Kind::cylinder;
+    const Mat3 turn = rotation_of(f.rotate);
+    const Vec3 move(f.translate[0], f.translate[1], f.translate[2]),
+        half = 0.5 * (round ? Vec3(f.diameter, f.diameter, f.height) : Vec3(f.size[0], f.size[1], f.size[2]));
+    std::vector<Vec3> places;
+    constexpr double off_sides = 0.98;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z) {
+                const double inward = round && x != 0 && y != 0 ? std::sqrt(0.5) : 1;
+                const Vec3 p = off_sides * Vec3(inward * x, inward * y, z).cwiseProduct(half);
+                places.push_back(turn * (p + Vec3(0, 0, half.z())) + move);
+            }
+    return places;
+}
+
+} // namespace
+
+std::vector<std::string> fixture_warnings(const Project& project, const PreparedPart& part,
+                                          const Progress& progress) {
+    constexpr double inside = 0.75; // below a large sheet it is a half
     std::vector<std::string> warnings;
     for (const Fixture& f : project.fixtures) {
         if (f.kind == Fixture::Kind::mesh) continue;
-        const bool round = f.kind == Fixture::Kind::cylinder;
-        const Mat3 back = rotation_of(f.rotate).transpose();
-        const Vec3 move(f.translate[0], f.translate[1], f.translate[2]);
-        double deepest = 0;
-        for (const Vec3& vertex : part.vertices) {
-            const Vec3 p = back * (vertex - move);
-            const double height = round ? f.height : f.size[2];
-            const double beside =
-                round ? 0.5 * f.diameter - p.head<2>().norm()
-                      : std::min(0.5 * f.size[0] - std::abs(p.x()), 0.5 * f.size[1] - std::abs(p.y()));
-            deepest = std::max(deepest, std::min({beside, p.z(), height - p.z()}));
-        }
-        if (deepest > touching)
-            warnings.push_back("The fixture '" + printable(f.name, 60)
-                               + "' stands in the part, which reaches "
-                               + length_text(deepest, project.unit, 3) + " into it.");
+        const std::vector<Vec3> places = places_within(f);
+        const bool stands = std::any_of(places.begin(), places.end(), [&](const Vec3& p) {
+            return (p.array() > part.box.lo.array()).all() && (p.array() < part.box.hi.array()).all()
+                   && winding_number(*part.mesh, p, progress) > inside;
+        });
+        if (stands) warnings.push_back("The fixture '" + printable(f.name, 60) + "' stands in the part.");
     }
     return warnings;
 }

@@ -217,11 +217,14 @@ struct Planner::Cache {
             ++work.indexes;
         }
         if (kept_off && kept_off->mesh_ptr() == prepared.kept_off) return;
-        fixtures = nullptr;
-        kept_off = index;
-        if (!prepared.fixtures) return;
-        kept_off = std::make_shared<ContactIndex>(prepared.kept_off, progress.part(0.6, 1));
-        fixtures = std::make_shared<ContactIndex>(grown_fixtures(*prepared.fixtures), progress.part(1, 1));
+        // Both or none: a plan that was cancelled in between would take fixtures for a part of the part.
+        ContactIndexPtr all = index, held;
+        if (prepared.fixtures) {
+            all = std::make_shared<ContactIndex>(prepared.kept_off, progress.part(0.6, 1));
+            held = std::make_shared<ContactIndex>(grown_fixtures(*prepared.fixtures), progress.part(1, 1));
+        }
+        kept_off = std::move(all);
+        fixtures = std::move(held);
     }
     Planned* find(std::string Planned::*key, const std::string& value) {
         for (Planned& p : planned)
@@ -235,12 +238,15 @@ struct Planner::Cache {
                                             const Operation& operation, std::string_view motions,
                                             const Progress& progress);
     KeptFixtures kept_fixtures() const {
+        constexpr std::size_t max_named = 3;
         KeptFixtures kept{fixtures, infinity, {}};
-        for (const FixtureSolid& f : *part->fixtures) {
-            kept.clearance = std::min(kept.clearance, f.clearance);
-            kept.names += (kept.names.empty() ? "'" : ", '") + printable(f.name, 60) + "'";
+        const std::vector<FixtureSolid>& all = *part->fixtures;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            kept.clearance = std::min(kept.clearance, all[i].clearance);
+            if (i < max_named) kept.names += (i > 0 ? ", '" : "'") + printable(all[i].name, 60) + "'";
         }
-        kept.names = (part->fixtures->size() == 1 ? "the fixture " : "one of the fixtures ") + kept.names;
+        if (all.size() > max_named) kept.names += " and " + std::to_string(all.size() - max_named) + " more";
+        kept.names = (all.size() == 1 ? "the fixture " : "the fixtures ") + kept.names;
         return kept;
     }
     StrategyResult plan_beside_fixtures(const Operation& operation, PlanContext context,
@@ -393,10 +399,12 @@ StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, 
     context.contact = ends_beside ? index : kept_off;
     StrategyResult path = operation.plan(context, progress.part(0, 0.95));
     const KeptFixtures kept = kept_fixtures();
-    if (!ends_beside && !path.warnings.empty())
-        path.warnings.push_back(kept.names
-                                + " is kept off like the part: what the warnings before this one say of the "
-                                  "part may be said of it");
+    const bool of_part = std::any_of(path.warnings.begin(), path.warnings.end(), [](const std::string& w) {
+        return w.find("the part") != std::string::npos;
+    });
+    if (!ends_beside && of_part)
+        path.warnings.push_back("where the part is said to be in the way it may be " + kept.names
+                                + ", kept off like the part");
     // Layers and turns are planned clear of them, and what follows depends on what each of them cuts.
     if (operation.linking() == Linking::over_stock || operation.turning()) return path;
     keep_off_fixtures(path, context, operation.common(), kept, progress.part(0.95, 1));
@@ -532,7 +540,9 @@ std::shared_ptr<const EarlierLeft> Planner::Cache::left(const Project& project,
         settings.motion_bound = rest_motion_share * common.tolerance;
         // The stock itself is not asked: what is left is found by lines through the samples.
         settings.resolution = rest_ray_share * radius;
-        const auto programs = verify_programs(project, before);
+        std::vector<VerifyProgram> programs = verify_programs(project, before);
+        for (VerifyProgram& program : programs)
+            program.fixtures = nullptr; // what is left of the stock knows nothing of them
         const Verification verified =
             verify(*before->part->mesh, before->stock, programs, settings, progress);
         auto all = std::make_shared<EarlierLeft>();
@@ -573,7 +583,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     result->part = prepare(project, progress.part(0.0, 0.15));
     result->stock = stock_solid(project.stock, *result->part);
     result->stock_warnings = stock_warnings(project.stock, *result->part, project.unit);
-    for (std::string& warning : fixture_warnings(project, *result->part->mesh))
+    for (std::string& warning : fixture_warnings(project, *result->part, progress))
         result->stock_warnings.push_back(std::move(warning));
     c.index_part(*result->part, progress.part(0.15, 0.2, "Indexing the part"));
 

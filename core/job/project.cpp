@@ -186,28 +186,28 @@ std::string at(const char* list, std::size_t i) {
     return list + ("[" + std::to_string(i) + "]");
 }
 
-/// `what`: part, stock or fixtures[0].
-void check_mesh_file(const std::string& file, const std::string& what) {
+/// `what`: part, stock or fixture; `place`: part, stock or fixtures[0].
+void check_mesh_file(const std::string& file, const std::string& what, const std::string& place) {
     if (file.empty())
-        throw Error(ErrorCode::missing_key, what + ".file", "the " + what + " has no file",
+        throw Error(ErrorCode::missing_key, place + ".file", "the " + what + " has no file",
                     "name an " + mesh_format_names(" or ") + " file");
     std::string extension = fs::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".facetmill")
-        throw Error(ErrorCode::unsupported_format, what + ".file",
+        throw Error(ErrorCode::unsupported_format, place + ".file",
                     "a project cannot be the " + what + " of a project",
                     "name an " + mesh_format_names(" or ") + " file");
 }
 
 void check_part(const Project& p) {
     check_struct(p.part, part_parameters(), "part", p.unit);
-    check_mesh_file(p.part.file, "part");
+    check_mesh_file(p.part.file, "part", "part");
 }
 
 void check_stock(const Project& p) {
     check_struct(p.stock, stock_parameters(), "stock", p.unit);
-    if (p.stock.kind == StockSpec::Kind::mesh) check_mesh_file(p.stock.file, "stock");
+    if (p.stock.kind == StockSpec::Kind::mesh) check_mesh_file(p.stock.file, "stock", "stock");
     if (p.stock.kind == StockSpec::Kind::rest && chosen_setup(p) == 0)
         throw Error(ErrorCode::missing_reference, "stock.kind",
                     "no setup comes before the first, so there is no rest of its stock",
@@ -222,7 +222,7 @@ void check_fixtures(const Project& p) {
         if (fixture.name.find_first_not_of(' ') == std::string::npos)
             throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
                         "give the fixture a name");
-        if (fixture.kind == Fixture::Kind::mesh) check_mesh_file(fixture.file, place);
+        if (fixture.kind == Fixture::Kind::mesh) check_mesh_file(fixture.file, "fixture", place);
         for (std::size_t k = 0; k < i; ++k)
             if (p.fixtures[k].name == fixture.name)
                 throw Error(ErrorCode::out_of_range, place + ".name",

@@ -179,7 +179,7 @@ void keep_off_fixtures(StrategyResult& path, const PlanContext& context, const O
     if (all.kept.empty())
         throw Error(ErrorCode::empty_result, "fixtures",
                     fixtures.names + " would be in the way of all passes, with the clearance",
-                    "move it, make it smaller, or give it less clearance");
+                    "move what is in the way, make it smaller, or give it less clearance");
     path.passes = std::move(all.kept);
     path.warnings.push_back(fixtures.names + " would be in the way of " + PlanText{context.unit}(all.left)
                             + " of the passes, which are left out");

@@ -7,8 +7,8 @@
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "core/verify/verify.h"
-#include "tests/support/part_meshes.h"
 #include "tests/support/error_code.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>
@@ -196,16 +196,16 @@ private slots:
                     != with->operations[0]->program.motions.motions.size()
                 || moved->operations[0]->totals.cut_length != with->operations[0]->totals.cut_length);
         QVERIFY(moved->stock_warnings.empty());
-        job.project.fixtures[0].translate = {2, 15, 6};
-        const auto sunk = planner.plan(job.project, {}, {});
-        QCOMPARE(sunk->stock_warnings.size(), std::size_t(0)); // no corner of the block is in it
-        job.project.fixtures[0].translate = {2, 1, 6};
-        const auto over = planner.plan(job.project, {}, {});
-        QCOMPARE(over->stock_warnings.size(), std::size_t(1));
-        // The corner at the origin's top: 2 from its side along x and y, 4 from its bottom.
-        QVERIFY2(over->stock_warnings[0].find("'Clamp'") != std::string::npos
-                     && over->stock_warnings[0].find("2 mm") != std::string::npos,
-                 over->stock_warnings[0].c_str());
+        // Through a side, where no corner of either is in the other, and right through.
+        for (const std::array<double, 3>& size : {std::array<double, 3>{8, 6, 10}, {90, 4, 4}}) {
+            job.project.fixtures[0].size = size;
+            job.project.fixtures[0].translate = {2, 15, 3};
+            const auto sunk = planner.plan(job.project, {}, {});
+            QCOMPARE(sunk->stock_warnings.size(), std::size_t(1));
+            QVERIFY2(sunk->stock_warnings[0].find("'Clamp'") != std::string::npos,
+                     sunk->stock_warnings[0].c_str());
+        }
+        job.project.fixtures[0].translate = {20, 15, 10};
         job.project.fixtures[0].size = {60, 60, 10};
         job.project.fixtures[0].translate = {20, 15, 10};
         std::string message;
