@@ -1,14 +1,15 @@
 // Fixtures in the window: added from a menu, edited in a form, drawn, kept off by what is planned, watched by
 // the verification; each change a step of the history.
 #include "core/mesh/mesh_io.h"
-#include "tests/support/part_meshes.h"
 #include "tests/screenshot/window_support.h"
+#include "tests/support/part_meshes.h"
 #include "ui/fixture_list.h"
 #include "ui/message_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/verification_controller.h"
+#include "ui/viewport.h"
 
 #include <QAction>
 #include <QApplication>

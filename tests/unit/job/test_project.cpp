@@ -5,6 +5,7 @@
 #include "core/setup/machine.h"
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/global_local/global_local.h"
+#include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -16,6 +17,7 @@
 #include <random>
 
 using namespace facetmill;
+using facetmill::test::code_of;
 using facetmill::test::trials;
 
 namespace {
