@@ -11,6 +11,9 @@ namespace {
 constexpr double tile_radii = 2;
 /// The golden ratio less 1: whole multiples of it are spread evenly over a unit.
 constexpr double golden = 0.6180339887498949;
+/// Points over a cell, at most: the cells of a large stock are many times as wide as points of a small cutter
+/// are apart.
+constexpr double max_points = 1024;
 
 } // namespace
 
@@ -20,7 +23,7 @@ FineStock::FineStock(const PlanContext& context, const StockField& field, const 
       skin_(skin), from_(from), half_diagonal_(std::sqrt(0.5) * field.cell()),
       tile_(tile_radii * cutter.radius()) {
     // No two of a cell are on one line in x or in y: walls mostly run along these, with thin skins.
-    const double n = std::max(1.0, std::ceil(field.cell() / spacing * field.cell() / spacing));
+    const double n = std::clamp(std::ceil(field.cell() / spacing * field.cell() / spacing), 1.0, max_points);
     for (double k = 0; k < n; ++k)
         spread_.push_back(field.cell() * Vec2((k + 0.5) / n - 0.5, std::fmod((k + 0.5) * golden, 1.0) - 0.5));
     index_.assign(std::size_t(field.columns()) * std::size_t(field.rows()), -1);

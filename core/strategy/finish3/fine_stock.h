@@ -18,7 +18,8 @@ namespace facetmill {
 
 class FineStock {
 public:
-    /// For a field of what operations before left, and for points about `spacing` apart. What stands no
+    /// For a field of what operations before left, and for points about `spacing` apart, farther where a
+    /// cell would have more than a thousand. What stands no
     /// farther than `skin` from the part, or above it, is not asked, nor what is lower than `from`. `cutter`
     /// is that of the operation, with which cut() cuts. The field has to outlive this.
     FineStock(const PlanContext& context, const StockField& field, const StockCutter& cutter, double spacing,
