@@ -16,7 +16,7 @@ namespace {
 constexpr int max_rounds = 4;
 /// The cells in which shank and holder see what stands, and the points over those that a wall crosses, in
 /// radii of the cutter: a touch of four thousandths is as large as several points.
-constexpr double cell_share = 0.04, fine_share = 0.008;
+constexpr double cell_share = 0.04, fine_share = 0.005;
 /// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
 constexpr double skin_share = 0.05;
 
