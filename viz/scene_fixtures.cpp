@@ -22,28 +22,13 @@ void put(std::vector<float>& to, const Vec3& v) {
     to.insert(to.end(), {float(v.x()), float(v.y()), float(v.z())});
 }
 
-/// How far along a line it enters a mesh; infinity where it misses. Fixtures have few facets.
-double distance_along(const Mesh& mesh, const Vec3& from, const Vec3& direction) {
-    double nearest = infinity;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        const Vec3 &a = mesh.corner(f, 0), u = mesh.corner(f, 1) - a, v = mesh.corner(f, 2) - a;
-        const Vec3 across = direction.cross(v);
-        const double det = u.dot(across);
-        if (det == 0) continue;
-        const Vec3 s = from - a, q = s.cross(u);
-        const double b = s.dot(across) / det, c = direction.dot(q) / det;
-        if (b >= 0 && c >= 0 && b + c <= 1) nearest = std::min(nearest, v.dot(q) / det);
-    }
-    return nearest;
-}
-
 } // namespace
 
 SceneFixtures::SceneFixtures(SceneStage& stage) : SceneLayer(stage) {}
 
 void SceneFixtures::shape(Body& body, const Mesh& mesh) {
-    body.box = mesh.box();
-    body.center = body.box.center();
+    body.center = mesh.box().center();
+    body.sights = SightTree(mesh, {});
     for (std::size_t f = 0; f < mesh.facet_count(); ++f)
         for (int k = 0; k < 3; ++k) {
             body.triangles.push_back(std::int32_t(body.triangles.size()));
@@ -107,8 +92,7 @@ std::optional<SceneFixtures::Pick> SceneFixtures::pick(double x, double y, const
     double nearest = infinity;
     Pick found;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const double back = 2 * bodies_[i]->box.diagonal() + (bodies_[i]->center - at).norm();
-        const double along = distance_along(*(*fixtures_)[i].mesh, at - back * direction, direction) - back;
+        const double along = bodies_[i]->sights.first(*(*fixtures_)[i].mesh, at, direction).distance;
         if (along < nearest) {
             nearest = along;
             found = {i, at + along * direction};

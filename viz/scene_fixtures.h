@@ -3,6 +3,7 @@
 
 #include "core/setup/fixture.h"
 #include "viz/scene_layer.h"
+#include "viz/sight_tree.h"
 
 #include <cstdint>
 #include <memory>
@@ -38,7 +39,7 @@ private:
         std::vector<float> points, normals; ///< 3 per corner, from `center`
         std::vector<std::int32_t> triangles, segments;
         Vec3 center = Vec3::Zero();
-        Box3 box;
+        SightTree sights; ///< for picking
         SceneActor faces, edges;
     };
     static void shape(Body& body, const Mesh& mesh);
