@@ -15,8 +15,7 @@ constexpr double usual_clearance_mm = 2, usual_clearance_inch = 0.08;
 
 class FixtureMaker {
 public:
-    FixtureMaker(const Project& project, const Box3& stock)
-        : project_(project), stock_(stock), per_(mm_per(project.unit)) {}
+    explicit FixtureMaker(const Project& project) : project_(project), per_(mm_per(project.unit)) {}
 
     Fixture box(const char* name, const Vec3& size, const Vec3& bottom) const {
         Fixture f = begun(name, bottom);
@@ -36,10 +35,6 @@ public:
         const double least = project_.unit == LengthUnit::inch ? 0.05 : 1;
         return std::max(round_down(mm / per_), least) * per_;
     }
-    Vec3 size() const { return stock_.size(); }
-    Vec3 lo() const { return stock_.lo; }
-    Vec3 hi() const { return stock_.hi; }
-    Vec3 middle() const { return stock_.center(); }
 
 private:
     Fixture begun(const char* name, const Vec3& bottom) const {
@@ -53,7 +48,6 @@ private:
         return f;
     }
     const Project& project_;
-    Box3 stock_;
     double per_;
 };
 
@@ -67,36 +61,36 @@ std::string free_fixture_name(const Project& project, const std::string& wish) {
 }
 
 std::vector<Fixture> new_fixtures(const Project& project, NewFixture what, const Box3& stock) {
-    const FixtureMaker make(project, stock);
-    const Vec3 size = make.size(), middle = make.middle();
+    const FixtureMaker make(project);
+    const Vec3 size = stock.size(), middle = stock.center();
     switch (what) {
     case NewFixture::vice: {
         const Vec3 jaw(1.2 * size.x(), jaw_width * size.y(), jaw_height * size.z());
         const double half = 0.5 * make.round(jaw.y());
-        return {make.box("Front jaw", jaw, {middle.x(), make.lo().y() - half, make.lo().z()}),
-                make.box("Rear jaw", jaw, {middle.x(), make.hi().y() + half, make.lo().z()})};
+        return {make.box("Front jaw", jaw, {middle.x(), stock.lo.y() - half, stock.lo.z()}),
+                make.box("Rear jaw", jaw, {middle.x(), stock.hi.y() + half, stock.lo.z()})};
     }
     case NewFixture::clamp: {
         const Vec3 strap(strap_length * size.x(), strap_width * size.y(),
                          std::max(strap_height * size.x(), 0.2 * size.z()));
         const double beside = 0.5 * make.round(strap.x()) - strap_reach * size.x();
-        return {make.box("Clamp", strap, {make.lo().x() - beside, middle.y(), make.hi().z()})};
+        return {make.box("Clamp", strap, {stock.lo.x() - beside, middle.y(), stock.hi.z()})};
     }
     case NewFixture::plate: {
         const double margin = plate_margin * std::max(size.x(), size.y());
         const Vec3 plate(size.x() + 2 * margin, size.y() + 2 * margin,
                          plate_height * std::min(size.x(), size.y()));
-        return {make.box("Plate", plate, {middle.x(), middle.y(), make.lo().z() - make.round(plate.z())})};
+        return {make.box("Plate", plate, {middle.x(), middle.y(), stock.lo.z() - make.round(plate.z())})};
     }
     case NewFixture::box: {
         const Vec3 block = block_share * size;
-        return {make.box("Block", block,
-                         {make.hi().x() + 0.5 * make.round(block.x()), middle.y(), make.lo().z()})};
+        return {
+            make.box("Block", block, {stock.hi.x() + 0.5 * make.round(block.x()), middle.y(), stock.lo.z()})};
     }
     case NewFixture::cylinder: {
         const double diameter = bolt_diameter * std::min(size.x(), size.y());
         return {make.cylinder("Bolt", diameter, size.z(),
-                              {make.hi().x() + 0.5 * make.round(diameter), middle.y(), make.lo().z()})};
+                              {stock.hi.x() + 0.5 * make.round(diameter), middle.y(), stock.lo.z()})};
     }
     }
     return {};
