@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/verify/probes.h"
+#include "core/verify/moving_bodies.h"
 #include "core/verify/standing.h"
 
 #include <numeric>
@@ -22,31 +22,15 @@ constexpr int band_count = 6;
 
 /// All bodies of a program that are asked.
 struct ProgramProbes {
-    struct Watch {
-        Collision::Kind kind;
-        MotionProbes probes;
-    };
     MotionProbes cutting;
-    std::vector<Watch> watched; ///< must not touch the part
+    std::vector<MovingBody> watched; ///< must not touch the part
 
     static ProgramProbes of(const VerifyProgram& program, double bound, const Progress& progress) {
-        const auto slow = std::make_shared<const MotionTree>(
-            program, [](MotionKind k) { return k != MotionKind::rapid; }, progress);
-        const auto fast = std::make_shared<const MotionTree>(
-            program, [](MotionKind k) { return k == MotionKind::rapid; }, progress);
-        const TurnedBody cutter(program.tool.cutter);
-        const BodySupport support(program.tool.cutter);
-        ProgramProbes p{MotionProbes(cutter, support, slow, bound), {}};
-        p.watched.push_back({Collision::Kind::rapid, MotionProbes(cutter, support, fast, bound)});
-        for (const ToolSection& s : program.tool.sections) {
-            const auto kind =
-                s.part == ToolSection::Part::shank ? Collision::Kind::shank : Collision::Kind::holder;
-            for (const auto& tree : {slow, fast})
-                p.watched.push_back(
-                    {tree == fast ? Collision::Kind::rapid : kind,
-                     MotionProbes(TurnedBody(s.radius, s.from, s.to), BodySupport(s), tree, bound)});
-        }
-        std::erase_if(p.watched, [](const Watch& w) { return w.probes.motions().empty(); });
+        std::vector<MovingBody> bodies = moving_bodies(program, bound, progress);
+        ProgramProbes p{std::move(bodies.front().probes), {}}; // the cutter at feed
+        bodies.erase(bodies.begin());
+        std::erase_if(bodies, [](const MovingBody& b) { return b.probes.motions().empty(); });
+        p.watched = std::move(bodies);
         return p;
     }
 };

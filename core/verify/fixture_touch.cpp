@@ -1,7 +1,7 @@
 #include "core/verify/fixture_touch.h"
 
 #include "core/base/tolerances.h"
-#include "core/verify/probes.h"
+#include "core/verify/moving_bodies.h"
 #include "core/verify/winding_number.h"
 #include "core/verify/working_radius.h"
 
@@ -22,31 +22,6 @@ constexpr double fixture_spacing_share = 0.2;
 constexpr std::size_t enough_places = 400'000;
 constexpr int max_fixture_halvings = 40;
 
-/// A body of the tool along the motions of one sort.
-struct Moving {
-    Collision::Kind kind;
-    MotionProbes probes;
-};
-
-std::vector<Moving> moving_bodies(const VerifyProgram& program, double bound, const Progress& progress) {
-    std::vector<Moving> bodies;
-    for (const bool rapid : {false, true}) {
-        const auto tree = std::make_shared<const MotionTree>(
-            program, [&](MotionKind kind) { return (kind == MotionKind::rapid) == rapid; }, progress);
-        if (tree->empty()) continue;
-        using Kind = Collision::Kind;
-        bodies.push_back(
-            {rapid ? Kind::rapid : Kind::cutter,
-             MotionProbes(TurnedBody(program.tool.cutter), BodySupport(program.tool.cutter), tree, bound)});
-        for (const ToolSection& s : program.tool.sections)
-            bodies.push_back({rapid                                ? Kind::rapid
-                              : s.part == ToolSection::Part::shank ? Kind::shank
-                                                                   : Kind::holder,
-                              MotionProbes(TurnedBody(s.radius, s.from, s.to), BodySupport(s), tree, bound)});
-    }
-    return bodies;
-}
-
 using TouchKey = std::tuple<std::size_t, Collision::Kind>; // motion
 using TouchMap = std::map<TouchKey, Collision>;
 
@@ -59,7 +34,7 @@ void keep_deepest_touch(TouchMap& map, const Collision& c) {
 /// are small.
 class TouchSearch {
 public:
-    TouchSearch(const std::vector<Moving>& bodies, std::size_t program, const FixtureSolid& fixture,
+    TouchSearch(const std::vector<MovingBody>& bodies, std::size_t program, const FixtureSolid& fixture,
                 double spacing, const Progress& progress)
         : bodies_(bodies), program_(program), fixture_(fixture), spacing_(spacing), progress_(progress) {}
 
@@ -114,7 +89,7 @@ private:
         look({half, b, c}, near, halvings + 1);
     }
 
-    void ask(const Vec3& p, const Moving& body, const std::vector<Index>& among) {
+    void ask(const Vec3& p, const MovingBody& body, const std::vector<Index>& among) {
         DepthProbe probe{tolerance::collision_depth, no_index};
         if (!body.probes.deepen(p, no_index, probe, among)) return;
         const Index motion = body.probes.first_as_deep(p, probe);
@@ -122,7 +97,7 @@ private:
             found_, {body.kind, false, {program_, motion, probe.course}, p, probe.depth, fixture_.name});
     }
 
-    const std::vector<Moving>& bodies_;
+    const std::vector<MovingBody>& bodies_;
     std::size_t program_;
     const FixtureSolid& fixture_;
     double spacing_;
@@ -139,7 +114,8 @@ std::vector<Collision> fixture_touches(std::span<const VerifyProgram> programs, 
     for (std::size_t i = 0; i < programs.size(); ++i) {
         const VerifyProgram& program = programs[i];
         if (!program.fixtures || program.fixtures->empty()) continue;
-        const std::vector<Moving> bodies = moving_bodies(program, bound, progress);
+        std::vector<MovingBody> bodies = moving_bodies(program, bound, progress);
+        std::erase_if(bodies, [](const MovingBody& b) { return b.probes.motions().empty(); });
         const double spacing = fixture_spacing_share * working_radius(program.tool.cutter);
         const Motion& first = program.motions->motions.front();
         for (const FixtureSolid& fixture : *program.fixtures) {
