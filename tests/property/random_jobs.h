@@ -10,7 +10,8 @@
 namespace facetmill::test {
 
 /// Writes the part beside the project, into `folder`. Whether the project is valid is for check_project to
-/// say.
-Project random_job(std::uint64_t seed, const std::filesystem::path& folder);
+/// say. `stamp` becomes another number where the seed stands for another job than it did: one more number was
+/// drawn, or another kind of operation.
+Project random_job(std::uint64_t seed, const std::filesystem::path& folder, std::uint64_t* stamp = nullptr);
 
 } // namespace facetmill::test
