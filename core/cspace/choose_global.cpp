@@ -9,7 +9,8 @@
 // and to those of the move after it, as core/output/motion_time counts it. Those speeds are not known while
 // the path is sought; they are taken from the round before, and a round that makes it no better is dropped.
 #include "core/cspace/choose.h"
-#include "core/cspace/joint_path.h"
+#include "core/cspace/posture_smoothing.h"
+#include "core/cspace/posture_stop.h"
 
 #include "core/base/parallel.h"
 
@@ -25,27 +26,14 @@ constexpr int refinements = 3;
 constexpr int rounds_per_step = 5;
 /// The part of its time by which a round has to make the path faster for another one with the same step.
 constexpr double worth_a_round = 5e-4;
-/// Where moves take the same time, the one that lifts less is taken: seconds for a lift as high as the space.
-constexpr double lift_seconds = 1e-4;
-/// What a posture costs that has no room to the border of its space, s. Motions between postures on the
-/// border leave the space, where it is hollow.
-constexpr double crowded_seconds = 0.1;
 /// What being separated costs, s: about a retract, a rapid and an approach. So much that no smooth path is
 /// given up for it.
 constexpr double separation_seconds = 1000;
 constexpr std::size_t points_per_block = 4;
-/// Rounds of drawing stops between their neighbours, and the part of its bends by which one has to fall.
-constexpr int smoothing_rounds = 8;
-constexpr double worth_a_draw = 0.01;
-/// The part by which the moves beside a stop may take longer for that, and the whole path.
-constexpr double draw_slack = 1e-3, smooth_slack = 1e-3;
+/// The part by which a path may take longer for axes that run evenly.
+constexpr double smooth_slack = 3e-3;
 
-/// A posture at a point, held in one of the manners that the machine has for it.
-struct Stop {
-    PostureValue posture;
-    Stand stand;
-    double own_cost = 0; ///< s
-};
+using Stop = PostureStop;
 
 /// The stops of one point. On the whole grid they are in the order of its nodes: those of node n stand from
 /// first[n] to first[n + 1]; elsewhere, and where a posture is kept, `first` is empty.
@@ -59,7 +47,7 @@ class Search {
 public:
     Search(std::span<const PassPoint> points, const ChooseInput& input)
         : points_(points.begin(), points.end()), own_(points.size()), input_(input), builder_(*input.builder),
-          clock_(builder_.input().kinematics, input.feed), cos_limit_(std::cos(input.turn_limit)) {
+          stops_(input), clock_(stops_.clock()), cos_limit_(std::cos(input.turn_limit)) {
         points_.insert(points_.end(), input.next.begin(),
                        input.next.begin() + long(std::min(input.next.size(), choose_horizon)));
     }
@@ -86,25 +74,12 @@ public:
     }
 
 private:
-    double own_cost(const PostureValue& p, double top) const {
-        if (!(top > 0 && std::isfinite(top))) return 0;
-        const double missing = input_.room > 0 ? std::max(0.0, 1 - (top - p.delta) / input_.room) : 0;
-        return lift_seconds * p.delta / top + crowded_seconds * missing * missing;
-    }
-
-    void add(const PassPoint& point, const PostureValue& posture, double top, Stops& stops) const {
-        const ToolPose pose = posture_pose(builder_.input().lift->cutter(), point.frame, posture);
-        const JointClock::Solutions held = clock_.solutions(pose);
-        for (int w = 0; w < held.count; ++w)
-            stops.all.push_back({posture, {pose, held.at[std::size_t(w)]}, own_cost(posture, top)});
-    }
-
     Stops nodes(std::size_t i) const {
         const PassPoint& point = points_[i];
         const PostureGrid& grid = *builder_.input().grid;
         Stops stops;
         if (point.kept) {
-            add(point, *point.kept, 0, stops);
+            stops_.add(point, *point.kept, 0, stops.all);
             return stops;
         }
         for (std::size_t l = 0; l < grid.lead.size(); ++l)
@@ -112,7 +87,8 @@ private:
                 const std::size_t n = grid.node(l, o);
                 stops.first.push_back(std::uint32_t(stops.all.size()));
                 if (point.space->block[n] != PostureBlock::free) continue;
-                add(point, {grid.lead[l], grid.yaw[o], point.space->bottom[n]}, point.space->top[n], stops);
+                stops_.add(point, {grid.lead[l], grid.yaw[o], point.space->bottom[n]}, point.space->top[n],
+                           stops.all);
             }
         stops.first.push_back(std::uint32_t(stops.all.size()));
         return stops;
@@ -231,7 +207,7 @@ private:
         ToolLift::Hint hint;
         Stops stops;
         if (point.kept) {
-            add(point, *point.kept, 0, stops);
+            stops_.add(point, *point.kept, 0, stops.all);
             return stops;
         }
         for (const int l : {0, -1, 1})
@@ -239,11 +215,7 @@ private:
                 const double lead = std::clamp(middle.lead + l * step, grid.lead.front(), grid.lead.back());
                 const double yaw = std::clamp(middle.yaw + o * step, grid.yaw.front(), grid.yaw.back());
                 if ((l != 0 && lead == middle.lead) || (o != 0 && yaw == middle.yaw)) continue;
-                const double bottom = builder_.bottom(point.frame, lead, yaw, hint);
-                const double top = builder_.top(point.frame, lead, yaw, *point.curves);
-                if (!(bottom <= top)) continue;
-                const PostureValue p{lead, yaw, bottom};
-                if (builder_.holds(point.frame, p)) add(point, p, top, stops);
+                stops_.add_free(point, lead, yaw, hint, stops.all);
             }
         return stops;
     }
@@ -302,69 +274,11 @@ private:
             seconds = seconds_of(path);
         }
         std::vector<Stop> even = path;
-        smooth(even, begin, progress);
+        const std::size_t free = std::min(end, std::max(own_, begin)) - begin;
+        smooth_postures(stops_, std::span(points_).subspan(begin, end - begin), free, even, progress);
         if (seconds_of(even) <= (1 + smooth_slack) * seconds) path = std::move(even);
         for (std::size_t i = begin; i < end; ++i)
             chosen[i] = {true, path[i - begin].posture};
-    }
-
-    /// Where the feed decides the time, axes may go to and fro at hardly any cost. Stops are drawn between
-    /// their neighbours where that is free, takes hardly longer and lets the rotary axes run more evenly.
-    /// Stops that are three apart do not see each other.
-    void smooth(std::vector<Stop>& path, std::size_t begin, const Progress& progress) const {
-        if (path.size() < 3) return;
-        for (int round = 0; round < smoothing_rounds; ++round)
-            for (std::size_t color = 0; color < 3; ++color)
-                parallel_for(
-                    (path.size() + 2) / 3, points_per_block, progress.part(0, 0), [&](std::size_t n) {
-                        const std::size_t k = 3 * n + color;
-                        if (k == 0 || k + 1 >= path.size() || begin + k >= own_ || points_[begin + k].kept)
-                            return;
-                        for (const double share : {1.0, 0.5})
-                            if (draw(path, k, points_[begin + k], share)) return;
-                    });
-    }
-
-    /// The time of the moves on either side of a stop, and how the rotary axes bend about it.
-    std::array<double, 2> local_cost(const std::vector<Stop>& path, std::size_t k, const Stop& stop) const {
-        const auto joints = [&](std::size_t i) { return i == k ? stop.stand.joints : path[i].stand.joints; };
-        double bends = 0;
-        for (std::size_t i = std::max<std::size_t>(k, 2) - 1; i <= k + 1 && i + 1 < path.size(); ++i)
-            bends += clock_.bend(joints(i - 1), joints(i), joints(i + 1));
-        return {clock_.seconds(path[k - 1].stand, stop.stand) + clock_.seconds(stop.stand, path[k + 1].stand),
-                bends};
-    }
-
-    /// Draws a stop towards the axis that lies between its neighbours' by a share of the way.
-    bool draw(std::vector<Stop>& path, std::size_t k, const PassPoint& point, double share) const {
-        const ToolPose &a = path[k - 1].stand.pose, &b = path[k + 1].stand.pose, &own = path[k].stand.pose;
-        const double before = (own.tip - a.tip).norm(), after = (b.tip - own.tip).norm();
-        const double t = before + after > 0 ? before / (before + after) : 0.5;
-        const Vec3 between = (a.axis + t * (b.axis - a.axis)).normalized();
-        const PostureValue wanted =
-            posture_of_axis(point.frame, (own.axis + share * (between - own.axis)).normalized());
-        const PostureGrid& grid = *builder_.input().grid;
-        const double lead = std::clamp(wanted.lead, grid.lead.front(), grid.lead.back());
-        const double yaw = std::clamp(wanted.yaw, grid.yaw.front(), grid.yaw.back());
-        ToolLift::Hint hint;
-        const double bottom = builder_.bottom(point.frame, lead, yaw, hint);
-        const double top = builder_.top(point.frame, lead, yaw, *point.curves);
-        const PostureValue posture{lead, yaw, bottom};
-        if (!(bottom <= top) || !builder_.holds(point.frame, posture)) return false;
-        Stops stops;
-        add(point, posture, top, stops);
-        const std::array<double, 2> now = local_cost(path, k, path[k]);
-        for (const Stop& stop : stops.all) {
-            const Vec3& axis = stop.stand.pose.axis;
-            if (std::min(axis.dot(a.axis), axis.dot(b.axis)) < cos_limit_) continue;
-            const std::array<double, 2> then = local_cost(path, k, stop);
-            if (then[0] > now[0] * (1 + draw_slack) || stop.own_cost > path[k].own_cost + lift_seconds
-                || then[1] > now[1] * (1 - worth_a_draw))
-                continue;
-            path[k] = stop;
-            return true;
-        }
-        return false;
     }
 
     static constexpr std::size_t nodes_per_block = 64;
@@ -376,7 +290,8 @@ private:
     std::size_t own_;               ///< how many are the pass's
     const ChooseInput& input_;
     const CSpaceBuilder& builder_;
-    MoveClock clock_;
+    PostureStops stops_;
+    const MoveClock& clock_;
     double cos_limit_;
 };
 

@@ -21,6 +21,15 @@ JointClock::JointClock(const Kinematics* machine) : machine_(machine) {
     }
 }
 
+Vec3 JointClock::axis_between(const Times& a, const Times& b, double share) const {
+    if (!machine_) return Vec3::UnitZ();
+    const Times step = difference(a, b);
+    Joints at;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (per_unit_[3 + k] > 0) at.rotary[k] = (a[3 + k] + share * step[3 + k]) / per_unit_[3 + k];
+    return machine_->forward(at).axis;
+}
+
 JointClock::Solutions JointClock::solutions(const ToolPose& pose, const Times* near) const {
     Solutions held;
     if (!machine_) {

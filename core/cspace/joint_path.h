@@ -43,13 +43,9 @@ public:
         return slowest;
     }
 
-    /// By how much the rotary axes change their speed at b where moves take alike, s.
-    double bend(const Times& a, const Times& b, const Times& c) const {
-        const Times in = difference(a, b), out = difference(b, c);
-        return std::abs(out[3] - in[3]) + std::abs(out[4] - in[4]);
-    }
+    /// The tool axis with the rotary axes at a share of their way from a to b.
+    Vec3 axis_between(const Times& a, const Times& b, double share) const;
 
-protected:
     /// From a to b, in the shorter direction where an axis may go round.
     Times difference(const Times& a, const Times& b) const {
         Times d;
@@ -98,6 +94,11 @@ public:
         for (double& v : d)
             v = time > 0 ? v / time : 0;
         return d;
+    }
+    /// By how much the rotary axes change their speed at b, shares of their largest speeds.
+    double bend(const Stand& a, const Stand& b, const Stand& c) const {
+        const Times in = speeds(a, b), out = speeds(b, c);
+        return std::abs(out[3] - in[3]) + std::abs(out[4] - in[4]);
     }
     /// From a stand to the cheaper solution of a pose; +inf where there is none.
     double to(const ToolPose& pose, const Stand& from) const {

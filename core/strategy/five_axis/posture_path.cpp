@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/plane_geometry.h"
 #include "core/base/tolerances.h"
+#include "core/cspace/joint_path.h"
 #include "core/strategy/five_axis/even_motion.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ struct Gap {
 
 class Joiner {
 public:
-    Joiner(const FiveAxisField& field, const PlacedLine& line) : field_(field), line_(line) {}
+    Joiner(const FiveAxisField& field, const PlacedLine& line)
+        : field_(field), line_(line), clock_(&field.kinematics(), field.settings().feed) {}
 
     Stop stop(const ContactPlace& place, const PostureValue& posture) const {
         const ToolPose pose = posture_pose(field_.cutter(), place.frame, posture);
@@ -107,29 +109,40 @@ private:
         return true;
     }
 
-    /// A free posture half-way: that between the two, or where it is not free the nearest on a small grid.
+    /// The posture at a place with the axis at which the machine's joints are half-way.
+    PostureValue between_joints(const Stop& a, const Stop& b, const ContactPlace& middle) const {
+        const Stand from = clock_.stand({a.cl.tip, a.cl.axis}, nullptr),
+                    to = clock_.stand({b.cl.tip, b.cl.axis}, &from);
+        return posture_of_axis(middle.frame, clock_.axis_between(from.joints, to.joints, 0.5));
+    }
+
+    /// A free posture half-way: where the joints are, or where that is not free the one between the two or
+    /// the nearest on a small grid.
     bool halfway(const Stop& a, const Stop& b, const ContactPlace& middle, Stop& at) {
         const auto& settings = field_.settings();
         const auto curves = field_.strip_curves(middle);
+        const auto is_free = [&](double to_lead, double to_yaw) {
+            PostureValue p;
+            p.lead = std::clamp(to_lead, settings.lead_limits[0], settings.lead_limits[1]);
+            p.yaw = std::clamp(to_yaw, settings.yaw_limits[0], settings.yaw_limits[1]);
+            const double bottom = field_.builder().bottom(middle.frame, p.lead, p.yaw, hint_);
+            const double top = field_.builder().top(middle.frame, p.lead, p.yaw, curves);
+            if (!(bottom <= top)) return false;
+            p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
+            if (!field_.builder().holds(middle.frame, p)) return false;
+            at = stop(middle, p);
+            return true;
+        };
+        const PostureValue even = between_joints(a, b, middle);
+        if (is_free(even.lead, even.yaw)) return true;
         const double lead = 0.5 * (a.posture.lead + b.posture.lead);
         const double yaw = 0.5 * (a.posture.yaw + b.posture.yaw);
         const double step = settings.grid_step;
         constexpr std::array<std::array<int, 2>, 9> around{
             {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
         for (const double scale : {0.5, 1.0})
-            for (const auto& [i, k] : around) {
-                PostureValue p;
-                p.lead =
-                    std::clamp(lead + i * scale * step, settings.lead_limits[0], settings.lead_limits[1]);
-                p.yaw = std::clamp(yaw + k * scale * step, settings.yaw_limits[0], settings.yaw_limits[1]);
-                const double bottom = field_.builder().bottom(middle.frame, p.lead, p.yaw, hint_);
-                const double top = field_.builder().top(middle.frame, p.lead, p.yaw, curves);
-                if (!(bottom <= top)) continue;
-                p.delta = std::clamp(0.5 * (a.posture.delta + b.posture.delta), bottom, top);
-                if (!field_.builder().holds(middle.frame, p)) continue;
-                at = stop(middle, p);
-                return true;
-            }
+            for (const auto& [i, k] : around)
+                if (is_free(lead + i * scale * step, yaw + k * scale * step)) return true;
         return on_grid(a, b, middle, curves, at);
     }
 
@@ -154,6 +167,7 @@ private:
 
     const FiveAxisField& field_;
     const PlacedLine& line_;
+    MoveClock clock_;
     ToolLift::Hint hint_;
 };
 

@@ -207,8 +207,8 @@ private slots:
                 path.push_back(row.pose(i, choices[i].posture));
             }
             const double found = best_seconds(row.kinematics, path);
-            // A thousandth is given for axes that run evenly.
-            QVERIFY2(found <= 1.001 * least + 5e-4,
+            // Three thousandths are given for axes that run evenly.
+            QVERIFY2(found <= 1.003 * least + 5e-4,
                      qPrintable(QString("%1 %2 %3").arg(seed).arg(found).arg(least)));
             ++compared;
         }
@@ -348,6 +348,42 @@ private slots:
         }
         QVERIFY2(back < 50, qPrintable(QString::number(back)));
         QVERIFY2(bends < radians(340), qPrintable(QString::number(degrees(bends))));
+    }
+
+    /// Over a rough surface, at a feed that is slower than any joint, from a posture on one side to one on
+    /// the other: nothing asks the axes to turn back, however the normals do.
+    void axes_do_not_turn_back_for_nothing() {
+        std::vector<ContactFrame> frames;
+        Random rng(3);
+        for (int i = 0; i < 121; ++i) {
+            const Vec3 normal = Vec3(0.02 * std::sin(0.9 * i) + uniform(rng, -0.02, 0.02),
+                                     0.02 * std::cos(0.7 * i) + uniform(rng, -0.02, 0.02), 1)
+                                    .normalized();
+            frames.push_back(ContactFrame::at(Vec3(i - 60, 0, 20), normal, Vec3::UnitX()));
+        }
+        Row row(level_plane(300), small_tool,
+                PostureGrid::make(radians(15), radians(25), radians(-60), radians(60), radians(5)), frames,
+                "trunnion-ac");
+        QVERIFY(row.all_free());
+        row.input.feed = 2;
+        row.points[0].kept = PostureValue{radians(20), radians(-40), 0};
+        row.points[120].kept = PostureValue{radians(20), radians(40), 0};
+        const auto choices = choose_global(row.points, row.input, Progress());
+        std::array<int, 2> back{};
+        std::optional<Joints> last;
+        std::array<double, 2> step{};
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            const auto at = row.kinematics.nearest(row.pose(i, choices[i].posture), last ? *last : Joints{});
+            QVERIFY(at);
+            for (std::size_t r = 0; last && r < 2; ++r) {
+                const double now = at->rotary[r] - last->rotary[r];
+                if (std::abs(now) < tolerance::level_angle) continue;
+                back[r] += now * step[r] < 0;
+                step[r] = now;
+            }
+            last = at;
+        }
+        QVERIFY2(back[0] <= 10 && back[1] <= 10, qPrintable(QString("%1 %2").arg(back[0]).arg(back[1])));
     }
 
     void neighbors_keep_the_turn_limit() {
