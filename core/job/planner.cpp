@@ -11,6 +11,7 @@
 #include "core/job/verification.h"
 #include "core/link/fixture_reach.h"
 #include "core/link/link.h"
+#include "core/link/shank_in_stock.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/outward.h"
 #include "core/output/turning_table.h"
@@ -118,6 +119,12 @@ void finish_program(OperationResult& result, const Project& project, const Opera
         for (const MotionJoints& m : followed.motions)
             joints->push_back(m.at);
         result.joints = std::move(joints);
+        // Clean-up leaves out what it cannot pass; a part that turns is cut from all round.
+        if (!operation.turning() && operation.purpose() != Purpose::cleaning)
+            if (std::string touched =
+                    shank_in_stock_warning(shank_in_stock(program.motions, context, progress), context);
+                !touched.empty())
+                result.motion_warnings.push_back(std::move(touched));
     }
     if (followed.motions.empty() && has_limits(context.machine))
         followed = machine_motion(program, context.machine, {}, progress);
@@ -155,6 +162,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 std::vector<std::string> OperationResult::warnings() const {
     std::vector<std::string> all = path.warnings;
+    all.insert(all.end(), motion_warnings.begin(), motion_warnings.end());
     if (machine_run) all.insert(all.end(), machine_run->warnings.begin(), machine_run->warnings.end());
     return all;
 }

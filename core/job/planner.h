@@ -47,6 +47,7 @@ struct OperationResult {
     std::optional<MachineRun> machine_run; ///< of a program of several axes
     /// How the machine stands at the end of each motion, in a program of several axes.
     std::shared_ptr<const std::vector<Joints>> joints;
+    std::vector<std::string> motion_warnings; ///< about the motions as they are linked
     /// Where the machine's axes do not go: the farthest place, the axis and by how much, in the project's
     /// unit; empty where they reach everything.
     std::string out_of_reach;

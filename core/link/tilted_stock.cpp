@@ -31,6 +31,11 @@ bool TiltedStock::free_behind(const CutterLocation& at) const {
     return !(lift(at, above_flutes_, 0, 0) > 0);
 }
 
+bool TiltedStock::holds_shank(const CutterLocation& at) const {
+    const double across = std::sqrt(2.0) * field_.cell();
+    return lift(at, above_flutes_, -across, across) > across;
+}
+
 /// The largest over all columns and bodies; any above `enough` where there is one.
 double TiltedStock::lift(const CutterLocation& at, const std::vector<Body>& bodies, double gap,
                          double enough) const {
@@ -74,6 +79,7 @@ double TiltedStock::lift(const CutterLocation& at, const std::vector<Body>& bodi
                          away = w.squaredNorm() - along * along;
             for (const Body& b : bodies) {
                 const double radius = b.radius + gap + half;
+                if (!(radius > 0)) continue;
                 double z = top;
                 if (square > tolerance::level_angle) {
                     const double root = cross * cross - square * (away - radius * radius);

@@ -25,6 +25,8 @@ public:
     /// Whether a tool that has cut at a location may go out from it, and in to it, in a rapid: nothing stands
     /// where its bodies above the flutes are, nor behind them; where its flutes are it has cut.
     bool free_behind(const CutterLocation& at) const;
+    /// Whether a body above the flutes surely holds stock there: the middle of a cell, with all about it.
+    bool holds_shank(const CutterLocation& at) const;
 
 private:
     struct Body {

@@ -1,6 +1,7 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
 #include "core/link/envelope.h"
 #include "core/link/link.h"
+#include "core/link/shank_in_stock.h"
 #include "core/link/tilted_stock.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/surface/stock_before.h"
@@ -385,8 +386,40 @@ private slots:
             if (is_free) QVERIFY(lift_of(at, above, 0) <= 0);
             if (!is_free) QVERIFY(lift_of(at, above, 2 * cell + spacing) > -cell - spacing);
             (is_free ? free : not_free) += 1;
+            // What surely holds stock does, by points that may lie beside it; what holds much of it is seen.
+            if (stock.holds_shank(at)) QVERIFY(lift_of(at, above, spacing) > -spacing);
+            if (lift_of(at, above, -2 * cell) > 3 * cell) QVERIFY(stock.holds_shank(at));
         }
         QVERIFY(free > trials(5, 2) && not_free > trials(5, 2));
+    }
+
+    /// Flutes of 10 mm, 5 mm over the floor of a block: a shank comes into 30 mm of stock, not into 8, nor
+    /// where a slot was cut before, and that is said.
+    void shanks_in_stock_are_told() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.tool.flute_length = 10;
+        context.tool.shank_diameter = 6;
+        context.tool.shank_length = 30;
+        ToolMotions motions;
+        const Vec3 axis = Vec3(0, 0.2, 1).normalized();
+        motions.motions = {{MotionKind::rapid, {Vec3(-30, 0, 5), axis}, no_index, no_index},
+                           {MotionKind::cut, {Vec3(-15, 0, 5), axis}, 0, 0}};
+        for (int i = 1; i <= 30; ++i)
+            motions.motions.push_back({MotionKind::cut, {Vec3(-15 + i, 0, 5), axis}, 0, Index(i)});
+        const auto touched = [&](double top) {
+            context.stock_box.hi.z() = top;
+            return shank_in_stock(motions, context, Progress());
+        };
+        QVERIFY(touched(30).length > 0.9 * 30);
+        QCOMPARE(touched(30).whole, 45.0);
+        QVERIFY(!shank_in_stock_warning(touched(30), context).empty());
+        QCOMPARE(touched(8).length, 0.0);
+        QVERIFY(shank_in_stock_warning(touched(8), context).empty());
+        auto slot = std::make_shared<EarlierCuts>();
+        slot->cutter = AptCutter::flat(20, 40);
+        slot->motions = {{Vec3(-40, 4, 4), Vec3(40, 4, 4)}};
+        context.earlier = {slot};
+        QCOMPARE(touched(30).length, 0.0);
     }
 
     /// In a block that nobody roughed the tool goes in at feed once, and from then on through what it has
