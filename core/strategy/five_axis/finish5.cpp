@@ -274,6 +274,11 @@ std::string why_unreached(const UnreachedPiece& piece) {
     return "it faces down; turn the part over and cut it in another setup";
 }
 
+std::string area_text(double mm2, const PlanText& text) {
+    const double unit = mm_per(text.unit);
+    return format_number(mm2 / (unit * unit), 4) + " " + std::string(unit_name(text.unit)) + "²";
+}
+
 /// Cuts a part side by side: the pieces of part_sides.h one after the other, and their paths as one.
 class SidePlanner {
 public:
@@ -380,19 +385,14 @@ private:
         const std::size_t count = sides_.unreached.size();
         for (std::size_t i = 0; i < std::min(count, max_told); ++i) {
             const UnreachedPiece& piece = sides_.unreached[i];
-            result_.warnings.push_back("cannot be reached: " + area_text(piece.area) + " of the surface ("
-                                       + share_text(piece.area, sides_.whole_area) + ") around "
-                                       + text_(piece.place) + ": " + why_unreached(piece));
+            result_.warnings.push_back("cannot be reached: " + area_text(piece.area, text_)
+                                       + " of the surface (" + share_text(piece.area, sides_.whole_area)
+                                       + ") around " + text_(piece.place) + ": " + why_unreached(piece));
         }
         if (count > max_told)
             result_.warnings.push_back(
                 "cannot be reached: " + std::to_string(count - max_told) + " smaller places; "
                 + share_text(sides_.unreached_area, sides_.whole_area) + " of the surface in all");
-    }
-
-    std::string area_text(double mm2) const {
-        const double unit = mm_per(text_.unit);
-        return format_number(mm2 / (unit * unit), 4) + " " + std::string(unit_name(text_.unit)) + "²";
     }
 
     Finish5Settings settings_;
@@ -454,11 +454,21 @@ StrategyResult finish_piece(const Finish5Settings& settings, const PlanContext& 
 
 StrategyResult Finish5::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
+    PartSides sides;
     if (settings_.sides == Finish5Settings::Sides::automatic) {
-        const PartSides sides = find_sides(context, settings_, progress.part(0, 0.05, "Looking for sides"));
+        sides = find_sides(context, settings_, progress.part(0, 0.05, "Looking for sides"));
         if (!sides.top_only) return SidePlanner(settings_, context, sides, progress.part(0.05, 1)).run();
     }
-    return Planner5(settings_, context, progress).run();
+    StrategyResult result = Planner5(settings_, context, progress).run();
+    if (sides.far_area > 0) {
+        const PlanText text{context.unit};
+        result.warnings.push_back(
+            area_text(sides.far_area, text) + " of the surface ("
+            + share_text(sides.far_area, sides.whole_area) + ") around " + text(sides.far_place)
+            + " turns under so far that only leads above the lead limits reach it, and is not cut: turn the "
+              "part over and cut it in another setup, or raise the upper lead limit for the whole part");
+    }
+    return result;
 }
 
 } // namespace facetmill

@@ -81,7 +81,10 @@ public:
         if (faces_up_as_wound()) return {};
         take_surface();
         find_reach();
-        if (!asks_for_sides()) return {};
+        if (!asks_for_sides()) {
+            find_far();
+            return std::move(found_);
+        }
         found_.top_only = false;
         join_neighbours();
         fill_holes();
@@ -171,6 +174,19 @@ private:
                 steep += area_[f];
         }
         return steep > steep_share * (all - far) || far > far_share * all;
+    }
+
+    /// What is left where the part is cut from above: an edge that turns under.
+    void find_far() {
+        double largest = 0;
+        for (std::size_t f = 0; f < area_.size(); ++f) {
+            if (!far_[f]) continue;
+            found_.far_area += area_[f];
+            if (area_[f] <= largest) continue;
+            largest = area_[f];
+            found_.far_place = (mesh_.corner(f, 0) + mesh_.corner(f, 1) + mesh_.corner(f, 2)) / 3;
+        }
+        if (found_.far_area < crumb * radius_ * radius_) found_.far_area = 0;
     }
 
     void join_neighbours() {

@@ -35,6 +35,9 @@ struct PartSides {
     std::vector<SidePiece> pieces;             ///< none where `top_only`; the top first
     std::vector<UnreachedPiece> unreached;     ///< the largest first; crumbs left out
     double unreached_area = 0, whole_area = 0; ///< mm^2
+    /// Where `top_only`: surface that only leads above the limits reach, and the middle of its largest facet.
+    double far_area = 0; ///< mm^2
+    Vec3 far_place = Vec3::Zero();
 };
 
 /// Settings for the pieces of a part that is cut side by side: seen from the side the axis comes from above,

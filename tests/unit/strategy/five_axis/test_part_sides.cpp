@@ -105,6 +105,25 @@ private slots:
         QVERIFY(alike(blocked(narrow, ReachBlock::below), face + rim));
     }
 
+    /// A sheet whose edge turns under by 140 degrees, 4 mm wide: too little to cut it side by side, and said.
+    void an_edge_that_turns_under_is_told() {
+        const double down = 4 * std::sin(radians(40)), in = 4 * std::cos(radians(40));
+        Mesh sheet;
+        sheet.vertices = {Vec3(0, 0, 10),   Vec3(100, 0, 10),       Vec3(100, 100, 10),
+                          Vec3(0, 100, 10), Vec3(0, in, 10 - down), Vec3(100, in, 10 - down)};
+        sheet.facets = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 1}};
+        const PartSides sides = sides_of(sheet, long_ball(10, 60), fine());
+        QVERIFY(sides.top_only);
+        QVERIFY2(alike(sides.far_area, 400), qPrintable(QString::number(sides.far_area)));
+        QVERIFY(sides.far_place.z() < 10);
+        Finish5Settings wide_limits = fine();
+        wide_limits.lead_limits[1] = radians(85);
+        const PartSides whole = sides_of(sheet, long_ball(10, 60), wide_limits);
+        QVERIFY(!whole.top_only && whole.unreached_area == 0);
+        sheet.facets.resize(2);
+        QCOMPARE(sides_of(sheet, long_ball(10, 60), fine()).far_area, 0.0);
+    }
+
     /// Between two plates 2 mm apart, one over the other, a ball of 4 mm has no room; 12 mm apart it has.
     void a_blade_behind_another_is_reached_where_there_is_room() {
         const Vec3 normal(0, -std::sin(radians(40)), std::cos(radians(40)));
