@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 using namespace facetmill;
@@ -234,7 +235,8 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
         std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
                      uncut_reason_text(r).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
                      r.place.z());
-    for (const Collision& c : v.collisions)
+    constexpr std::size_t most_told = 20;
+    for (const Collision& c : std::span(v.collisions).first(std::min(v.collisions.size(), most_told)))
         std::fprintf(
             stderr,
             "%s: collision of the %s in the %s, program %zu GOTO %zu: %.4g mm at (%.4g, %.4g, %.4g)\n",
