@@ -21,6 +21,8 @@ TiltedStock::TiltedStock(StockField field, const Tool& tool, double cutter_radiu
         add(section.diameter, section.length);
     whole_ = above_flutes_;
     whole_.push_back({std::max(cutter_radius, 0.5 * tool.diameter), 0});
+    // Beside the neck of an undercut cutter it has not cut.
+    behind_ = is_undercut(CutterProfile(tool.cutter())) ? whole_ : above_flutes_;
 }
 
 double TiltedStock::lift(const CutterLocation& at, double clearance) const {
@@ -28,7 +30,7 @@ double TiltedStock::lift(const CutterLocation& at, double clearance) const {
 }
 
 bool TiltedStock::free_behind(const CutterLocation& at) const {
-    return !(lift(at, above_flutes_, 0, 0) > 0);
+    return !(lift(at, behind_, 0, 0) > 0);
 }
 
 bool TiltedStock::holds_shank(const CutterLocation& at) const {

@@ -23,7 +23,8 @@ public:
     /// farther out; -inf where it meets nothing.
     double lift(const CutterLocation& at, double clearance) const;
     /// Whether a tool that has cut at a location may go out from it, and in to it, in a rapid: nothing stands
-    /// where its bodies above the flutes are, nor behind them; where its flutes are it has cut.
+    /// where its bodies above the flutes are, nor behind them; where its flutes are it has cut, but for what
+    /// stands beside the neck of an undercut cutter.
     bool free_behind(const CutterLocation& at) const;
     /// Whether a body above the flutes surely holds stock there: the middle of a cell, with all about it.
     bool holds_shank(const CutterLocation& at) const;
@@ -36,7 +37,7 @@ private:
 
     StockField field_;
     double bottom_ = 0, highest_ = 0, gap_ = 0;
-    std::vector<Body> whole_, above_flutes_;
+    std::vector<Body> whole_, above_flutes_, behind_; // behind_: what has to be free on the way out
 };
 
 } // namespace facetmill

@@ -422,6 +422,29 @@ private slots:
         QCOMPARE(touched(30).length, 0.0);
     }
 
+    /// Beside a wall that it has cut a cutter goes out in a rapid, an undercut one would cut what hangs
+    /// over it.
+    void beside_the_neck_of_an_undercut_cutter_something_stands() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock_box.hi.z() = 12;
+        auto slot = std::make_shared<EarlierCuts>();
+        slot->cutter = AptCutter::flat(16, 40);
+        slot->motions = {{Vec3(-30, 0, 4), Vec3(30, 0, 4)}};
+        context.earlier = {slot};
+        Tool straight = flat_tool(6);
+        straight.flute_length = 10;
+        Tool undercut = straight;
+        undercut.taper_angle = -radians(5);
+        const auto is_free = [&](const Tool& tool, double y) {
+            return TiltedStock(stock_before(context, 0.5, Progress()), tool, 3, 0.4)
+                .free_behind({Vec3(0, y, 4.5), Vec3::UnitZ()});
+        };
+        for (const double y : {0.0, 6.5})
+            QVERIFY(is_free(straight, y));
+        QVERIFY(is_free(undercut, 0));
+        QVERIFY(!is_free(undercut, 6.5));
+    }
+
     /// In a block that nobody roughed the tool goes in at feed once, and from then on through what it has
     /// cut.
     void a_tilted_tool_goes_in_where_it_has_cut() {
