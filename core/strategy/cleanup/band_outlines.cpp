@@ -31,14 +31,14 @@ public:
             if (i % edges_per_check == 0) progress.check();
             if (owners_.of[i] >= 0) cut(facets_[i], owners_.of[i]);
         }
+        facets_ = {};
+        fill_bands(progress);
         for (std::size_t i = 0; i < out_.bands.size(); ++i) {
             progress.check();
             RestBand& band = out_.bands[i];
             band.curve = i < valleys_.curves.size() ? int(i) : -1;
             band.boundaries = boundaries(edges_[i]);
             // Bands are most of what is kept until all passes are there.
-            band.band.shrink_to_fit();
-            band.left.shrink_to_fit();
             band.beside.shrink_to_fit();
         }
         auto& at = out_.band_points;
@@ -127,7 +127,6 @@ private:
 
     /// A polygon goes to a band.
     void add(const std::vector<Index>& part, int owner) {
-        RestBand& band = out_.bands[std::size_t(owner)];
         auto& edges = edges_[std::size_t(owner)];
         for (std::size_t k = 0; k < part.size(); ++k) {
             const Index a = part[k], b = part[(k + 1) % part.size()];
@@ -140,13 +139,29 @@ private:
             }
             out_.band_points.push_back({Index(owner), a});
         }
-        for (std::size_t k = 2; k < part.size(); ++k) {
-            const Vec3 &a = out_.points[part[0]], &b = out_.points[part[k - 1]], &c = out_.points[part[k]];
+        for (std::size_t k = 2; k < part.size(); ++k)
+            pieces_.push_back({Index(owner), {part[0], part[k - 1], part[k]}});
+    }
+
+    /// Once it is known how many triangles each has.
+    void fill_bands(const Progress& progress) {
+        std::vector<std::size_t> count(out_.bands.size(), 0);
+        for (const Piece& piece : pieces_)
+            ++count[piece.owner];
+        for (std::size_t i = 0; i < count.size(); ++i) {
+            out_.bands[i].band.reserve(count[i]);
+            out_.bands[i].left.reserve(count[i]);
+        }
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (i % edges_per_check == 0) progress.check();
+            const auto& [p, q, r] = pieces_[i].corner;
+            const Vec3 &a = out_.points[p], &b = out_.points[q], &c = out_.points[r];
+            RestBand& band = out_.bands[pieces_[i].owner];
             band.band.push_back({a, b, c});
-            band.left.push_back(
-                {float(left_at(part[0])), float(left_at(part[k - 1])), float(left_at(part[k]))});
+            band.left.push_back({float(left_at(p)), float(left_at(q)), float(left_at(r))});
             band.area += 0.5 * (b - a).cross(c - a).norm();
         }
+        pieces_ = {};
     }
 
     double left_at(Index p) const {
@@ -225,7 +240,13 @@ private:
     const RestGaps& gaps_;
     const RestOwners& owners_;
     std::vector<int> beside_of_; ///< by points: the last band beside which it was found
-    std::vector<Edges> edges_;   ///< those of each band that no other facet runs along
+    /// A triangle of a band.
+    struct Piece {
+        Index owner;
+        std::array<Index, 3> corner;
+    };
+    std::vector<Piece> pieces_;
+    std::vector<Edges> edges_; ///< those of each band that no other facet runs along
     std::unordered_map<std::uint64_t, Index> crossings_, borders_;
     std::vector<double> made_; ///< what is left at points that cutting out made
     OutlinedBands out_;

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/cleanup/nearest_place.h"
 #include "core/strategy/cleanup/ridge.h"
+#include "core/strategy/cleanup/standing.h"
 
 namespace facetmill {
 
@@ -25,6 +26,7 @@ double BetweenPasses::left(const ValleySpot& a, const ValleySpot& b, const Vec3&
         return most;
     // Most stays where both leave the same: halving goes on towards the side of the one that leaves more.
     LiftHint hint;
+    Standing::Hint near;
     double lo = 0, hi = 1;
     for (int n = 0; n < between_halvings; ++n) {
         const double share = 0.5 * (lo + hi), beyond = hi;
@@ -39,6 +41,8 @@ double BetweenPasses::left(const ValleySpot& a, const ValleySpot& b, const Vec3&
         }
         const double rest = std::min(by_a, by_b);
         if (rest <= std::max(most, with_.cusp)) continue;
+        // Beside its band a pass runs over what is cut.
+        if (with_.standing && !with_.standing->stands(at->point, rest, with_.cusp, near)) continue;
         most = std::max(most, rest - min_left(*at, rest, hint));
     }
     return most;

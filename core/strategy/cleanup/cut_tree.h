@@ -33,13 +33,23 @@ public:
     /// The distance of the nearest, or of any that is not above `enough`; infinite where none comes nearer
     /// than `limit`.
     double nearest(const Vec3& p, double enough, double limit = infinity) const {
+        std::uint32_t none = no_motion;
+        return nearest(p, enough, limit, none);
+    }
+    /// Sooner where the motion that came nearest to a place close by is known: `hint` is that of p then.
+    double nearest(const Vec3& p, double enough, double limit, std::uint32_t& hint) const {
         double best = infinity;
-        nearer(p, limit, [&](std::size_t, double d) {
+        const auto closer = [&](std::size_t m, double d) {
             best = d;
+            hint = std::uint32_t(m);
             return d <= enough ? -infinity : d;
-        });
+        };
+        if (hint != no_motion)
+            if (const double d = distance(p, hint); d < limit) limit = closer(hint, d);
+        nearer(p, limit, closer);
         return best;
     }
+    static constexpr std::uint32_t no_motion = 0xFFFFFFFFu;
 
 private:
     struct Node {

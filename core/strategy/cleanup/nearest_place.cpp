@@ -10,6 +10,16 @@ namespace {
 constexpr double first_step = 0.2;
 constexpr int directions = 8;
 
+/// The cutter with its tip at (x, y) comes nearer to p than `gap` where the tip is below this height;
+/// -infinity where it does nowhere, infinity where that is not known.
+double nearer_below(const CutterCover& cover, const Vec3& p, const Vec3& at, double gap) {
+    if (!cover.rounded_disc()) return infinity;
+    const auto [disc, rounding] = *cover.rounded_disc();
+    const double beside = std::max((p - at).head<2>().norm() - disc, 0.0), within = gap + rounding;
+    if (!(beside < within)) return -infinity;
+    return p.z() - rounding + std::sqrt(within * within - beside * beside);
+}
+
 } // namespace
 
 RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint) {
@@ -36,6 +46,11 @@ RestSample nearest_about(const ValleyInput& input, RestSample from, double enoug
         for (int k = 0; k < directions && from.gap > enough; ++k) {
             const double angle = 2 * pi * k / directions;
             Vec3 tip = from.tip + step * Vec3(std::cos(angle), std::sin(angle), 0);
+            // Mostly it is held up higher than where it would come nearer.
+            const double below = nearer_below(*input.cover, from.point, tip, from.gap);
+            if (below == -infinity
+                || (below < infinity && input.lift->is_above(tip.x(), tip.y(), below, hint)))
+                continue;
             tip.z() = input.lift->tip_z(tip.x(), tip.y(), hint);
             if (!(tip.z() > -infinity)) continue;
             if (const double d = input.cover->distance(from.point - tip); d < from.gap) {

@@ -20,6 +20,10 @@
 
 namespace facetmill {
 
+/// How much is left is asked up to so many tolerances: where more stands, it matters little to where a band
+/// ends.
+inline constexpr double asked_tolerances = 4;
+
 struct RestBand {
     int curve = -1;                         ///< index in Valleys::curves; -1: a hollow without a valley
     std::vector<std::array<Vec3, 3>> band;  ///< triangles, cut along the boundaries, oriented as the part's

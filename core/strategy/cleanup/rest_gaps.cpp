@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/cut_tree.h"
 #include "core/strategy/cleanup/nearest_place.h"
+#include "core/strategy/cleanup/rest_band.h"
 #include "core/strategy/cleanup/standing.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@ constexpr double same_gap_normal = 0.9999;
 constexpr double farthest_left = 3;
 /// Two valleys that leave the same within this share of the tolerance leave alike.
 constexpr double alike_share = 0.25;
-/// That operations before left less than so many tolerances is asked: where more stands, how much matters
-/// little to where a band ends.
-constexpr double asked_tolerances = 4;
 /// The place where the cutter leaves least is looked for in steps down to this, in radii.
 constexpr double last_step = 0.02;
 
@@ -66,9 +64,9 @@ public:
                         std::vector<int>(rest_.points.size(), -1)};
         const auto& used = around.used();
         parallel_blocks(used.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
-            LiftHint hint;
+            Near near;
             for (std::size_t s = begin; s < end; ++s)
-                measure(used[s], around.of(used[s]), result, hint);
+                measure(used[s], around.of(used[s]), result, near);
         });
         return result;
     }
@@ -80,21 +78,29 @@ private:
         double left;
     };
 
-    void measure(Index v, std::span<const Index> facets, RestGaps& result, LiftHint& hint) const {
+    /// What helps to find it for the next point.
+    struct Near {
+        LiftHint lift;
+        Standing::Hint cut;
+    };
+
+    void measure(Index v, std::span<const Index> facets, RestGaps& result, Near& near) const {
         const Vec3& p = rest_.points[v];
-        RestSample nearest = nearest_by_normals(p, facets, hint);
+        RestSample nearest = nearest_by_normals(p, facets, near.lift);
         if (nearest.gap > in_.tolerance) {
             std::vector<ByCurve> by_curve;
             const double least = min_by_tips(p, by_curve);
             result.curve[v] = curve_of(p, by_curve, least);
             // In a valley's band the valley's own tips come nearest; a place for which they do not may have
             // a normal that says nothing, of a needle on a noisy plane.
-            nearest.gap = nearest.gap < least
-                              ? nearest_about(in_, nearest, in_.tolerance, last_step * radius_, hint).gap
-                              : least;
-            if (in_.standing && nearest.gap > in_.tolerance)
-                nearest.gap = in_.standing->uncut(p, std::min(nearest.gap, raw_over(p, facets)),
-                                                  asked_tolerances * in_.tolerance);
+            double left = std::min(nearest.gap, least);
+            if (in_.standing)
+                left = in_.standing->uncut(p, std::min(left, raw_over(p, facets)),
+                                           asked_tolerances * in_.tolerance, near.cut);
+            if (left > in_.tolerance && nearest.gap < least)
+                left = std::min(
+                    left, nearest_about(in_, nearest, in_.tolerance, last_step * radius_, near.lift).gap);
+            nearest.gap = left;
         }
         result.gap[v] = nearest.gap;
     }

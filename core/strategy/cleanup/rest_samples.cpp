@@ -81,6 +81,7 @@ std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& p
         [&](std::size_t begin, std::size_t end) {
             Samples found;
             LiftHint hint;
+            Standing::Hint near;
             for (std::size_t i = begin; i < end; ++i) {
                 const Index f = asked[i];
                 const Vec3 n = input.side->towards_tool(mesh.facet_normal(f));
@@ -93,7 +94,7 @@ std::vector<RestSample> rest_samples(const ValleyInput& input, const Progress& p
                         // In the raw material, where nothing else was before it?
                         if (!input.standing
                             || input.standing->stands(s.point, input.standing->raw_over(s.point, s.normal),
-                                                      input.tolerance))
+                                                      input.tolerance, near))
                             found.push_back(s);
                     }
             }

@@ -38,19 +38,22 @@ double Standing::raw_over(const Vec3& p, const Vec3& n) const {
     return std::max(thick, 0.0);
 }
 
-double Standing::uncut(const Vec3& p, double thick, double asked) const {
-    for (const Cuts& c : cuts_) {
-        if (thick <= enough_) break;
-        if (std::min(thick, asked) > c.no_nearer)
-            thick = std::min(thick, c.tree->nearest(p, enough_, std::min(thick, asked)));
-    }
+double Standing::uncut(const Vec3& p, double thick, double asked, Hint& hint) const {
+    hint.resize(cuts_.size(), CutTree::no_motion);
+    for (std::size_t i = 0; i < cuts_.size() && thick > enough_; ++i)
+        if (const Cuts& c = cuts_[i]; std::min(thick, asked) > c.no_nearer)
+            thick = std::min(thick, c.tree->nearest(p, enough_, std::min(thick, asked), hint[i]));
     return thick;
 }
 
-bool Standing::stands(const Vec3& p, double thick, double least) const {
-    return thick > least && std::none_of(cuts_.begin(), cuts_.end(), [&](const Cuts& c) {
-               return least > c.no_nearer && c.tree->nearest(p, least, least) < least;
-           });
+bool Standing::stands(const Vec3& p, double thick, double least, Hint& hint) const {
+    if (!(thick > least)) return false;
+    hint.resize(cuts_.size(), CutTree::no_motion);
+    for (std::size_t i = 0; i < cuts_.size(); ++i)
+        if (const Cuts& c = cuts_[i];
+            least > c.no_nearer && c.tree->nearest(p, least, least, hint[i]) < least)
+            return false;
+    return true;
 }
 
 } // namespace facetmill

@@ -70,6 +70,13 @@ public:
 private:
     static Vec3 level(const Vec3& p) { return Vec3(p.x(), p.y(), 0); }
 
+    /// What helps to find out about the next place.
+    struct Near {
+        LiftHint lift;
+        Standing::Hint cut;
+        std::uint32_t pass = CutTree::no_motion;
+    };
+
     /// A sample of a band.
     struct Place {
         Vec3 point; ///< on the triangle
@@ -82,22 +89,25 @@ private:
         return with_.side->towards_tool((t[1] - t[0]).cross(t[2] - t[0]).normalized());
     }
 
-    std::vector<Place> places(const Progress& progress) const {
+    /// use(place, share) for the samples of all bands, with the share of triangles before.
+    template <class Use>
+    void each_place(Use&& use) const {
         double area = 0;
         for (const BandCut& b : bands_)
             area += b.band->area;
         const double apart = std::max(sampling_.sample_share * std::sqrt(2 * ball_ * with_.cusp),
                                       std::sqrt(area / max_touch_samples));
-        std::vector<Place> all;
         CellSet seen(apart);
-        std::size_t count = 0;
+        std::size_t count = 0, triangles = 0;
+        for (const BandCut& b : bands_)
+            triangles += b.band->band.size();
         for (std::uint32_t b = 0; b < bands_.size(); ++b)
             for (std::uint32_t k = 0; k < bands_[b].band->band.size(); ++k) {
-                if (count++ % touched_per_check == 0) progress.check();
+                const double share = double(count++) / double(triangles);
                 const std::array<Vec3, 3>& t = bands_[b].band->band[k];
                 const Vec3 n = normal(t);
                 if (!(n.squaredNorm() > 0) || n.z() < -tolerance::vertical_normal_z) continue;
-                const auto add = [&](const Vec3& at) { all.push_back({at, b, k}); };
+                const auto add = [&](const Vec3& at) { use(Place{at, b, k}, share); };
                 const FacetRows rows(t, apart);
                 if (rows.rows() == 1 && rows.columns(0) == 1) {
                     if (const Vec3 middle = rows.point(0, 0); seen.add_first(middle)) add(middle);
@@ -110,7 +120,6 @@ private:
                     for (std::size_t j = 0; j < rows.columns(i); ++j)
                         add(rows.point(i, j));
             }
-        return all;
     }
 
     /// What stood over a place before the cutter came, as known at the corners of its triangle.
@@ -125,62 +134,70 @@ private:
 
     /// A place on which more is left than may be, if it is one, with where the cutter stands over it. How
     /// much is left takes longer to know.
-    std::optional<Left> left_at(const Place& at, LiftHint& hint) const {
+    std::optional<Left> left_at(const Place& at, Near& near) const {
         Left l;
         const Vec3 n = normal(triangle(at)), p = at.point + with_.allowance * n;
-        if (tree_->nearest(p, allowed_, allowed_) < allowed_) return std::nullopt;
+        if (tree_->nearest(p, allowed_, allowed_, near.pass) < allowed_) return std::nullopt;
         l.before = before(at);
-        if (with_.standing && !with_.standing->stands(p, l.before, with_.standing->enough()))
+        if (with_.standing && !with_.standing->stands(p, l.before, with_.standing->enough(), near.cut))
             return std::nullopt;
-        l.sample = nearest_touch(in_, p, n, hint);
+        l.sample = nearest_touch(in_, p, n, near.lift);
         l.band = at.band;
         return l;
     }
 
     /// How much is left there, and the least that the cutter can leave. Is that worth it?
-    bool leaves_too_much(Left& l, LiftHint& hint) const {
+    bool leaves_too_much(Left& l, Near& near) const {
         const Vec3 p = l.sample.point;
-        l.rest = tree_->nearest(p, allowed_);
-        l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, hint,
+        l.rest = tree_->nearest(p, allowed_, infinity, near.pass);
+        l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, near.lift,
                                  std::min(l.rest, l.before));
         if (!too_much(l)) return false;
         // Less may stand there than at the corners of the triangle.
         const double best = at_best(l);
-        return !with_.standing || best <= allowed_ || with_.standing->stands(p, l.before, best + allowed_);
+        return !with_.standing || best <= allowed_
+               || with_.standing->stands(p, l.before, best + allowed_, near.cut);
     }
 
     /// Where more is left than need be. Places are asked to the end some at a time, so that only those are
     /// kept of which it is true.
     void find(const Progress& progress) {
-        const std::vector<Place> all = places(progress.part(0, 0.1));
         // Where the cutter does not touch, what is left changes less from place to place.
         CellSet deep(deep_share * radius_);
-        std::vector<std::optional<Left>> some;
+        std::vector<Place> some;
+        some.reserve(touched_at_once);
+        double done = 0;
+        std::size_t count = 0;
+        each_place([&](const Place& at, double share) {
+            if (count++ % touched_per_check == 0) progress.check();
+            some.push_back(at);
+            if (some.size() < touched_at_once) return;
+            look_at(some, deep, progress.part(done, share));
+            some.clear();
+            done = share;
+        });
+        look_at(some, deep, progress.part(done, 1));
+    }
+
+    void look_at(const std::vector<Place>& places, CellSet& deep, const Progress& progress) {
+        std::vector<std::optional<Left>> some(places.size());
+        parallel_blocks(places.size(), 256, progress.part(0, 0.6), [&](std::size_t from, std::size_t to) {
+            Near near;
+            for (std::size_t i = from; i < to; ++i)
+                some[i] = left_at(places[i], near);
+        });
         std::vector<Left> found;
-        std::vector<char> which;
-        for (std::size_t begin = 0; begin < all.size(); begin += touched_at_once) {
-            const std::size_t count = std::min(touched_at_once, all.size() - begin);
-            const auto share = [&](std::size_t i) { return 0.1 + 0.9 * double(i) / double(all.size()); };
-            const Progress part = progress.part(share(begin), share(begin + count));
-            some.assign(count, std::nullopt);
-            parallel_blocks(count, 256, part.part(0, 0.6), [&](std::size_t from, std::size_t to) {
-                LiftHint hint;
-                for (std::size_t i = from; i < to; ++i)
-                    some[i] = left_at(all[begin + i], hint);
-            });
-            found.clear();
-            for (const auto& l : some)
-                if (l && !(l->sample.gap > 0.5 * allowed_ && !deep.add_first(l->sample.point)))
-                    found.push_back(*l);
-            which.assign(found.size(), 0);
-            parallel_blocks(found.size(), 16, part.part(0.6, 1), [&](std::size_t from, std::size_t to) {
-                LiftHint hint;
-                for (std::size_t i = from; i < to; ++i)
-                    which[i] = leaves_too_much(found[i], hint) && !is_over_border(found[i].sample.tip);
-            });
-            for (std::size_t i = 0; i < found.size(); ++i)
-                if (which[i]) left_.push_back(found[i]);
-        }
+        for (const auto& l : some)
+            if (l && !(l->sample.gap > 0.5 * allowed_ && !deep.add_first(l->sample.point)))
+                found.push_back(*l);
+        std::vector<char> which(found.size(), 0);
+        parallel_blocks(found.size(), 16, progress.part(0.6, 1), [&](std::size_t from, std::size_t to) {
+            Near near;
+            for (std::size_t i = from; i < to; ++i)
+                which[i] = leaves_too_much(found[i], near) && !is_over_border(found[i].sample.tip);
+        });
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (which[i]) left_.push_back(found[i]);
     }
 
     /// Where the search ended early the cutter can leave next to nothing.

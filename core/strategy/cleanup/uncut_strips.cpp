@@ -73,15 +73,22 @@ public:
             few.size(), 64, total, progress,
             [&](std::size_t begin, std::size_t end) {
                 UncutStrips sum;
-                LiftHint hint;
+                Near near;
                 for (std::size_t i = begin; i < end; ++i)
-                    measure(band.band[few[i]], before(band, few[i]), sum, hint);
+                    measure(band.band[few[i]], before(band, few[i]), sum, near);
                 return sum;
             },
             joined);
     }
 
 private:
+    /// What helps to find it for the next place.
+    struct Near {
+        LiftHint lift;
+        Standing::Hint cut;
+        std::uint32_t pass = CutTree::no_motion;
+    };
+
     void stand_along(const CutterLocation& a, const CutterLocation& b, double spacing) {
         const auto parts = std::size_t((b.tip - a.tip).norm() / spacing) + 1;
         for (std::size_t i = 1; i <= parts; ++i) {
@@ -118,9 +125,10 @@ private:
     }
 
     /// What stays over a place on which so much stood, or anything that is good enough.
-    double rest_over(const Vec3& p, double before) const {
+    double rest_over(const Vec3& p, double before, Near& near) const {
         const double enough = good_enough * job_.cusp;
-        double rest = std::min(before, upright_->nearest(p, enough, std::min(before, job_.radius)));
+        double rest =
+            std::min(before, upright_->nearest(p, enough, std::min(before, job_.radius), near.pass));
         if (stands_.empty()) return rest;
         // An inclined cutter's contacts are farther from its tip, seen from above, by up to its radius.
         near_.near_until(Vec3(p.x(), p.y(), 0), 2.1 * job_.radius + job_.cusp, [&](std::size_t t) {
@@ -131,7 +139,7 @@ private:
     }
 
     /// `before`: what stands where no pass comes.
-    void measure(const Triangle& t, double before, UncutStrips& sum, LiftHint& hint) const {
+    void measure(const Triangle& t, double before, UncutStrips& sum, Near& near) const {
         const auto& [a, b, c] = t;
         const double cusp = job_.cusp;
         const Vec3 cross = (b - a).cross(c - a);
@@ -139,13 +147,13 @@ private:
         if (!(area > needle_share * longest_square(t))) return;
         const Vec3 n = job_.side.towards_tool(cross.normalized());
         const Vec3 p = (a + b + c) / 3 + job_.allowance * n;
-        const double limit = nearest_touch(reach_of_, p, n, hint).gap;
-        double rest = rest_over(p, before);
+        const double limit = nearest_touch(reach_of_, p, n, near.lift).gap;
+        double rest = rest_over(p, before, near);
         const double missed_from = limit + (1 + tolerance::uncut_margin) * cusp;
         // What operations before left of thick material is not known yet, and matters seldom.
         if (rest < infinity && rest > cusp
             && (rest > missed_from || rest > (limit > cusp ? sum.hollow : sum.reached)))
-            rest = job_.standing.uncut(p, rest);
+            rest = job_.standing.uncut(p, rest, infinity, near.cut);
         sum.area += area;
         if (limit > cusp && rest < infinity && rest > std::max(sum.hollow, cusp)) {
             sum.hollow = rest;

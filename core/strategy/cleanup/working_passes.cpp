@@ -21,6 +21,8 @@ constexpr double place_share = 0.15;
 constexpr double as_good_share = 0.15, good_share = 0.5;
 /// Passes are kept by stretches of about so many radii, and to begin one costs as much as so many.
 constexpr double stretch_radii = 6, begin_radii = 2;
+/// On the border of a band as much is left as may be, but for rounding.
+constexpr double border_share = 1 + 1e-6;
 /// Distances from motions are known to this share of the cusp.
 constexpr double working_accuracy = 0.02;
 /// What of a pass takes nothing away is gone over where it is shorter than so many radii: that takes less
@@ -53,15 +55,19 @@ public:
         const std::vector<Place> places = places_of(bands, progress.part(0, 0.1));
         const CutTree tree(*with_.cover, motions_, working_accuracy * with_.cusp, progress);
         cutting_.resize(places.size());
-        parallel_for(places.size(), 64, progress.part(0.1, 0.9),
-                     [&](std::size_t i) { cutting_[i] = cutting(places[i], tree); });
+        parallel_blocks(places.size(), 64, progress.part(0.1, 0.9), [&](std::size_t from, std::size_t to) {
+            Standing::Hint near;
+            for (std::size_t i = from; i < to; ++i)
+                cutting_[i] = cutting(places[i], tree, near);
+        });
         return kept(progress.part(0.9, 1));
     }
 
 private:
     struct Place {
         Vec3 point;
-        double left; ///< by the cutter before; infinite where it is not asked
+        double left;        ///< by the cutter before; infinite where it is not asked
+        bool known = false; ///< as rest_gaps.h says it; else between such places
     };
 
     struct Stretch {
@@ -72,8 +78,8 @@ private:
     std::vector<Place> places_of(std::span<const BandCut> bands, const Progress& progress) const {
         std::vector<Place> places;
         CellSet seen(place_share * with_.cover->radius());
-        const auto add = [&](const Vec3& at, const Vec3& n, double left) {
-            if (seen.add_first(at)) places.push_back({at + with_.allowance * n, left});
+        const auto add = [&](const Vec3& at, const Vec3& n, double left, bool known) {
+            if (seen.add_first(at)) places.push_back({at + with_.allowance * n, left, known});
         };
         std::size_t count = 0;
         const auto check = [&] {
@@ -85,25 +91,29 @@ private:
                 const auto& [p, q, r] = b.band->band[t];
                 const Vec3 n = with_.side->towards_tool((q - p).cross(r - p).normalized());
                 const auto& left = b.band->left[t];
-                add((p + q + r) / 3, n, (double(left[0]) + double(left[1]) + double(left[2])) / 3);
-                add(p, n, double(left[0]));
-                add(q, n, double(left[1]));
-                add(r, n, double(left[2]));
+                const bool known = with_.allowance == 0;
+                add(p, n, double(left[0]), known);
+                add(q, n, double(left[1]), known);
+                add(r, n, double(left[2]), known);
+                add((p + q + r) / 3, n, (double(left[0]) + double(left[1]) + double(left[2])) / 3, false);
             }
         // What is left beside a band is not much, and not known well.
         for (const BandCut& b : bands)
             for (const auto& [p, n] : b.band->beside) {
                 check();
-                add(p, n, infinity);
+                add(p, n, infinity, false);
             }
         return places;
     }
 
     /// The motions that cut a place as deep as any, or deep enough; none where that takes nothing away.
-    std::vector<std::uint32_t> cutting(const Place& place, const CutTree& tree) const {
+    std::vector<std::uint32_t> cutting(const Place& place, const CutTree& tree, Standing::Hint& near) const {
         // Between the corners of a band's triangles no more is known than about how much is left.
         double left = place.left, best = infinity;
-        if (with_.standing && !with_.standing->stands(place.point, left, with_.standing->enough())) return {};
+        if (with_.standing
+            && !(place.known ? left > border_share * with_.standing->enough()
+                             : with_.standing->stands(place.point, left, with_.standing->enough(), near)))
+            return {};
         // How much deeper it comes is not asked there.
         if (left == infinity) left = (1 + as_good_share) * with_.cusp;
         const auto bound = [&] {
@@ -118,7 +128,8 @@ private:
         if (found.empty()) return {};
         // Whether more than so much stood there matters.
         const double deep_enough = std::max(best, with_.cusp) + (1 + as_good_share) * with_.cusp;
-        if (with_.standing) left = with_.standing->uncut(place.point, std::min(left, deep_enough));
+        if (with_.standing && !(place.known && is_known(std::min(left, deep_enough))))
+            left = with_.standing->uncut(place.point, std::min(left, deep_enough), infinity, near);
         // It comes within the cusp there, or much nearer than before.
         const bool deeper = place.left < infinity && left - best > with_.cusp;
         if (best > with_.cusp && !deeper) return {};
@@ -128,6 +139,9 @@ private:
         std::sort(result.begin(), result.end());
         return result;
     }
+
+    /// Has less than so much been asked for?
+    bool is_known(double left) const { return left <= asked_tolerances * with_.standing->enough(); }
 
     /// Passes beside a crooked valley run over each other many times. So stretches of them are taken one
     /// after the other, first those that cut most places for their length which none before has cut, until

@@ -113,6 +113,7 @@ private slots:
             const double accuracy = 0.001;
             const CutTree tree(cover, motions, accuracy, Progress());
             int far = 0;
+            std::uint32_t hint = CutTree::no_motion; // of the place before
             for (int i = 0; i < 200; ++i) {
                 const Vec3 p(uniform(rng, -5, 65), uniform(rng, -5, 65), uniform(rng, -10, 20));
                 double least = infinity;
@@ -127,6 +128,8 @@ private slots:
                 // A place of the motion is within half a step of one that was asked.
                 QVERIFY(std::abs(tree.nearest(p, 0) - least) <= 0.03);
                 QVERIFY(tree.nearest(p, 1) <= std::max(1.0, least + accuracy));
+                QCOMPARE(tree.nearest(p, 0, infinity, hint), tree.nearest(p, 0));
+                QCOMPARE(tree.distance(p, hint), tree.nearest(p, 0));
                 far += least > 2.6;
                 if (least > 2.6) QCOMPARE(tree.nearest(p, 0, 2.5), infinity);
                 std::size_t used = 0;
