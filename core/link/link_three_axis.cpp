@@ -1,6 +1,7 @@
 #include "core/base/tolerances.h"
 #include "core/link/link.h"
 #include "core/link/straight_up.h"
+#include "core/strategy/plan/pass_order.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/lift_line.h"
@@ -125,7 +126,7 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
                                  const OperationCommon& common) {
     LinkOptions options;
     options.clearance = common.clearance;
-    options.link_distance = std::max(4 * path.stepover_max, 0.5 * context.tool.diameter);
+    options.link_distance = surface_link_distance(path.stepover_max, context.tool.diameter);
     // As coarse as the passes and no coarser, or links would cut straight through what they should climb.
     const double chord = path.chord_tolerance > 0 ? path.chord_tolerance : 0.05 * common.tolerance;
     options.chord_tolerance = std::max(chord, tolerance::smallest_chord);

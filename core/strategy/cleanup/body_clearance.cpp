@@ -94,6 +94,17 @@ private:
 
 } // namespace
 
+std::vector<char> is_body_clear(const CleanupJob& job, const std::vector<Pass>& passes,
+                                const Progress& progress) {
+    const ToolLift whole = whole_tool(job);
+    const double step = body_step(job.context.tool, job.chord);
+    std::vector<char> clear(passes.size());
+    parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
+        clear[i] = FreeRuns(whole, job.chord, step).run(passes[i], progress).by == ToolBody::none;
+    });
+    return clear;
+}
+
 ClearedPasses with_clear_body(const CleanupJob& job, const std::vector<Pass>& passes,
                               const Progress& progress) {
     const ToolLift whole = whole_tool(job);

@@ -14,6 +14,9 @@ struct ClearedPasses {
     double largest_tilt = 0;
 };
 
+/// Says of every pass of an upright tool whether shank and holder are free along it.
+std::vector<char> is_body_clear(const CleanupJob& job, const std::vector<Pass>& passes,
+                                const Progress& progress);
 ClearedPasses with_clear_body(const CleanupJob& job, const std::vector<Pass>& passes,
                               const Progress& progress);
 

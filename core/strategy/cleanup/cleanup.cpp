@@ -4,6 +4,7 @@
 #include "core/strategy/cleanup/body_clearance.h"
 #include "core/strategy/cleanup/cleanup_job.h"
 #include "core/strategy/cleanup/pass_clearing.h"
+#include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/strip_search.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"
@@ -108,6 +109,12 @@ private:
 
     /// Leaves out where shank or holder would touch, or inclines the tool there.
     void clear_body(const Progress& progress) {
+        if (settings_.tilt_limit > 0) {
+            const StripCutting with = job_.cutting();
+            for (Pass& pass : result_.passes)
+                if (pass.cl.size() > 1) add_leads(with, pass);
+            clear_passes(with, result_.passes, progress.part(0, 0));
+        }
         ClearedPasses cleared = with_clear_body(job_, result_.passes, progress);
         held_ = cleared.held;
         held_by_ = cleared.held_by;
@@ -115,6 +122,10 @@ private:
         const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
         order_by_travel(result_.passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
                         top + settings_.clearance, progress.part(1, 1));
+        if (settings_.tilt_limit == 0)
+            lead_between(job_, result_.passes,
+                         surface_link_distance(result_.stepover_max, context_.tool.diameter),
+                         progress.part(1, 1));
         clear_of_stock(progress.part(1, 1));
         if (settings_.tilt_limit > 0) {
             own_.lead_min = 0;

@@ -1,5 +1,8 @@
 #include "core/strategy/cleanup/pass_leads.h"
 
+#include "core/strategy/cleanup/body_clearance.h"
+#include "core/strategy/cleanup/pass_clearing.h"
+
 namespace facetmill {
 
 namespace {
@@ -39,12 +42,12 @@ std::vector<Vec3> lead(const StripCutting& with, const Vec3& tip, const Vec3& al
 
 } // namespace
 
-void add_leads(const StripCutting& with, Pass& pass, const Vec3& up_front, const Vec3& up_back, bool at_front,
-               bool at_back) {
+void add_leads(const StripCutting& with, Pass& pass, bool at_front, bool at_back) {
     const std::size_t n = pass.cl.size();
     std::vector<Vec3> front, back;
-    if (at_front) front = lead(with, pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, up_front);
-    if (at_back) back = lead(with, pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, up_back);
+    if (at_front) front = lead(with, pass.cl[0].tip, pass.cl[0].tip - pass.cl[1].tip, pass.cc.front().normal);
+    if (at_back)
+        back = lead(with, pass.cl[n - 1].tip, pass.cl[n - 1].tip - pass.cl[n - 2].tip, pass.cc.back().normal);
     std::vector<CutterLocation> cl;
     std::vector<CutterContact> cc;
     for (std::size_t k = front.size(); k-- > 0;) {
@@ -57,6 +60,26 @@ void add_leads(const StripCutting& with, Pass& pass, const Vec3& up_front, const
         pass.cl.push_back({tip, Vec3::UnitZ()});
         pass.cc.push_back(pass.cc.back());
     }
+}
+
+void lead_between(const CleanupJob& job, std::vector<Pass>& passes, double linked, const Progress& progress) {
+    const StripCutting with = job.cutting();
+    const auto apart = [&](std::size_t before, std::size_t after) {
+        return (passes[after].cl.front().tip - passes[before].cl.back().tip).head<2>().norm() > linked;
+    };
+    std::vector<std::size_t> which;
+    std::vector<Pass> longer;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const bool front = i == 0 || apart(i - 1, i), back = i + 1 == passes.size() || apart(i, i + 1);
+        if (!front && !back) continue;
+        which.push_back(i);
+        longer.push_back(passes[i]);
+        add_leads(with, longer.back(), front, back);
+    }
+    clear_passes(with, longer, progress);
+    const std::vector<char> clear = is_body_clear(job, longer, progress);
+    for (std::size_t k = 0; k < which.size(); ++k)
+        if (clear[k] != 0) passes[which[k]] = std::move(longer[k]);
 }
 
 } // namespace facetmill

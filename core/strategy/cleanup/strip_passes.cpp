@@ -4,7 +4,6 @@
 #include "core/base/units.h"
 #include "core/strategy/cleanup/between_passes.h"
 #include "core/strategy/cleanup/pass_clearing.h"
-#include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/valley_spots.h"
 
 namespace facetmill {
@@ -54,7 +53,7 @@ public:
     RowPasses(const StripCutting& with, const ValleyCurve& curve, const ValleySpots& spots)
         : with_(with), curve_(curve), spots_(spots), count_(curve.points.size()) {}
 
-    /// The stretches of a row where the cutter has a place, with their ends and leads. Every other number
+    /// The stretches of a row where the cutter has a place, with their ends. Every other number
     /// runs against the curve, unless all go one way. Length of what is wanted and has no place goes to
     /// `blocked`.
     void add(const Row& row, const Marked& wanted, int number, double offset, StripCut& cut) const {
@@ -78,7 +77,6 @@ public:
                 pass.cl.push_back({s.tip, Vec3::UnitZ()});
                 pass.cc.push_back({s.touch, s.normal});
             }
-            add_leads(with_, pass, curve_.points[points.front()].up, curve_.points[points.back()].up);
             cut.passes.push_back(std::move(pass));
         }
     }

@@ -6,7 +6,6 @@
 #include "core/strategy/cleanup/cut_tree.h"
 #include "core/strategy/cleanup/nearest_place.h"
 #include "core/strategy/cleanup/pass_clearing.h"
-#include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/standing.h"
 #include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/facet_rows.h"
@@ -36,7 +35,7 @@ constexpr double next_touch_share = 0.5, gap_share = 4;
 /// A pass turns by no more than this cosine from one place to the next.
 constexpr double max_touch_turn = 0.5, max_turn_after_gap = 0.95;
 /// A pass goes on over its ends in so many steps of this share of the radius.
-constexpr int end_steps = 3;
+constexpr int end_steps = 1;
 constexpr double end_share = 0.1;
 
 /// A place of the part where passes leave more than they need to.
@@ -343,7 +342,6 @@ private:
             pass.cl.push_back({tip, Vec3::UnitZ()});
             pass.cc.push_back({c.point, with_.cover->contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
         }
-        add_leads(with_, pass, pass.cc.front().normal, pass.cc.back().normal);
         return pass;
     }
 

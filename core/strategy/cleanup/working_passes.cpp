@@ -2,7 +2,6 @@
 
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/cut_tree.h"
-#include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/standing.h"
 #include "core/strategy/surface/cell_set.h"
 #include "core/strategy/surface/contact_domain.h"
@@ -18,16 +17,19 @@ namespace {
 constexpr double place_share = 0.15;
 /// A motion that leaves no more than the least that any leaves, and this share of the cusp, is as good; so is
 /// one that leaves no more than such a share of the cusp.
-constexpr double as_good_share = 0.15, good_share = 0.5;
+constexpr double as_good_share = 0.15, good_share = 0.8;
 /// Passes are kept by stretches of about so many radii, and to begin one costs as much as so many.
 constexpr double stretch_radii = 6, begin_radii = 2;
+/// A stretch goes on over what works by so many radii, half as far as places that stand for the bands are
+/// apart: what is beyond, another cuts.
+constexpr double stretch_overlap = 0.5 * place_share;
 /// On the border of a band as much is left as may be, but for rounding.
 constexpr double border_share = 1 + 1e-6;
 /// Distances from motions are known to this share of the cusp.
 constexpr double working_accuracy = 0.02;
 /// What of a pass takes nothing away is gone over where it is shorter than so many radii: that takes less
 /// time than going out, over and in again.
-constexpr double bridged_radii = 4;
+constexpr double bridged_radii = 2;
 constexpr std::size_t band_triangles_per_check = 4096, stretches_per_check = 4096;
 
 class Working {
@@ -232,17 +234,15 @@ std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass, const std:
     const std::size_t n = pass.cl.size();
     std::vector<double> arc(n, 0);
     std::vector<Interval> busy;
+    const double overlap = std::min(with.overlap, stretch_overlap * with.cover->radius());
     for (std::size_t i = 1; i < n; ++i) {
         arc[i] = arc[i - 1] + (pass.cl[i].tip - pass.cl[i - 1].tip).norm();
-        if (works[motion++] != 0) busy.push_back({arc[i - 1] - with.overlap, arc[i] + with.overlap});
+        if (works[motion++] != 0) busy.push_back({arc[i - 1] - overlap, arc[i] + overlap});
     }
     std::vector<Pass> kept;
     for (const Interval& range : joined(std::move(busy), bridged_radii * with.cover->radius())) {
-        const bool from_start = range.lo <= 0, to_end = range.hi >= arc.back();
-        if (from_start && to_end) return {std::move(pass)};
-        Pass part = stretch_of(pass, arc, {std::max(range.lo, 0.0), std::min(range.hi, arc.back())});
-        add_leads(with, part, Vec3::UnitZ(), Vec3::UnitZ(), !from_start, !to_end);
-        kept.push_back(std::move(part));
+        if (range.lo <= 0 && range.hi >= arc.back()) return {std::move(pass)};
+        kept.push_back(stretch_of(pass, arc, {std::max(range.lo, 0.0), std::min(range.hi, arc.back())}));
     }
     return kept;
 }

@@ -130,6 +130,10 @@ double travel_between(const Vec3& from, const Vec3& to, double clear_z) {
     return std::min((to - from).norm(), std::abs(clear_z - from.z()) + std::abs(clear_z - to.z()));
 }
 
+double surface_link_distance(double stepover, double cutter_diameter) {
+    return std::max(4 * stepover, 0.5 * cutter_diameter);
+}
+
 void order_by_travel(std::vector<Pass>& passes, bool either_way, double clear_z, const Progress& progress) {
     if (passes.size() < 3) return;
     const std::vector<Piece> order = Order(passes, either_way, clear_z, progress).run();

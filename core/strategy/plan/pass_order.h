@@ -12,6 +12,10 @@ namespace facetmill {
 /// and down again, whichever is less.
 double travel_between(const Vec3& from, const Vec3& to, double clear_z);
 
+/// Passes whose ends are no farther apart than this, mm, seen from above, are linked on the surface: four
+/// step-overs, or the cutter's radius where that is more.
+double surface_link_distance(double stepover, double cutter_diameter);
+
 /// Puts passes in an order in which the tool travels less between them; the first stays first. `either_way`:
 /// passes may be turned round. Where that is no better than before, they stay as they are. The same order for
 /// the same passes.

@@ -9,6 +9,7 @@
 #include "core/strategy/cleanup/strip_passes.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/working_passes.h"
+#include "core/strategy/plan/pass_order.h"
 #include "core/strategy/surface/point_grid.h"
 #include "tests/support/error_code.h"
 #include "tests/support/random_meshes.h"
@@ -458,6 +459,33 @@ private slots:
                 QVERIFY2(c.tip.x() < -4, qPrintable(QString::number(c.tip.x())));
         context.earlier = {cuts(-infinity)};
         QCOMPARE(code_of([&] { Cleanup(settings).plan(context, Progress()); }), std::string("empty_result"));
+    }
+
+    /// Passes near to each other are joined along the surface: an arc up stands where the tool is lifted
+    /// alone.
+    void leads_stand_where_the_tool_is_lifted() {
+        const Mesh part =
+            height_field([](double, double y) { return std::abs(y); }, Vec2(-20, -15), Vec2(20, 15), 40, 30);
+        PlanContext context = context_of(part, ball_tool(4));
+        context.further_tools = {ball_tool(10)};
+        CleanupSettings settings;
+        settings.tool = 2;
+        const StrategyResult all = Cleanup(settings).plan(context, Progress());
+        const AxialLift lift(context.contact, CutterProfile(context.tool.cutter()));
+        const auto over = [&](const CutterLocation& c) {
+            return c.tip.z() - lift.tip_z(c.tip.x(), c.tip.y());
+        };
+        const double linked = surface_link_distance(all.stepover_max, 4);
+        int joined = 0;
+        for (std::size_t i = 1; i < all.passes.size(); ++i) {
+            const CutterLocation &end = all.passes[i - 1].cl.back(), &start = all.passes[i].cl.front();
+            const bool near = (start.tip - end.tip).head<2>().norm() <= linked;
+            joined += near;
+            for (const CutterLocation& c : {end, start})
+                QVERIFY2(near ? over(c) < 0.3 : over(c) > 0.5, qPrintable(QString::number(over(c))));
+        }
+        QVERIFY(joined > 3);
+        QVERIFY(over(all.passes.front().cl.front()) > 0.5 && over(all.passes.back().cl.back()) > 0.5);
     }
 
     /// A ball of radius 2 that went along X at a height of 0.3; raw material up to 3, and to 10 to the sides.
