@@ -76,6 +76,7 @@ struct ParameterInfo {
     std::array<std::string, 2> nouns;
     std::vector<const ParameterInfo*> record; ///< records: the parameters of each
     bool written_empty = false;               ///< records: files have the key even where there are none
+    bool default_unwritten = false;           ///< files do not have the key where the value is the default
 
     /// Throws Error(wrong_type or out_of_range) whose place is the key, in a record "holder[1].length"; NaN
     /// and infinity are always out of range. Numbers in the message are in the edge's unit `unit`.

@@ -162,6 +162,7 @@ Json write_value(const ParameterValue& value, const ParameterInfo& info, const s
 
 void write_parameter(Json& object, const std::string& place, const Parameterized& source,
                      const ParameterInfo& info, LengthUnit unit) {
+    if (info.default_unwritten && source.get(info.key) == info.default_value) return;
     Json value = write_value(source.get(info.key), info, member(place, info.key), unit);
     if (info.kind == ParameterKind::records && value.empty() && !info.written_empty) return;
     object[info.key] = std::move(value);

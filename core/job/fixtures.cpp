@@ -16,13 +16,6 @@ namespace {
 /// A mesh that is grown has 44 times as many.
 constexpr std::size_t max_fixture_facets = 50'000;
 
-void append(Mesh& mesh, const Mesh& more) {
-    const auto first = Index(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-    for (const Facet& f : more.facets)
-        mesh.facets.push_back({first + f[0], first + f[1], first + f[2]});
-}
-
 FixtureSolid load_fixture(const Project& project, const Fixture& fixture, const Progress& progress) {
     FixtureSolid solid{fixture.name, nullptr, nullptr, fixture.clearance};
     if (fixture.kind != Fixture::Kind::mesh) {
@@ -110,13 +103,13 @@ std::vector<std::string> fixture_warnings(const Project& project, const Prepared
 MeshPtr grown_fixtures(const std::vector<FixtureSolid>& fixtures) {
     auto all = std::make_shared<Mesh>();
     for (const FixtureSolid& f : fixtures)
-        append(*all, *f.grown);
+        append_mesh(*all, *f.grown);
     return all;
 }
 
 MeshPtr with_fixtures(const Mesh& part, const std::vector<FixtureSolid>& fixtures) {
     auto all = std::make_shared<Mesh>(part);
-    append(*all, *grown_fixtures(fixtures));
+    append_mesh(*all, *grown_fixtures(fixtures));
     return all;
 }
 

@@ -3,13 +3,14 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/asked_operations.h"
+#include "core/job/bounds.h"
 #include "core/job/cache_key.h"
 #include "core/job/fixtures.h"
 #include "core/job/placed_mesh.h"
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
-#include "core/link/fixture_reach.h"
+#include "core/link/kept_within.h"
 #include "core/link/link.h"
 #include "core/link/shank_in_stock.h"
 #include "core/mesh/geometry.h"
@@ -139,6 +140,7 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
     auto result = std::make_shared<OperationResult>();
     result->name = main.name + " rework";
     result->kind = main.kind;
+    result->within = main.within;
     result->path = plan.path;
     context.tool = plan.tool;
     context.further_tools.clear();
@@ -212,6 +214,7 @@ struct Planner::Cache {
     ContactIndexPtr index;    ///< of part->mesh, or null
     ContactIndexPtr kept_off; ///< of part->kept_off, or null; the same without fixtures
     ContactIndexPtr fixtures; ///< of the grown fixtures alone; null without
+    BoundsCache operation_bounds;
     std::vector<Planned> planned;
     std::size_t last_motions = 0;
     PlannerWork work;
@@ -245,25 +248,15 @@ struct Planner::Cache {
                                             const std::shared_ptr<const PlanResult>& before,
                                             const Operation& operation, std::string_view motions,
                                             const Progress& progress);
-    KeptFixtures kept_fixtures() const {
-        constexpr std::size_t max_named = 3;
-        KeptFixtures kept{fixtures, infinity, {}};
-        const std::vector<FixtureSolid>& all = *part->fixtures;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            kept.clearance = std::min(kept.clearance, all[i].clearance);
-            if (i < max_named) kept.names += (i > 0 ? ", '" : "'") + printable(all[i].name, 60) + "'";
-        }
-        if (all.size() > max_named) kept.names += " and " + std::to_string(all.size() - max_named) + " more";
-        kept.names = (all.size() == 1 ? "the fixture " : "the fixtures ") + kept.names;
-        return kept;
-    }
     StrategyResult plan_beside_fixtures(const Operation& operation, PlanContext context,
-                                        const Progress& progress) const;
+                                        const KeptFixtures& kept, const Progress& progress) const;
+    StrategyResult plan_bounded(const Operation& operation, PlanContext context,
+                                const OperationBounds& bounds, const Progress& progress) const;
     /// What names the motions of the operations before, where an operation asks for them.
     struct Asked {
         std::string by_strategy, by_links;
     };
-    const Planned& operation(const Project& project, const Operation& operation, const PlanContext& context,
+    const Planned& operation(const Project& project, const Operation& operation, PlanContext context,
                              const Asked& earlier, const Progress& progress);
 };
 
@@ -397,16 +390,38 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     return c.part;
 }
 
+namespace {
+
+/// Does something to the rework path of a plan that has one, whose tool is its own; where nothing is left of
+/// it that is a warning.
+template <class Change>
+void for_rework(StrategyResult& path, PlanContext context, const Change& change) {
+    auto* global_local = std::get_if<GlobalLocalPath>(&path.detail);
+    if (!global_local || global_local->rework->path.passes.empty()) return;
+    auto rework = std::make_shared<ReworkPlan>(*global_local->rework);
+    context.tool = rework->tool;
+    try {
+        change(rework->path, context);
+    } catch (const Error& e) {
+        if (e.code() != ErrorCode::empty_result) throw;
+        rework->path.passes.clear();
+        path.warnings.push_back("rework: " + e.message());
+    }
+    global_local->rework = std::move(rework);
+}
+
+} // namespace
+
 /// Plans with part and fixtures as what must not be touched; where passes just end beside fixtures, with the
 /// part alone.
 StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, PlanContext context,
+                                                    const KeptFixtures& kept,
                                                     const Progress& progress) const {
-    if (!fixtures) return operation.plan(context, progress);
+    if (!kept.grown) return operation.plan(context, progress);
     const bool ends_beside =
         operation.linking() == Linking::upright || operation.purpose() == Purpose::cleaning;
-    context.contact = ends_beside ? index : kept_off;
+    if (ends_beside) context.contact = index;
     StrategyResult path = operation.plan(context, progress.part(0, 0.95));
-    const KeptFixtures kept = kept_fixtures();
     const bool of_part = std::any_of(path.warnings.begin(), path.warnings.end(), [](const std::string& w) {
         return w.find("the part") != std::string::npos;
     });
@@ -416,24 +431,42 @@ StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, 
     // Layers and turns are planned clear of them, and what follows depends on what each of them cuts.
     if (operation.linking() == Linking::over_stock || operation.turning()) return path;
     keep_off_fixtures(path, context, operation.common(), kept, progress.part(0.95, 1));
-    if (auto* global_local = std::get_if<GlobalLocalPath>(&path.detail);
-        global_local && !global_local->rework->path.passes.empty()) {
-        auto rework = std::make_shared<ReworkPlan>(*global_local->rework);
-        context.tool = rework->tool;
-        try {
-            keep_off_fixtures(rework->path, context, operation.common(), kept, progress.part(1, 1));
-        } catch (const Error& e) {
-            if (e.code() != ErrorCode::empty_result) throw;
-            rework->path.passes.clear();
-            path.warnings.push_back("rework: " + e.message());
-        }
-        global_local->rework = std::move(rework);
+    for_rework(path, context, [&](StrategyResult& rework, const PlanContext& own) {
+        keep_off_fixtures(rework, own, operation.common(), kept, progress.part(1, 1));
+    });
+    return path;
+}
+
+/// The same within the operation's boundary. Finishing is planned on what of the surface lies in it, so that
+/// its passes reach the border on all sides; layers keep to it as they are planned.
+StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanContext context,
+                                            const OperationBounds& bounds, const Progress& progress) const {
+    context.contact = bounds.contact;
+    if (!bounds.within) return plan_beside_fixtures(operation, context, bounds.off, progress);
+    context.within = bounds.within;
+    if (operation.purpose() == Purpose::finishing) {
+        // Edges that cross the border, in radii of the cutter.
+        constexpr double border_edge = 0.05;
+        const KeptWithin& within = *bounds.within;
+        context.part =
+            within.region->surface(within.least_depth(), border_edge * within.radius, progress.part(0, 0.01));
+        context.is_piece = true;
+        context.geometry = compute_geometry(*context.part, progress.part(0.01, 0.02));
+        context.curvatures = nullptr;
     }
+    StrategyResult path = plan_beside_fixtures(operation, context, bounds.off, progress.part(0.02, 0.95));
+    if (operation.linking() == Linking::over_stock) return path;
+    keep_within(path, context, operation.common(), *bounds.within, progress.part(0.95, 1));
+    for_rework(path, context, [&](StrategyResult& rework, const PlanContext& own) {
+        KeptWithin within = *bounds.within;
+        within.radius = CutterProfile(own.tool.cutter()).max_radius();
+        keep_within(rework, own, operation.common(), within, progress.part(1, 1));
+    });
     return path;
 }
 
 const Planner::Cache::Planned& Planner::Cache::operation(const Project& project, const Operation& operation,
-                                                         const PlanContext& context, const Asked& earlier,
+                                                         PlanContext context, const Asked& earlier,
                                                          const Progress& progress) {
     const OperationCommon& common = operation.common();
     // Each key holds what its stage and all before it read.
@@ -451,6 +484,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         key.add_up_to(Stage::output, t, tool_parameters());
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     key.add(earlier.by_strategy);
+    key.add(std::string_view(bounds_key(project, operation)));
     const std::string path_key = key.text();
     key.add(earlier.by_links);
     const std::string motion_key = key.add_up_to(Stage::link, operation).text();
@@ -466,6 +500,11 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     auto result = std::make_shared<OperationResult>();
     result->name = common.name;
     result->kind = operation.kind();
+    const OperationBounds bound =
+        operation_bounds.of(project, operation, *part, {kept_off, fixtures}, progress.part(0, 0));
+    context.contact = bound.contact;
+    result->within = bound.within;
+    if (bound.off.grown) context.fixtures_box = bound.off.grown->mesh().box();
     auto start = std::chrono::steady_clock::now();
     if (const Planned* same = find(&Planned::path_key, path_key)) {
         result->path = same->result->path;
@@ -473,7 +512,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         result->seconds_strategy = same->result->seconds_strategy;
     } else {
         try {
-            result->path = plan_beside_fixtures(operation, context, progress.part(0.0, 0.85, common.name));
+            result->path = plan_bounded(operation, context, bound, progress.part(0.0, 0.85, common.name));
             if (!operation.turning()) keep_above_bottom(result->path, context, common);
         } catch (const NothingToDo& nothing) {
             result->nothing_to_do = nothing.message();

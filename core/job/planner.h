@@ -17,6 +17,8 @@
 
 namespace facetmill {
 
+struct KeptWithin; // boundary_region.h
+
 /// The part in place: read, transformed, measured. Published whole.
 struct PreparedPart {
     MeshPtr mesh; ///< wound outward (core/mesh/outward.h)
@@ -53,6 +55,7 @@ struct OperationResult {
     std::string out_of_reach;
     /// Why it has no motions: what it is for has been done before it (NothingToDo). Empty for all others.
     std::string nothing_to_do;
+    std::shared_ptr<const KeptWithin> within;      ///< its boundary; null: everywhere
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;

@@ -71,6 +71,22 @@ fs::path Project::fixture_path(const Fixture& fixture) const {
     return fixture.kind == Fixture::Kind::mesh ? from_project(path, fixture.file) : fs::path();
 }
 
+const Boundary& Project::boundary_of(const std::string& wanted) const {
+    std::vector<std::string> names;
+    std::string list;
+    for (const Boundary& b : boundaries) {
+        if (b.name == wanted) return b;
+        names.push_back(b.name);
+        list += (names.size() > 1 ? ", " : "") + printable(b.name);
+    }
+    const std::string near = nearest_name(wanted, names);
+    throw Error(ErrorCode::missing_reference, "boundaries",
+                "there is no boundary '" + printable(wanted) + "'",
+                names.empty()  ? "make one, or leave the name empty"
+                : near.empty() ? "boundaries there are: " + list
+                               : "did you mean '" + printable(near) + "'?");
+}
+
 PartSpec Project::placed_part() const {
     const SetupFrame frame = frame_of(place);
     if (frame.is_identity()) return part;
@@ -231,6 +247,42 @@ void check_fixtures(const Project& p) {
     }
 }
 
+void check_boundaries(const Project& p) {
+    for (std::size_t i = 0; i < p.boundaries.size(); ++i) {
+        const Boundary& boundary = p.boundaries[i];
+        const std::string place = at("boundaries", i);
+        check_struct(boundary, boundary_parameters(), place, p.unit);
+        if (boundary.name.find_first_not_of(' ') == std::string::npos)
+            throw Error(ErrorCode::out_of_range, place + ".name", "the name is empty",
+                        "give the boundary a name");
+        if (boundary.kind == Boundary::Kind::curve && boundary.curve.size() < 3)
+            throw Error(ErrorCode::out_of_range, place + ".curve", "a closed curve has three corners or more",
+                        "draw the curve on the part, or list its corners");
+        for (std::size_t k = 0; k < i; ++k)
+            if (p.boundaries[k].name == boundary.name)
+                throw Error(ErrorCode::out_of_range, place + ".name",
+                            "the name '" + printable(boundary.name) + "' occurs twice",
+                            "give every boundary its own name");
+    }
+}
+
+/// What an operation says of boundaries.
+void check_bounds_of(const Operation& operation, const Project& p, const std::string& place) {
+    const auto check = [&](const std::string& name, const char* key) {
+        try {
+            if (!name.empty()) p.boundary_of(name);
+        } catch (const Error& e) {
+            throw Error(e.code(), place + "." + key, e.message(), e.remedy());
+        }
+    };
+    check(operation.common().boundary, "boundary");
+    check(operation.common().avoid, "avoid");
+    if (operation.turning() && !(operation.common().boundary.empty() && operation.common().avoid.empty()))
+        throw Error(ErrorCode::out_of_range,
+                    place + (operation.common().boundary.empty() ? ".avoid" : ".boundary"),
+                    "an operation on a part that turns knows no boundaries", "leave it out");
+}
+
 void check_tools(const Project& p) {
     for (std::size_t i = 0; i < p.tools.size(); ++i) {
         const Tool& tool = p.tools[i];
@@ -272,6 +324,7 @@ void check_operations(const Project& p) {
         } catch (const Error& e) {
             throw Error(e.code(), place + ".tool", e.message(), e.remedy());
         }
+        check_bounds_of(operation, p, place);
         try {
             p.further_tools_of(operation);
         } catch (const Error& e) {
@@ -302,6 +355,7 @@ void check_setup(const Project& p) {
                         "give every setup its own name");
     check_stock(p);
     check_fixtures(p);
+    check_boundaries(p);
     check_programs(p);
     // Until the project has a place, nobody knows where a relative file is.
     if (!is_machine_file(p.machine) || !p.path.empty()) project_machine(p);

@@ -52,12 +52,14 @@ struct Project : Setup {
     std::filesystem::path post_path() const;
     /// Throws Error(missing_reference) that names the operation.
     const Tool& tool_of(const Operation& operation) const;
+    /// That of the chosen setup with this name. Throws Error(missing_reference) that names those there are.
+    const Boundary& boundary_of(const std::string& wanted) const;
     /// Those of Operation::further_tools. Throws likewise.
     std::vector<Tool> further_tools_of(const Operation& operation) const;
 };
 
 /// Strict: every key is known, no key occurs twice, every value has its type and range, references lead
-/// somewhere; a stock and a fixture have the keys of their kind. Required are `facetmill`, `units`,
+/// somewhere; stock, fixtures and boundaries have the keys of their kind. Required are `facetmill`, `units`,
 /// `part.file`, of a mesh as stock or fixture `file`, per tool `number` and `diameter`, per operation `kind`
 /// and `tool`; anything else has its described default (`part.units`, `stock.units`: the project's;
 /// `shank_diameter`: the tool's diameter). Throws Error(syntax, truncated, encoding, limit_exceeded,

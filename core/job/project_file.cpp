@@ -62,6 +62,15 @@ Fixture read_fixture(const Json& object, const std::string& place, LengthUnit un
     return fixture;
 }
 
+Boundary read_boundary(const Json& object, const std::string& place, LengthUnit unit) {
+    Boundary boundary;
+    ParameterView<Boundary> view(boundary, boundary_parameters());
+    read_parameters(object, place, view, unit);
+    check_kind_keys(object, place, "boundary", boundary_kind_name(boundary.kind),
+                    boundary_keys(boundary.kind));
+    return boundary;
+}
+
 void read_stock(const Json& object, const std::string& place, StockSpec& stock, LengthUnit unit) {
     stock.unit = unit;
     ParameterView<StockSpec> view(stock, stock_parameters());
@@ -71,7 +80,7 @@ void read_stock(const Json& object, const std::string& place, StockSpec& stock, 
 }
 
 /// Members of a setup, which in a file of version 1 are those of the file.
-const std::vector<std::string> setup_members = {"stock", "fixtures", "machine", "operations"};
+const std::vector<std::string> setup_members = {"stock", "fixtures", "boundaries", "machine", "operations"};
 
 /// `own`: keys of `object` that say something else. Machine and programs stay as they are where it says
 /// nothing of them.
@@ -84,6 +93,11 @@ void read_setup(const Json& object, const std::string& place, std::vector<std::s
         const Json& fixtures = expect_list(object["fixtures"], at("fixtures"));
         for (std::size_t i = 0; i < fixtures.size(); ++i)
             setup.fixtures.push_back(read_fixture(fixtures[i], element(at("fixtures"), i), unit));
+    }
+    if (object.contains("boundaries")) {
+        const Json& boundaries = expect_list(object["boundaries"], at("boundaries"));
+        for (std::size_t i = 0; i < boundaries.size(); ++i)
+            setup.boundaries.push_back(read_boundary(boundaries[i], element(at("boundaries"), i), unit));
     }
     ParameterView<ProgramSpec> programs(setup.programs, program_parameters());
     own.insert(own.end(), setup_members.begin(), setup_members.end());
@@ -136,7 +150,7 @@ Project read_project(Json file) {
         known.insert(known.end(), {"setups", "machine"});
     else
         known.insert(known.end(), setup_members.begin(), setup_members.end());
-    for (const std::string key : {"stock", "fixtures", "operations"})
+    for (const std::string key : {"stock", "fixtures", "boundaries", "operations"})
         if (several && file.contains(key))
             throw Error(ErrorCode::unknown_key, key, "in a file of version 2 every setup has its own",
                         "put it into one of \"setups\"");
@@ -198,16 +212,19 @@ Project load_project(const std::filesystem::path& path) {
 
 namespace {
 
-void write_fixtures(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
-    to = Json::array();
-    for (std::size_t i = 0; i < setup.fixtures.size(); ++i) {
-        Fixture fixture = setup.fixtures[i];
-        const ParameterView<Fixture> view(fixture, fixture_parameters());
+/// A list of things of several kinds, each with the keys of its kind.
+template <class Struct, class KeysOf>
+Json write_kinds(std::vector<Struct> things, const ParameterTable<Struct>& table, const KeysOf& keys_of,
+                 const std::string& place, LengthUnit unit) {
+    Json list = Json::array();
+    for (Struct& thing : things) {
+        const ParameterView<Struct> view(thing, table);
         Json object = Json::object();
-        for (const std::string& key : fixture_keys(fixture.kind))
-            write_parameter(object, element(place, i), view, view.parameter(key), unit);
-        to.push_back(std::move(object));
+        for (const std::string& key : keys_of(thing.kind))
+            write_parameter(object, element(place, list.size()), view, view.parameter(key), unit);
+        list.push_back(std::move(object));
     }
+    return list;
 }
 
 void write_machining(Json& to, const Setup& setup, const std::string& place, LengthUnit unit) {
@@ -217,7 +234,12 @@ void write_machining(Json& to, const Setup& setup, const std::string& place, Len
     const ParameterView<StockSpec> view(stock, stock_parameters());
     for (const std::string& key : stock_keys(stock.kind))
         write_parameter(to["stock"], at("stock"), view, view.parameter(key), unit);
-    if (!setup.fixtures.empty()) write_fixtures(to["fixtures"], setup, at("fixtures"), unit);
+    if (!setup.fixtures.empty())
+        to["fixtures"] =
+            write_kinds(setup.fixtures, fixture_parameters(), fixture_keys, at("fixtures"), unit);
+    if (!setup.boundaries.empty())
+        to["boundaries"] =
+            write_kinds(setup.boundaries, boundary_parameters(), boundary_keys, at("boundaries"), unit);
     check_text(setup.machine, at("machine"));
     to["machine"] = setup.machine;
     ProgramSpec spec = setup.programs;
@@ -242,7 +264,7 @@ void write_operations(Json& to, const Setup& setup, const std::string& place, Le
 /// What a file of version 1 has no words for.
 bool needs_setups(const Project& project) {
     return setup_count(project) > 1 || project.name != usual_setup_name(0) || project.place != SetupPlace()
-           || !project.fixtures.empty();
+           || !project.fixtures.empty() || !project.boundaries.empty();
 }
 
 } // namespace

@@ -33,7 +33,7 @@ std::string usual_setup_name(std::size_t place) {
 
 Setup::Setup(const Setup& other)
     : name(other.name), place(other.place), stock(other.stock), fixtures(other.fixtures),
-      machine(other.machine), programs(other.programs) {
+      boundaries(other.boundaries), machine(other.machine), programs(other.programs) {
     operations.reserve(other.operations.size());
     for (const auto& o : other.operations)
         operations.push_back(o->clone());

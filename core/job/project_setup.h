@@ -4,6 +4,7 @@
 
 #include "core/base/parameter.h"
 #include "core/job/program_spec.h"
+#include "core/setup/boundary.h"
 #include "core/setup/fixture.h"
 #include "core/setup/placement.h"
 #include "core/setup/stock.h"
@@ -34,6 +35,7 @@ struct Setup {
     SetupPlace place;
     StockSpec stock;
     std::vector<Fixture> fixtures;          ///< what holds the part
+    std::vector<Boundary> boundaries;       ///< that its operations may name
     std::string machine = "generic-3-axis"; ///< a name, or a file: relative to the project file, or absolute
     ProgramSpec programs;                   ///< keys "post", "wcs", "program_number", "programs", "arcs"
     std::vector<std::unique_ptr<Operation>> operations;

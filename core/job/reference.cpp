@@ -112,7 +112,7 @@ void machine_tables(std::string& page) {
         }
 }
 
-/// What keys the kinds of a stock or fixture have.
+/// What keys the kinds of a stock, fixture or boundary have.
 template <class Spec, class Keys>
 void kind_rows(std::string& page, const ParameterTable<Spec>& parameters, const Keys& keys_of) {
     for (const std::string& kind : parameters.find("kind")->info.words) {
@@ -148,6 +148,7 @@ std::string reference_page() {
           "| `part` | The part, see below. Required. |\n"
           "| `stock` | The raw material, see below. Default: the part's box. |\n"
           "| `fixtures` | List of what holds the part, see below; written in a setup. |\n"
+          "| `boundaries` | List of regions that operations may name, see below; written in a setup. |\n"
           "| `machine` | Name of a machine, see below, or a machine file of your own "
           "(`resources/machines/README.md`); its "
           "name ends with `.json`, a relative one starts at the project file. Default: `"
@@ -159,8 +160,9 @@ std::string reference_page() {
           "## Setups\n\n"
           "A file of version "
         + std::to_string(project_version)
-        + " has `setups`, a list in machining order. Each has its own `stock`, `fixtures`, `operations`,\n"
-          "`machine` and keys of programs (`post`, `wcs`, `zero`, ...), as above; what the file itself says "
+        + " has `setups`, a list in machining order. Each has its own `stock`, `fixtures`, `boundaries`,\n"
+          "`operations`, `machine` and keys of programs (`post`, `wcs`, `zero`, ...), as above; what the "
+          "file itself says "
           "of machine "
           "and programs\n"
           "holds for setups that say nothing of them. `units`, `part`, `tools` and `verification` are "
@@ -188,6 +190,11 @@ std::string reference_page() {
     kind_rows(page, fixture_parameters(), [](const Fixture& f) { return fixture_keys(f.kind); });
     page += "\n";
     table(page, fixture_parameters().infos(), "###");
+    page += "## Boundaries\n\nRegions of the part's surface. An operation names one as `boundary`, and cuts "
+            "within it, or as `avoid`, and\nkeeps off. Places are those of the setup.\n\n";
+    kind_rows(page, boundary_parameters(), [](const Boundary& b) { return boundary_keys(b.kind); });
+    page += "\n";
+    table(page, boundary_parameters().infos(), "###");
     page += "## Verification\n\n";
     table(page, verify_limit_parameters().infos(), "###");
     machine_tables(page);

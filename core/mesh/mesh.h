@@ -42,6 +42,14 @@ struct Mesh {
     }
 };
 
+/// Adds the vertices and facets of another mesh behind its own.
+inline void append_mesh(Mesh& mesh, const Mesh& more) {
+    const auto first = Index(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const Facet& f : more.facets)
+        mesh.facets.push_back({first + f[0], first + f[1], first + f[2]});
+}
+
 using MeshPtr = std::shared_ptr<const Mesh>;
 
 } // namespace facetmill

@@ -6,9 +6,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
 #include "core/verify/fixture_touch.h"
-#include "tests/property/shapes.h"
-#include "tests/support/brute_lift.h"
-#include "tests/support/random_meshes.h"
+#include "tests/property/held_job.h"
 #include "tests/support/test_runner.h"
 
 #include <QTemporaryDir>
@@ -22,80 +20,6 @@ using namespace facetmill::test;
 namespace {
 
 constexpr double kept = 1; // mm, of all clamps
-
-struct Case {
-    const char* kind;
-    const char* machine;
-    bool turns;
-};
-const Case cases[] = {{"rough", "generic-3-axis", false},     {"finish3", "generic-3-axis", false},
-                      {"cleanup", "generic-3-axis", false},   {"finish5", "trunnion-ac", false},
-                      {"global_local", "trunnion-ac", false}, {"lathe_rough", "lathe-mill", true},
-                      {"lathe_finish", "lathe-mill", true}};
-
-Mesh rod() {
-    Mesh mesh;
-    const int around = 24;
-    for (int i = 0; i <= 8; ++i)
-        for (int k = 0; k < around; ++k) {
-            const double angle = 2 * pi * k / around, radius = 8 + std::cos(2 * angle);
-            mesh.vertices.emplace_back(3.0 * i, radius * std::cos(angle), radius * std::sin(angle));
-        }
-    const auto at = [&](int i, int k) { return Index(i * around + k % around); };
-    for (int i = 0; i < 8; ++i)
-        for (int k = 0; k < around; ++k) {
-            mesh.facets.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-            mesh.facets.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-        }
-    for (int k = 1; k + 1 < around; ++k) {
-        mesh.facets.push_back({at(0, 0), at(0, k), at(0, k + 1)});
-        mesh.facets.push_back({at(8, 0), at(8, k + 1), at(8, k)});
-    }
-    return mesh;
-}
-
-Tool holding(Tool tool, long number) {
-    tool.number = number;
-    tool.name = "Tool " + std::to_string(number);
-    tool.flute_length = 12;
-    tool.shank_diameter = tool.diameter;
-    tool.shank_length = 6;
-    tool.holder = {{14, 20}};
-    return tool;
-}
-
-class HeldJob {
-    QTemporaryDir dir_;
-
-public:
-    Project project;
-
-    explicit HeldJob(const Case& c) {
-        const std::filesystem::path folder(dir_.path().toStdString());
-        const auto waves = [](double x, double y) {
-            return 1.5 * std::sin(0.3 * x) * std::cos(0.25 * y) - 4 * std::exp(-y * y / 6);
-        };
-        save_stl(c.turns ? rod() : height_field(waves, Vec2(-14, -10), Vec2(14, 10), 28, 20),
-                 folder / "part.stl", LengthUnit::mm, {});
-        project.path = folder / "p.facetmill";
-        project.part.file = "part.stl";
-        project.machine = c.machine;
-        project.stock.margin = {1, 1, 1};
-        if (c.turns) {
-            project.stock.kind = StockSpec::Kind::cylinder;
-            project.stock.axis = StockSpec::Axis::x;
-        }
-        project.tools = {holding(ball_tool(6), 1), holding(ball_tool(10), 2), holding(ball_tool(3), 3)};
-        auto op = make_operation(c.kind);
-        op->common().name = "Op";
-        op->common().tolerance = 0.3;
-        for (const char* key : {"previous_tool", "rework_tool"})
-            for (const ParameterInfo* p : op->parameters())
-                if (p->key == key) op->set(key, p->key == "rework_tool" ? 3L : 2L);
-        project.operations.push_back(std::move(op));
-    }
-    std::shared_ptr<const PlanResult> plan() const { return Planner().plan(project, {}, {}); }
-};
 
 /// A clamp that reaches over the part, or stands beside it.
 Fixture random_clamp(Random& rng, bool turns) {
@@ -147,47 +71,7 @@ std::vector<Vec3> points_on(const Fixture& f, double by) {
     return points;
 }
 
-/// How deep the deepest of the points comes to lie in cutter, shank or holder, by heights and radii alone.
-double deepest(const ClSection& program, const Tool& tool, const std::vector<Vec3>& points) {
-    const BruteCutter cutter(program.cutter);
-    const double radius = double(cutter.radius()), flutes = program.cutter.h;
-    const double widest = std::max(radius, 7.0), length = flutes + tool.shank_length + 20;
-    Box3 box;
-    for (const Vec3& p : points)
-        box.add(p);
-    double most = 0;
-    const auto look = [&](const CutterLocation& at) {
-        const Vec3 middle = at.tip + 0.5 * length * at.axis;
-        const double far = 0.5 * length + widest;
-        if (((middle - box.lo).array() < -far).any() || ((middle - box.hi).array() > far).any()) return;
-        for (const Vec3& p : points) {
-            const Vec3 d = p - at.tip;
-            const double z = d.dot(at.axis), rho = std::sqrt(std::max(d.squaredNorm() - z * z, 0.0));
-            const auto barrel = [&](double r, double from, double to) {
-                if (rho < r && z > from && z < to)
-                    most = std::max(most, std::min({r - rho, z - from, to - z}));
-            };
-            if (z > 0 && z < flutes && rho < radius && z > double(cutter.height(rho)))
-                most = std::max(most, std::min(z - double(cutter.height(rho)), radius - rho));
-            barrel(0.5 * tool.shank_diameter, flutes, flutes + tool.shank_length);
-            barrel(0.5 * tool.holder[0].diameter, flutes + tool.shank_length, length);
-        }
-    };
-    const auto& motions = program.motions.motions;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        look(motions[i].to);
-        if (i == 0 || program.motions.turning) continue;
-        const CutterLocation &a = motions[i - 1].to, &b = motions[i].to;
-        const int steps = std::min(int((b.tip - a.tip).norm() / 0.3), 400);
-        for (int k = 1; k < steps; ++k) {
-            const double t = double(k) / steps;
-            look({a.tip + t * (b.tip - a.tip), (a.axis + t * (b.axis - a.axis)).normalized()});
-        }
-    }
-    return most;
-}
-
-double deepest(const PlanResult& plan, const Project& project, const Fixture& clamp, double by) {
+double deepest_of(const PlanResult& plan, const Project& project, const Fixture& clamp, double by) {
     double most = 0;
     const std::vector<Vec3> points = points_on(clamp, by);
     for (const auto& o : plan.operations)
@@ -217,15 +101,15 @@ class TestFixtures : public QObject {
 private slots:
     void every_kind_keeps_off_data() {
         QTest::addColumn<int>("which");
-        for (int i = 0; i < int(std::size(cases)); ++i)
-            QTest::newRow(cases[i].kind) << i;
+        for (int i = 0; i < int(std::size(held_cases)); ++i)
+            QTest::newRow(held_cases[i].kind) << i;
     }
 
     /// The path made without the clamp tells whether the verifier sees what the points see; the path made
     /// with it must keep nine tenths of the clearance.
     void every_kind_keeps_off() {
         QFETCH(int, which);
-        const Case& c = cases[which];
+        const HeldCase& c = held_cases[which];
         HeldJob job(c);
         const auto without = job.plan();
         Random rng(40 + std::uint64_t(which));
@@ -236,7 +120,7 @@ private slots:
             const auto prepared = Planner().prepare(job.project, {});
             std::vector<VerifyProgram> programs = verify_programs(job.project, without);
             stand_fixtures(programs, *prepared);
-            const double seen = deepest(*without, job.project, clamp, 0), found = deepest_found(programs);
+            const double seen = deepest_of(*without, job.project, clamp, 0), found = deepest_found(programs);
             in_the_way += seen > 0.1;
             const QString at = QString("trial %1: points %2, verifier %3").arg(trial).arg(seen).arg(found);
             QVERIFY2(found > seen - 0.1 && found < seen + 0.6, qPrintable(at));
@@ -248,7 +132,7 @@ private slots:
                 continue;
             }
             ++planned;
-            const double near = deepest(*with, job.project, clamp, 0.85 * kept),
+            const double near = deepest_of(*with, job.project, clamp, 0.85 * kept),
                          told = deepest_found(verify_programs(job.project, with));
             QVERIFY2(near == 0 && told == 0,
                      qPrintable(QString("trial %1: %2 in the clearance, %3 in the clamp")

@@ -109,11 +109,13 @@ private:
             up += z >= steep_z ? area : 0;
             down += z <= -steep_z ? area : 0;
         }
-        return std::max(up, down) >= (1 - steep_share) * whole;
+        return (context_.is_piece ? up : std::max(up, down)) >= (1 - steep_share) * whole;
     }
 
     void take_surface() {
-        const OutwardSides sides = outward_sides(*context_.part, progress_.part(0, 0.2));
+        const OutwardSides sides =
+            context_.is_piece ? OutwardSides{std::vector<OutwardSides::Side>(context_.part->facet_count())}
+                              : outward_sides(*context_.part, progress_.part(0, 0.2));
         const MeshPtr wound = wound_outward(context_.part, sides);
         const CutterProfile cutter(context_.tool.cutter());
         radius_ = cutter.max_radius();

@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/gouge/contact_index.h"
 #include "core/mesh/geometry.h"
+#include "core/setup/boundary.h"
 #include "core/setup/machine.h"
 #include "core/setup/stock_solid.h"
 #include "core/setup/tool.h"
@@ -23,6 +24,8 @@
 #include <vector>
 
 namespace facetmill {
+
+struct KeptWithin; // boundary_region.h
 
 /// What an earlier operation cuts: straight motions at feed, axis +Z.
 struct EarlierCuts {
@@ -47,6 +50,7 @@ struct EarlierLeft {
 /// What every strategy gets to work with; all of it const and shared.
 struct PlanContext {
     MeshPtr part;
+    bool is_piece = false; ///< `part` is a piece of one: its facets face as they are wound
     std::shared_ptr<const MeshGeometry> geometry;
     ContactIndexPtr contact; ///< what must not be cut: the part, and after its facets what else
     Box3 part_box, stock_box;
@@ -68,6 +72,8 @@ struct PlanContext {
     /// Curvatures of the part's vertices, where more is known of them than its facets tell (a piece cut out
     /// of a part).
     std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
+    /// What planners of layers keep the tool within; null: everywhere. Passes of others are cut to it.
+    std::shared_ptr<const KeptWithin> within;
 
     /// Box of part and fixtures.
     Box3 kept_off_box() const {
@@ -90,6 +96,10 @@ struct OperationCommon {
     double clearance = 5;              ///< height of clearance moves above stock and part, mm
     double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
+    std::string boundary;              ///< name of the boundary to cut within; empty: everywhere
+    Containment contain = Containment::contact; ///< what of the tool the boundary keeps within
+    std::string avoid;                          ///< name of a boundary to keep off; empty: none
+    double avoid_distance = 1;                  ///< from that, mm
 
     /// What a motion at feed of this kind goes at, mm/min.
     double feed_of(MotionKind kind) const {

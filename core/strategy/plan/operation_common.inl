@@ -97,6 +97,33 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
                                         "change of normals, 3-axis finishing the other one "
                                         "where that travels or leaves less; a number is an angle "
                                         "from X."}));
+    table.add(member(&S::boundary), {.key = "boundary",
+                                     .label = "Boundary",
+                                     .help = "Name of a boundary of the setup: the operation cuts within it. "
+                                             "Empty: everywhere.",
+                                     .kind = K::text,
+                                     .default_unwritten = true});
+    table.add_choice(member(&S::contain),
+                     {.key = "contain",
+                      .label = "Kept within",
+                      .help = "What the boundary keeps within: the place where the cutter touches the part, "
+                              "the tip, or all of the cutter. Roughing keeps the tip or the cutter within.",
+                      .words = {"contact", "tip", "tool"},
+                      .default_unwritten = true});
+    table.add(member(&S::avoid), {.key = "avoid",
+                                  .label = "Avoid",
+                                  .help = "Name of a boundary whose facets the tool keeps off. Empty: none.",
+                                  .kind = K::text,
+                                  .default_unwritten = true});
+    table.add(member(&S::avoid_distance), {.key = "avoid_distance",
+                                           .label = "Avoid by",
+                                           .help = "How far cutter, shank and holder keep from these facets.",
+                                           .kind = K::number,
+                                           .quantity = Quantity::length,
+                                           .minimum = 0,
+                                           .maximum = 1000,
+                                           .open_minimum = true,
+                                           .default_unwritten = true});
 }
 
 } // namespace facetmill

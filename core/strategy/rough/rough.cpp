@@ -282,6 +282,7 @@ void Planner::look_for_remaining(const Progress& progress) {
     input.field = &field_;
     input.allowance = measures_.allowance;
     input.lowest_tip = heights_.low;
+    input.within = context_.within.get();
     // All of it above the surface that is safe to leave; the part itself lies that much lower.
     const double inner = context_.tessellation_tolerance[1], expected = heights_.expected;
     input.allowed = expected;

@@ -24,7 +24,8 @@ constexpr double border_share = 0.25;
 
 RoughReach::RoughReach(ContactIndexPtr index, const PlanContext& context, double allowance, double margin,
                        double lowest_tip)
-    : margin_(margin), spacing_(1), cutter_(index, CutterProfile(context.tool.cutter()), allowance + margin) {
+    : margin_(margin), spacing_(1), within_(context.within),
+      cutter_(index, CutterProfile(context.tool.cutter()), allowance + margin) {
     // Half of the margin for what lies between places, half for thinning.
     spacing_ = std::max(safe_spacing(cutter_.profile(), 0.5 * margin), margin);
     const Tool& tool = context.tool;
@@ -43,6 +44,7 @@ RoughReach::RoughReach(ContactIndexPtr index, const PlanContext& context, double
 }
 
 double RoughReach::tip_z(const Vec2& p, Hints& hints) const {
+    if (is_outside(p)) return infinity;
     return raised(p, cutter_.tip_z(p.x(), p.y(), hints.cutter), hints);
 }
 
@@ -65,6 +67,10 @@ void RoughReach::tip_z(std::span<const Vec2> points, std::span<double> heights,
         for (std::size_t i = 0; i < body.size(); ++i)
             heights[i] = std::max(heights[i], body[i] - b.base);
     }
+    if (within_)
+        parallel_for(points.size(), 256, progress.part(1, 1), [&](std::size_t i) {
+            if (is_outside(points[i])) heights[i] = infinity;
+        });
 }
 
 double RoughReach::highest(const Vec2& a, const Vec2& b, Hints& hints, double least) const {
@@ -72,13 +78,14 @@ double RoughReach::highest(const Vec2& a, const Vec2& b, Hints& hints, double le
     double z = least;
     for (double i = 0; i <= n; ++i) {
         const Vec2 p = a + (i / n) * (b - a);
+        if (is_outside(p)) return infinity;
         z = raised(p, cutter_.tip_z(p.x(), p.y(), hints.cutter, z), hints);
     }
     return z;
 }
 
 bool RoughReach::is_free(const Vec2& p, double z, Hints& hints) const {
-    if (cutter_.is_above(p.x(), p.y(), z, hints.cutter)) return false;
+    if (is_outside(p) || cutter_.is_above(p.x(), p.y(), z, hints.cutter)) return false;
     hints.bodies.resize(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].lift.is_above(p.x(), p.y(), z + bodies_[i].base, hints.bodies[i])) return false;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/strategy/plan/operation.h"
+#include "core/strategy/surface/boundary_region.h"
 #include "core/strategy/surface/contact_domain.h"
 #include "core/strategy/surface/drive_frame.h"
 
@@ -35,7 +36,7 @@ public:
         LiftHint cutter;
         std::vector<LiftHint> bodies;
     };
-    /// The lowest free tip height over a place.
+    /// The lowest free tip height over a place; +infinity outside the operation's boundary.
     double tip_z(const Vec2& p, Hints& hints) const;
     void tip_z(std::span<const Vec2> points, std::span<double> heights, const Progress& progress) const;
     /// The same for the cutter alone.
@@ -59,7 +60,13 @@ private:
     /// The tip at z or as much higher as shank and holder ask for.
     double raised(const Vec2& p, double z, Hints& hints) const;
 
+    /// Where the boundary forbids the tip, with what may lie between places that are looked at.
+    bool is_outside(const Vec2& p) const {
+        return within_ && within_->region->depth(p) < within_->least_depth() + 0.5 * spacing_;
+    }
+
     double margin_, spacing_;
+    std::shared_ptr<const KeptWithin> within_; ///< null: everywhere
     AxialLift cutter_;
     std::vector<Body> bodies_;
 };

@@ -63,6 +63,7 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                 const int column = int(i % columns) * stride, row = int(i / columns) * stride;
                 const Vec2 p = field.center(column, row);
                 if (field.middle(column, row) == -infinity) continue;
+                if (in.within && in.within->region->depth(p) < 2 * in.within->radius) continue;
                 const AxialContact seen = needle.contact(p.x(), p.y());
                 // What else it sees is no part, but keeps the cutter off it.
                 if (seen.facet == no_index || seen.facet >= in.mesh->facet_count()) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/gouge/axial_lift.h"
+#include "core/strategy/surface/boundary_region.h"
 #include "core/strategy/surface/stock_field.h"
 
 namespace facetmill {
@@ -12,9 +13,10 @@ struct RemainingInput {
     ContactIndexPtr contact;
     const CutterProfile* profile = nullptr;
     const StockField* field = nullptr;
-    double allowance = 0;  ///< all that is to stay along the normal
-    double lowest_tip = 0; ///< no layer is lower; what asks for a lower tip is not judged
-    double allowed = 0;    ///< height that is expected; more than a share of it makes a place out of reach
+    double allowance = 0;               ///< all that is to stay along the normal
+    double lowest_tip = 0;              ///< no layer is lower; what asks for a lower tip is not judged
+    const KeptWithin* within = nullptr; ///< places less than a cutter within its border are not judged
+    double allowed = 0; ///< height that is expected; more than a share of it makes a place out of reach
 };
 
 struct Remaining {

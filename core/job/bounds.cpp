@@ -1,0 +1,99 @@
+#include "core/job/bounds.h"
+
+#include "core/job/cache_key.h"
+#include "core/mesh/grown.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+/// Fixtures that are named when they are in the way, at most.
+constexpr std::size_t max_named = 3;
+/// A mesh that is grown has 44 times as many.
+constexpr std::size_t max_avoided_facets = 50'000;
+
+std::string text_of(const Boundary& boundary) {
+    return Key().add_up_to(Stage::output, boundary, boundary_parameters()).text();
+}
+
+/// Names and smallest clearance of a setup's fixtures.
+KeptFixtures kept_fixtures(const PreparedPart& part, const ContactIndexPtr& grown) {
+    KeptFixtures kept{grown, infinity, {}};
+    if (!part.fixtures) return kept;
+    const std::vector<FixtureSolid>& all = *part.fixtures;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        kept.clearance = std::min(kept.clearance, all[i].clearance);
+        if (i < max_named) kept.names += (i > 0 ? ", '" : "'") + printable(all[i].name, 60) + "'";
+    }
+    if (all.size() > max_named) kept.names += " and " + std::to_string(all.size() - max_named) + " more";
+    kept.names = (all.size() == 1 ? "the fixture " : "the fixtures ") + kept.names;
+    return kept;
+}
+
+} // namespace
+
+std::string bounds_key(const Project& project, const Operation& operation) {
+    const OperationCommon& common = operation.common();
+    Key key;
+    if (!common.boundary.empty())
+        key.add("within").add(std::string_view(text_of(project.boundary_of(common.boundary))));
+    if (!common.avoid.empty())
+        key.add("avoid").add(std::string_view(text_of(project.boundary_of(common.avoid))));
+    return key.text();
+}
+
+std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Boundary& boundary,
+                                                          const Progress& progress) {
+    auto& kept = regions_[text_of(boundary)];
+    if (!kept) kept = std::make_shared<BoundaryRegion>(boundary, part_, progress);
+    return kept;
+}
+
+void BoundsCache::avoid(const Boundary& boundary, double distance, OperationBounds& bounds,
+                        const Progress& progress) {
+    const std::string place = "boundary '" + printable(boundary.name, 60) + "'";
+    const std::string key = Key().add(std::string_view(text_of(boundary))).add(distance).text();
+    if (!avoided_.contains(key)) {
+        const auto region = this->region(boundary, progress.part(0, 0.2));
+        const std::size_t facets = region->piece()->facet_count();
+        if (facets > max_avoided_facets)
+            throw Error(ErrorCode::limit_exceeded, place,
+                        std::to_string(facets) + " facets are to be avoided, more than "
+                            + std::to_string(max_avoided_facets),
+                        "avoid fewer facets, or cut within a boundary that leaves them out");
+        auto grown = std::make_shared<Mesh>(grown_mesh(*region->piece(), distance, progress.part(0.2, 0.4)));
+        if (held_.fixtures) append_mesh(*grown, held_.fixtures->mesh());
+        auto all = std::make_shared<Mesh>(*part_);
+        append_mesh(*all, *grown);
+        avoided_[key] = {std::make_shared<ContactIndex>(all, progress.part(0.4, 0.8)),
+                         std::make_shared<ContactIndex>(grown, progress.part(0.8, 1))};
+    }
+    const Held& made = avoided_[key];
+    bounds.contact = made.all;
+    bounds.off.grown = made.fixtures;
+    bounds.off.clearance = std::min(bounds.off.clearance, distance);
+    bounds.off.names += (bounds.off.names.empty() ? "" : " and ") + place + " to avoid";
+}
+
+OperationBounds BoundsCache::of(const Project& project, const Operation& operation, const PreparedPart& part,
+                                const Held& held, const Progress& progress) {
+    if (part_ != part.mesh || held_.all != held.all) {
+        regions_.clear();
+        avoided_.clear();
+        part_ = part.mesh;
+        held_ = held;
+    }
+    OperationBounds bounds{held.all, kept_fixtures(part, held.fixtures), nullptr};
+    const OperationCommon& common = operation.common();
+    if (!common.avoid.empty())
+        avoid(project.boundary_of(common.avoid), common.avoid_distance, bounds, progress.part(0, 0.5));
+    if (!common.boundary.empty())
+        bounds.within = std::make_shared<KeptWithin>(
+            KeptWithin{region(project.boundary_of(common.boundary), progress.part(0.5, 1)), common.contain,
+                       CutterProfile(project.tool_of(operation).cutter()).max_radius()});
+    return bounds;
+}
+
+} // namespace facetmill

@@ -1,0 +1,44 @@
+// What an operation's tool keeps off and within: fixtures of the setup, boundaries that the operation names.
+#pragma once
+
+#include "core/job/planner.h"
+#include "core/link/fixture_reach.h"
+#include "core/strategy/surface/boundary_region.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace facetmill {
+
+struct OperationBounds {
+    ContactIndexPtr contact;                  ///< part, and after its facets what is kept off beside it
+    KeptFixtures off;                         ///< `grown` is null where there is nothing
+    std::shared_ptr<const KeptWithin> within; ///< null: everywhere
+};
+
+/// Another text where an operation's boundaries say something else. Empty where it names none.
+std::string bounds_key(const Project& project, const Operation& operation);
+
+/// Boundaries of a part, each made once.
+class BoundsCache {
+public:
+    /// Of a setup's part: indexes of the part and its fixtures, of the grown fixtures alone (null: none).
+    struct Held {
+        ContactIndexPtr all, fixtures;
+    };
+    /// Throws what BoundaryRegion does; Error(limit_exceeded) where too many facets are to be avoided.
+    OperationBounds of(const Project& project, const Operation& operation, const PreparedPart& part,
+                       const Held& held, const Progress& progress);
+
+private:
+    std::shared_ptr<const BoundaryRegion> region(const Boundary& boundary, const Progress& progress);
+    void avoid(const Boundary& boundary, double distance, OperationBounds& bounds, const Progress& progress);
+
+    MeshPtr part_;
+    Held held_;
+    std::map<std::string, std::shared_ptr<const BoundaryRegion>> regions_;
+    std::map<std::string, Held> avoided_;
+};
+
+} // namespace facetmill

@@ -1,0 +1,40 @@
+// A region of the plane as the union of what closed loops go round: covered or not, and how far from the
+// border. Millimetres.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/box_tree.h"
+#include "core/mesh/mesh.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace facetmill {
+
+/// From its first place to its second.
+using PlanEdge = std::array<Vec2, 2>;
+
+/// The edges that go round facets of a mesh, looked at along Z: counter-clockwise round those that face up,
+/// and round those that face down as if they faced up. Upright ones have no area there.
+std::vector<PlanEdge> outline_edges(const Mesh& mesh, std::span<const char> facets, const Progress& progress);
+
+class PlanRegion {
+public:
+    PlanRegion() = default;
+    /// Of edges that make up closed loops; what they go round any number of times but none is covered. Where
+    /// loops cross or run over one another, only what has something uncovered beside it is border.
+    PlanRegion(std::vector<PlanEdge> edges, const Progress& progress);
+
+    bool empty() const { return edges_.empty(); }
+    bool covers(const Vec2& p) const;
+    /// Distance from the border, below 0 where p is not covered; -infinity where nothing is.
+    double depth(const Vec2& p) const;
+    const std::vector<PlanEdge>& border() const { return border_; }
+
+private:
+    std::vector<PlanEdge> edges_, border_;
+    BoxTree edge_tree_, border_tree_;
+};
+
+} // namespace facetmill
