@@ -5,6 +5,7 @@
 #include "core/job/verify_object.h"
 #include "core/output/apt.h"
 #include "core/strategy/plan/budget.h"
+#include "core/strategy/surface/boundary_region.h"
 
 #include <array>
 
@@ -46,6 +47,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "holder_touches";
     case UncutReason::Why::fixture:
         return "fixture";
+    case UncutReason::Why::boundary:
+        return "boundary";
     case UncutReason::Why::outside_stock:
         return "outside_stock";
     case UncutReason::Why::not_seen:
@@ -187,6 +190,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "the cutter" + of + " fits, but its shank or holder would touch the part";
     case UncutReason::Why::fixture:
         return "the tool" + of + " fits, but would come too near to a fixture";
+    case UncutReason::Why::boundary:
+        return "the tool" + of + " fits, but its boundary leaves the place out";
     case UncutReason::Why::outside_stock:
         return "the stock does not reach there";
     case UncutReason::Why::not_seen:
@@ -210,6 +215,11 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             {},
                             machine,
                             o->joints});
+        if (o->within)
+            programs.back().asked = [region = o->within->region](const Vec3& p) {
+                Index hint = no_index;
+                return region->holds(p, hint);
+            };
     }
     stand_fixtures(programs, *plan->part);
     return programs;

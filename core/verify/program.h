@@ -14,6 +14,7 @@
 #include "core/setup/turning_axis.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ struct VerifyProgram {
     std::shared_ptr<const std::vector<Joints>> joints = nullptr;
     /// What holds the part meanwhile, in the coordinates of the motions; null: nothing that is known.
     std::shared_ptr<const std::vector<FixtureSolid>> fixtures = nullptr;
+    /// Whether the operation is to cut at a place of the part; empty: everywhere. Only a reason why surface
+    /// stays uncut is made of it.
+    std::function<bool(const Vec3&)> asked = nullptr;
     /// From the machine's coordinates to those of the motions, where a program is judged together with those
     /// of another setup.
     Mat3 machine_turn = Mat3::Identity();

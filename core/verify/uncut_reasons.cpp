@@ -78,6 +78,7 @@ struct FitTool {
     };
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
+    std::function<bool(const Vec3&)> asked;
 };
 
 constexpr std::size_t no_program = std::size_t(-1);
@@ -99,7 +100,7 @@ public:
         : room_(samples, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
           gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
-            FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress)};
+            FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress), p.asked};
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
             if (p.fixtures)
@@ -111,31 +112,41 @@ public:
             tools_.push_back(std::move(tool));
         }
     }
-    /// not_cut where a tool fits, fixture, held, or no_tool; and the program whose tool or cutter it is.
+    /// not_cut where a tool fits, boundary, fixture, held, or no_tool; and the program whose tool or cutter
+    /// it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
-        const Vec3 start = point + allowance_ * normal;
+        WhyUncut told_off;
         for (std::size_t program = tools_.size(); program-- > 0;) {
             const FitTool& tool = tools_[program];
-            const auto near = axes_near(tool, normal);
-            bool held = false, beside_fixture = false;
-            for (const auto& [along, axis] : near)
-                for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
-                    const CutterLocation at{start - touch, *axis};
-                    if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
-                    if (!body_stands(at, tool))
-                        held = true;
-                    else if (clear_of_fixtures(at, tool))
-                        return {UncutReason::Why::not_cut, program};
-                    else
-                        beside_fixture = true;
-                }
-            if (beside_fixture) return {UncutReason::Why::fixture, program};
-            if (held) return {UncutReason::Why::held, program};
+            const UncutReason::Why fit = fit_of(tool, point, normal);
+            if (fit == UncutReason::Why::no_tool) continue;
+            if (!tool.asked || tool.asked(point)) return {fit, program};
+            if (fit == UncutReason::Why::not_cut && told_off.program == no_program)
+                told_off = {UncutReason::Why::boundary, program};
         }
-        return {};
+        return told_off;
     }
 
 private:
+    /// not_cut, fixture, held or no_tool for one of the tools.
+    UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal) const {
+        const Vec3 start = point + allowance_ * normal;
+        bool held = false, beside_fixture = false;
+        for (const auto& [along, axis] : axes_near(tool, normal))
+            for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
+                const CutterLocation at{start - touch, *axis};
+                if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
+                if (!body_stands(at, tool))
+                    held = true;
+                else if (clear_of_fixtures(at, tool))
+                    return UncutReason::Why::not_cut;
+                else
+                    beside_fixture = true;
+            }
+        return beside_fixture ? UncutReason::Why::fixture
+               : held         ? UncutReason::Why::held
+                              : UncutReason::Why::no_tool;
+    }
     /// Its program's axes that see the surface, the nearest to the normal first.
     static std::vector<std::pair<double, const Vec3*>> axes_near(const FitTool& tool, const Vec3& normal) {
         std::vector<std::pair<double, const Vec3*>> near;

@@ -15,7 +15,8 @@ namespace facetmill {
 /// A cutter fits where it, along one of the axes of its program nearest to the normal, can stand so that less
 /// than twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample
 /// lies deeper in it than the gouge limit; shank and holder likewise. Where it does nearer to a fixture than
-/// the clearance, the fixture is the reason. Some thousand samples are asked; each stands
+/// the clearance, the fixture is the reason; where the program is not asked to cut there, and no other that
+/// is has a tool for it, its boundary. Some thousand samples are asked; each stands
 /// for those about it.
 void find_uncut_reasons(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
                         std::span<const VerifyProgram> programs, const Progress& progress);

@@ -95,6 +95,7 @@ struct UncutReason {
         not_cut,       ///< a tool fits in there, and no motion goes
         held,          ///< the cutter fits in there, shank or holder do not
         fixture,       ///< a tool fits in there, nearer to a fixture than its clearance
+        boundary,      ///< a tool fits in there, and its operation is told to stay out
         no_tool,       ///< no cutter of the programs fits in there
         outside_stock, ///< the stock does not reach it
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict

@@ -1,5 +1,6 @@
 // Boundaries in a project: the file, what of it is refused, and what a change of one makes stale.
 #include "core/job/planner.h"
+#include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/support/error_code.h"
 #include "tests/support/part_meshes.h"
@@ -112,7 +113,7 @@ private slots:
         Project project = parse_project(
             R"({ "facetmill": 2, "units": "mm", "part": { "file": "block.stl" },
               "tools": [ { "number": 1, "diameter": 6, "corner_radius": 3, "flute_length": 20 } ],
-              "setups": [ { "name": "Top", "boundaries": [
+              "setups": [ { "name": "Top", "stock": { "kind": "box", "margin": [0, 0, 1] }, "boundaries": [
                   { "name": "Middle", "kind": "silhouette", "offset": -5 }, { "name": "Other", "kind": "slope" } ],
                 "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.1 } ] } ] })",
             "block");
@@ -136,6 +137,22 @@ private slots:
         QVERIFY(all.lo.x() < 1);
         project.boundaries[0].offset = -6;
         QVERIFY(box_of().lo.x() > 5.99);
+        // What the boundary leaves out stays uncut for that reason, and no other.
+        const auto plan = planner.plan(project, {}, {});
+        VerifySettings settings = verify_settings(project, plan.get());
+        settings.resolution = 0.5;
+        const Verification v =
+            verify(*plan->part->mesh, plan->stock, verify_programs(project, plan), settings, {});
+        double left = 0;
+        for (const UncutReason& r : v.uncut)
+            if (r.counts()) {
+                QCOMPARE(int(r.why), int(UncutReason::Why::boundary));
+                QCOMPARE(r.program, std::string("Finish"));
+                left += r.area;
+            }
+        // The ball's side cuts a little beyond the contact.
+        QVERIFY2(left > 400 && left < 30 * 20 - 18 * 8, qPrintable(QString::number(left)));
+
         project.boundaries[0].name = "Renamed";
         project.operations[0]->common().boundary = "Renamed";
         project.boundaries[0].offset = -50;
