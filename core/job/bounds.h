@@ -23,7 +23,7 @@ std::string bounds_key(const Project& project, const Operation& operation);
 /// Boundaries of a part, each made once.
 class BoundsCache {
 public:
-    /// Of a setup's part: indexes of the part and its fixtures, of the grown fixtures alone (null: none).
+    /// What a setup holds: indexes of the part and its fixtures, of the grown fixtures alone (null: none).
     struct Held {
         ContactIndexPtr all, fixtures;
     };

@@ -449,7 +449,7 @@ StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanCont
         constexpr double border_edge = 0.05;
         const KeptWithin& within = *bounds.within;
         context.part =
-            within.region->surface(within.least_depth(), border_edge * within.radius, progress.part(0, 0.01));
+            within.region->surface(within.min_depth(), border_edge * within.radius, progress.part(0, 0.01));
         context.is_piece = true;
         context.geometry = compute_geometry(*context.part, progress.part(0.01, 0.02));
         context.curvatures = nullptr;

@@ -24,7 +24,7 @@ public:
 
     bool operator()(const Vec3& tip) const {
         if (within_.contain != Containment::contact)
-            return within_.region->depth(tip.head<2>()) >= within_.least_depth();
+            return within_.region->depth(tip.head<2>()) >= within_.min_depth();
         Index facet = no_index;
         const CutterContact at = contact_.at(tip, facet);
         if (facet == no_index) return false; // nothing of the part is below
@@ -55,8 +55,7 @@ public:
         bool was_within = false;
         for (double at = 0;;) {
             progress.check();
-            const double depth =
-                within_.region->depth(tip_at(pass, arc, at).head<2>()) - within_.least_depth();
+            const double depth = within_.region->depth(tip_at(pass, arc, at).head<2>()) - within_.min_depth();
             if (depth >= 0 && !was_within) ranges.push_back({at, at});
             if (depth >= 0) ranges.back().hi = at;
             was_within = depth >= 0;
@@ -107,7 +106,7 @@ public:
         Index hint = no_index;
         return pieces_of_locations(
             pass, [&](std::size_t i) { return may(place(pass, i, 1), hint); },
-            [&](std::size_t i) { return way_is_within(pass, i, hint); }, progress);
+            [&](std::size_t i) { return path_is_within(pass, i, hint); }, progress);
     }
 
 private:
@@ -126,7 +125,7 @@ private:
                 contact(i - 1) + t * (contact(i) - contact(i - 1))};
     }
     /// The way to a location from the one before.
-    bool way_is_within(const Pass& pass, std::size_t i, Index& hint) const {
+    bool path_is_within(const Pass& pass, std::size_t i, Index& hint) const {
         const CutterLocation &a = pass.cl[i - 1], &b = pass.cl[i];
         const double length = (b.tip - a.tip).norm();
         if (within_.contain == Containment::contact) {
@@ -158,7 +157,7 @@ private:
         double least = infinity;
         for (int k = 0; k <= places_along; ++k)
             least = std::min(least, within_.region->depth(tip + double(k) / places_along * leans));
-        return least - within_.least_depth() - 0.5 * leans.norm() / places_along;
+        return least - within_.min_depth() - 0.5 * leans.norm() / places_along;
     }
 
     const KeptWithin& within_;

@@ -160,6 +160,34 @@ Tool any_tool(Random& rng, long number) {
 
 /// Seeds below stand for jobs of one setup.
 constexpr std::uint64_t first_with_setups = 403;
+/// Seeds below stand for jobs without boundaries.
+constexpr std::uint64_t first_with_boundaries = 2000;
+
+/// A region of any kind, which some operations keep within, or keep off.
+void add_boundaries(Random& rng, Project& project, const Mesh& part) {
+    Boundary b;
+    b.kind = Boundary::Kind(whole(rng, 0, 3));
+    const auto first = Index(whole(rng, 0, int(part.facet_count()) - 1));
+    const auto last = Index(whole(rng, int(first), int(part.facet_count()) - 1));
+    b.facets = std::to_string(first) + "-" + std::to_string(last);
+    b.slope = {uniform(rng, 0, 0.5), uniform(rng, 0.6, pi)};
+    const Vec3 middle = part.box().center();
+    const double size = 0.5 * part.box().diagonal();
+    for (int corner = whole(rng, 3, 8); corner > 0; --corner)
+        b.curve.push_back(
+            {{middle.x() + uniform(rng, -size, size), middle.y() + uniform(rng, -size, size), 0}});
+    b.offset = uniform(rng, -0.1, 0.1) * size;
+    b.invert = chance(rng, 0.3);
+    project.boundaries.push_back(b);
+    for (const auto& operation : project.operations) {
+        if (operation->turning()) continue;
+        OperationCommon& common = operation->common();
+        if (chance(rng, 0.6)) common.boundary = b.name;
+        common.contain = Containment(whole(rng, 0, 2));
+        if (chance(rng, 0.3)) common.avoid = b.name;
+        common.avoid_distance = uniform(rng, 0.1, 3);
+    }
+}
 
 /// The part turned over or on its side, and the same done once more: to what the first setup left, or to a
 /// stock of its own.
@@ -219,6 +247,7 @@ Project random_job(std::uint64_t seed, const std::filesystem::path& folder, std:
         if (op->common().allowance > 0) op->common().allowance = uniform(rng, 0, 0.5);
         project.operations.push_back(std::move(op));
     }
+    if (seed >= first_with_boundaries && chance(rng, 0.8)) add_boundaries(rng, project, clean);
     if (seed >= first_with_setups && chance(rng, 0.25)) add_setup(rng, project, names);
     if (stamp) {
         *stamp = rng();

@@ -25,7 +25,7 @@ namespace {
 /// clean-up of points that lay in one place went on for ever. 27, 287: a part of a closed border that shank
 /// or holder had cut short was begun in its middle, with a way straight through the part from end to end.
 /// 416: two setups.
-constexpr qulonglong usual_seeds[] = {0, 2, 5, 7, 9, 13, 17, 24, 27, 39, 40, 62, 287, 416};
+constexpr qulonglong usual_seeds[] = {0, 2, 5, 7, 9, 13, 17, 24, 27, 39, 40, 62, 287, 416, 2003};
 
 /// What those that found something are known by.
 constexpr struct {

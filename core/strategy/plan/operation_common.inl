@@ -4,6 +4,40 @@
 
 namespace facetmill {
 
+/// Those that say where on the part an operation cuts.
+template <class S>
+void add_bounds_parameters(ParameterTable<S>& table) {
+    using K = ParameterKind;
+    const auto member = []<class T>(T OperationCommon::*m) -> T S::* { return m; };
+    table.add(member(&S::boundary), {.key = "boundary",
+                                     .label = "Boundary",
+                                     .help = "Name of a boundary of the setup: the operation cuts within it. "
+                                             "Empty: everywhere.",
+                                     .kind = K::text,
+                                     .default_unwritten = true});
+    table.add_choice(member(&S::contain),
+                     {.key = "contain",
+                      .label = "Kept within",
+                      .help = "What the boundary keeps within: the place where the cutter touches the part, "
+                              "the tip, or all of the cutter. Roughing keeps the tip or the cutter within.",
+                      .words = {"contact", "tip", "tool"},
+                      .default_unwritten = true});
+    table.add(member(&S::avoid), {.key = "avoid",
+                                  .label = "Avoid",
+                                  .help = "Name of a boundary whose facets the tool keeps off. Empty: none.",
+                                  .kind = K::text,
+                                  .default_unwritten = true});
+    table.add(member(&S::avoid_distance), {.key = "avoid_distance",
+                                           .label = "Avoid by",
+                                           .help = "How far cutter, shank and holder keep from these facets.",
+                                           .kind = K::number,
+                                           .quantity = Quantity::length,
+                                           .minimum = 0,
+                                           .maximum = 1000,
+                                           .open_minimum = true,
+                                           .default_unwritten = true});
+}
+
 template <class S>
 void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
     using K = ParameterKind;
@@ -97,33 +131,7 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
                                         "change of normals, 3-axis finishing the other one "
                                         "where that travels or leaves less; a number is an angle "
                                         "from X."}));
-    table.add(member(&S::boundary), {.key = "boundary",
-                                     .label = "Boundary",
-                                     .help = "Name of a boundary of the setup: the operation cuts within it. "
-                                             "Empty: everywhere.",
-                                     .kind = K::text,
-                                     .default_unwritten = true});
-    table.add_choice(member(&S::contain),
-                     {.key = "contain",
-                      .label = "Kept within",
-                      .help = "What the boundary keeps within: the place where the cutter touches the part, "
-                              "the tip, or all of the cutter. Roughing keeps the tip or the cutter within.",
-                      .words = {"contact", "tip", "tool"},
-                      .default_unwritten = true});
-    table.add(member(&S::avoid), {.key = "avoid",
-                                  .label = "Avoid",
-                                  .help = "Name of a boundary whose facets the tool keeps off. Empty: none.",
-                                  .kind = K::text,
-                                  .default_unwritten = true});
-    table.add(member(&S::avoid_distance), {.key = "avoid_distance",
-                                           .label = "Avoid by",
-                                           .help = "How far cutter, shank and holder keep from these facets.",
-                                           .kind = K::number,
-                                           .quantity = Quantity::length,
-                                           .minimum = 0,
-                                           .maximum = 1000,
-                                           .open_minimum = true,
-                                           .default_unwritten = true});
+    add_bounds_parameters(table);
 }
 
 } // namespace facetmill

@@ -62,7 +62,7 @@ private:
 
     /// Where the boundary forbids the tip, with what may lie between places that are looked at.
     bool is_outside(const Vec2& p) const {
-        return within_ && within_->region->depth(p) < within_->least_depth() + 0.5 * spacing_;
+        return within_ && within_->region->depth(p) < within_->min_depth() + 0.5 * spacing_;
     }
 
     double margin_, spacing_;

@@ -63,7 +63,7 @@ struct KeptWithin {
     double radius = 0; ///< of the cutter
 
     /// How far within its region the tip has to be, looked at along Z; mm.
-    double least_depth() const { return contain == Containment::tool ? radius : 0; }
+    double min_depth() const { return contain == Containment::tool ? radius : 0; }
 };
 
 } // namespace facetmill

@@ -22,7 +22,7 @@ std::vector<PlanEdge> outline_edges(const Mesh& mesh, std::span<const char> face
 class PlanRegion {
 public:
     PlanRegion() = default;
-    /// Of edges that make up closed loops; what they go round any number of times but none is covered. Where
+    /// The edges make up closed loops; what they go round any number of times but none is covered. Where
     /// loops cross or run over one another, only what has something uncovered beside it is border.
     PlanRegion(std::vector<PlanEdge> edges, const Progress& progress);
 
