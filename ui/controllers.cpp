@@ -1,5 +1,6 @@
 #include "ui/controllers.h"
 
+#include "ui/boundary_controller.h"
 #include "ui/cspace_controller.h"
 #include "ui/fixture_controller.h"
 #include "ui/inputs_controller.h"
@@ -10,6 +11,7 @@
 #include "ui/path_controller.h"
 #include "ui/place_controller.h"
 #include "ui/point_picker.h"
+#include "ui/properties_panel.h"
 #include "ui/region_controller.h"
 #include "ui/rough_controller.h"
 #include "ui/strip_controller.h"
@@ -55,14 +57,20 @@ void Controllers::build(const Parts& p, QWidget* window) {
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
+    auto* boundaries =
+        new BoundaryController(p.document, p.viewport, *p.properties.boundary_box(), p.messages, window);
     // A click in the view is for one of them.
     connect(picker, &PointPicker::picking_begun, place_, &PlaceController::leave);
     connect(place_, &PlaceController::picking_begun, picker, &PointPicker::leave);
+    connect(picker, &PointPicker::picking_begun, boundaries, &BoundaryController::leave);
+    connect(place_, &PlaceController::picking_begun, boundaries, &BoundaryController::leave);
+    connect(boundaries, &BoundaryController::painting_begun, picker, &PointPicker::leave);
+    connect(boundaries, &BoundaryController::painting_begun, place_, &PlaceController::leave);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {picker, verification_, rough_, regions_, inspection_, unrolled_, cspace_,
-            tool_,  strips_,       part_,  fixtures, inputs_,     place_,    paths_};
+    all_ = {picker, boundaries, verification_, rough_,   regions_, inspection_, unrolled_, cspace_,
+            tool_,  strips_,    part_,         fixtures, inputs_,  place_,      paths_};
 }
 
 void Controllers::connect_document(const Document& document) {

@@ -12,6 +12,7 @@ class QWidget;
 
 namespace facetmill::ui {
 
+class BoundaryController;
 class CSpaceController;
 class InputsController;
 class InspectionController;

@@ -1,6 +1,7 @@
 #include "ui/document_keys.h"
 
 #include "core/job/asked_operations.h"
+#include "core/job/bounds.h"
 #include "core/job/fixtures.h"
 #include "core/job/planner.h"
 #include "core/job/project_inputs.h"
@@ -65,7 +66,13 @@ std::string posting_key(const Project& project) {
 
 std::string fingerprint(const Project& project, std::size_t i) {
     Project alone = part_and_machine(project);
+    std::string bounds; // boundaries that are named, and what they say
     const auto add = [&](const Operation& operation) {
+        try {
+            bounds += bounds_key(project, operation);
+        } catch (const Error&) {
+            bounds += "missing"; // planning says what
+        }
         std::vector<long> numbers = operation.further_tools();
         numbers.insert(numbers.begin(), operation.common().tool);
         for (const Tool& t : project.tools)
@@ -80,7 +87,7 @@ std::string fingerprint(const Project& project, std::size_t i) {
     for (const AskedOperation& asked : asked_operations(project, [&](std::size_t k) { return k == i; }))
         add(*asked.operation);
     // The unit is left out: it is one of the display and of the files, not of the path.
-    std::string text = project_to_json(alone);
+    std::string text = project_to_json(alone) + bounds;
     for (const ProjectInput& input : project_inputs(project))
         if (input.kind != ProjectInput::Kind::post) text += file_stamp(input.path) + "\n";
     return text + stock_source(project);

@@ -23,6 +23,8 @@ void show_shortcuts(QWidget* window) {
         QObject::tr("show the tool there; ← and → step along the path (Shift: by ten)"));
     row(QObject::tr("← →  ↑ ↓"),
         QObject::tr("with the configuration space in view: points along the pass, passes"));
+    row(QObject::tr("While a boundary is painted"),
+        QObject::tr("left drag: paint (Shift: erase); Ctrl + left drag: turn; Esc: end"));
     row(QObject::tr("In a chart or the unrolled path"),
         QObject::tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
     row(QObject::tr("0 … 6"), QObject::tr("isometric, front, top, right, rear, bottom, left"));

@@ -68,6 +68,7 @@ enum class Icon {
     part,
     stock,
     fixture,
+    boundary,
     machine,
     tool,
     operations,

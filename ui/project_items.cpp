@@ -35,7 +35,7 @@ private:
                               const QString& help = {}) {
         return add_tree_item(parent ? parent : tree_.invisibleRootItem(), node, which, label, help);
     }
-    /// Stock, fixtures and machine of the chosen setup, below its item where there are several.
+    /// Stock, fixtures, boundaries and machine of the chosen setup, below its item where there are several.
     void add_setup_items(QTreeWidgetItem* setup);
     void add_operations(QTreeWidgetItem* setup);
     void add_other_setup(std::size_t i, QTreeWidgetItem* setup);
@@ -85,6 +85,10 @@ void ProjectItems::add_setup_items(QTreeWidgetItem* setup) {
                  QObject::tr("%1: no tool comes nearer than %2")
                      .arg(text(project_.fixtures[i].name),
                           shown_length(project_.fixtures[i].clearance, project_.unit, 4)));
+    for (std::size_t i = 0; i < project_.boundaries.size(); ++i)
+        add_item(setup, {TreeNode::Kind::boundary, i}, Icon::boundary, text(project_.boundaries[i].name),
+                 QObject::tr("%1: a region that operations cut within or keep off")
+                     .arg(text(project_.boundaries[i].name)));
     QString machine = text(project_.machine);
     for (const Machine& m : machines())
         if (m.name == project_.machine) machine = text(m.label);

@@ -1,5 +1,7 @@
 #include "ui/project_tree.h"
 
+#include "ui/boundary_list.h"
+#include "ui/boundary_menu.h"
 #include "ui/fixture_list.h"
 #include "ui/fixture_menu.h"
 #include "ui/project_items.h"
@@ -43,6 +45,33 @@ QString operation_label(const std::string& kind) {
     return text(kind);
 }
 
+/// One of a list that is no setup; false for anything else.
+bool duplicate_in_list(Document& document, const TreeNode& node) {
+    if (node.kind == TreeNode::Kind::tool)
+        document.duplicate_tool(node.index);
+    else if (node.kind == TreeNode::Kind::fixture)
+        duplicate_fixture(document, node.index);
+    else if (node.kind == TreeNode::Kind::boundary)
+        duplicate_boundary(document, node.index);
+    else if (node.kind == TreeNode::Kind::operation)
+        document.duplicate_operation(node.index);
+    else
+        return false;
+    return true;
+}
+
+/// Throws Error(missing_reference) where an operation needs it.
+void remove_from_list(Document& document, const TreeNode& node) {
+    if (node.kind == TreeNode::Kind::tool)
+        document.remove_tool(node.index);
+    else if (node.kind == TreeNode::Kind::fixture)
+        remove_fixture(document, node.index);
+    else if (node.kind == TreeNode::Kind::boundary)
+        remove_boundary(document, node.index);
+    else if (node.kind == TreeNode::Kind::operation)
+        document.remove_operation(node.index);
+}
+
 /// Where the tree gets smaller its selection stays in sight.
 class SelectionKeeper : public QObject {
 public:
@@ -83,6 +112,7 @@ QString state_text(OperationState state) {
 std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree) {
     return {{"add_operation", tree.add_operation_menu()->menuAction()},
             {"add_fixture", tree.add_fixture_menu()->menuAction()},
+            {"add_boundary", tree.add_boundary_menu()->menuAction()},
             {"add_setup", tree.add_setup_menu()->menuAction()},
             {"go_to_setup", tree.go_to_setup_action()},
             {"add_tool", tree.add_tool_action()},
@@ -171,6 +201,9 @@ void ProjectTree::make_actions() {
             select({TreeNode::Kind::fixture, at});
         },
         [this](std::size_t at) { emit new_mesh_fixture(at); });
+    add_boundary_ = boundary_menu(this, document_, [this](std::size_t at) {
+        select({TreeNode::Kind::boundary, at});
+    });
     go_to_setup_ = new QAction(icon(Icon::place), tr("Go to this setup"), this);
     connect(go_to_setup_, &QAction::triggered, this, &ProjectTree::go_to_setup);
     edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
@@ -203,13 +236,14 @@ QToolBar* ProjectTree::make_bar() {
     auto* add = new QToolButton(bar);
     add->setObjectName(QStringLiteral("add"));
     add->setIcon(icon(Icon::add));
-    add->setToolTip(tr("Add an operation, a tool, a fixture or a setup"));
+    add->setToolTip(tr("Add an operation, a tool, a fixture, a boundary or a setup"));
     add->setPopupMode(QToolButton::InstantPopup);
     auto* add_menu = new QMenu(add);
     add_menu->addActions(add_operation_->actions());
     add_menu->addSeparator();
     add_menu->addAction(add_tool_);
     add_menu->addMenu(add_fixture_);
+    add_menu->addMenu(add_boundary_);
     add_menu->addMenu(add_setup_);
     add->setMenu(add_menu);
     bar->addWidget(add);
@@ -352,18 +386,19 @@ void ProjectTree::update_actions() {
     const bool operation = node && node->kind == TreeNode::Kind::operation;
     const bool setup = node && node->kind == TreeNode::Kind::setup;
     const bool fixture = node && node->kind == TreeNode::Kind::fixture;
+    const bool boundary = node && node->kind == TreeNode::Kind::boundary;
     const std::size_t setups = setup_count(document_.project());
     const auto there = selected_setup();
     go_to_setup_->setEnabled(there && *there != chosen_setup(document_.project()));
-    for (const QMenu* menu : {add_setup_, add_fixture_})
+    for (const QMenu* menu : {add_setup_, add_fixture_, add_boundary_})
         for (QAction* a : menu->actions())
             a->setEnabled(document_.part_is_current());
     add_tool_->setEnabled(document_.has_part());
     for (QAction* a : add_operation_->actions())
         a->setEnabled(document_.has_part());
     edit_->setEnabled(tool);
-    duplicate_->setEnabled(tool || operation || setup || fixture);
-    remove_->setEnabled(tool || operation || setup || fixture);
+    for (QAction* a : {duplicate_, remove_})
+        a->setEnabled(tool || operation || setup || fixture || boundary);
     up_->setEnabled((operation || setup) && node->index > 0);
     down_->setEnabled((operation && node->index + 1 < document_.operation_count())
                       || (setup && node->index + 1 < setups));
@@ -380,17 +415,9 @@ void ProjectTree::edit_selected() {
 void ProjectTree::duplicate() {
     const auto node = selected();
     if (!node) return;
-    if (node->kind == TreeNode::Kind::tool)
-        document_.duplicate_tool(node->index);
-    else if (node->kind == TreeNode::Kind::fixture)
-        duplicate_fixture(document_, node->index);
-    else if (node->kind == TreeNode::Kind::operation)
-        document_.duplicate_operation(node->index);
-    else if (node->kind == TreeNode::Kind::setup)
+    if (node->kind == TreeNode::Kind::setup)
         return change_setups([&] { duplicate_setup(document_, node->index); });
-    else
-        return;
-    select({node->kind, node->index + 1});
+    if (duplicate_in_list(document_, *node)) select({node->kind, node->index + 1});
 }
 
 void ProjectTree::remove() {
@@ -399,12 +426,7 @@ void ProjectTree::remove() {
     if (node->kind == TreeNode::Kind::setup)
         return change_setups([&] { remove_setup(document_, node->index); });
     try {
-        if (node->kind == TreeNode::Kind::tool)
-            document_.remove_tool(node->index);
-        else if (node->kind == TreeNode::Kind::fixture)
-            remove_fixture(document_, node->index);
-        else if (node->kind == TreeNode::Kind::operation)
-            document_.remove_operation(node->index);
+        remove_from_list(document_, *node);
     } catch (const Error& e) {
         emit refused(sentence(text(e.what())));
     }
@@ -444,6 +466,7 @@ void ProjectTree::menu(const QPoint& at) {
     menu.addMenu(add_operation_);
     menu.addAction(add_tool_);
     menu.addMenu(add_fixture_);
+    menu.addMenu(add_boundary_);
     menu.addMenu(add_setup_);
     menu.exec(tree_->viewport()->mapToGlobal(at));
 }

@@ -27,6 +27,7 @@ struct TreeNode {
         part,
         stock,
         fixture,
+        boundary,
         machine,
         limits,
         tools,
@@ -38,7 +39,7 @@ struct TreeNode {
         elsewhere
     };
     Kind kind = Kind::part;
-    std::size_t index = 0; ///< which tool, fixture or operation
+    std::size_t index = 0; ///< which tool, fixture, boundary or operation
     bool operator==(const TreeNode&) const = default;
 };
 
@@ -62,6 +63,7 @@ public:
     QMenu* add_operation_menu() { return add_operation_; }
     QMenu* add_setup_menu() { return add_setup_; }
     QMenu* add_fixture_menu() { return add_fixture_; }
+    QMenu* add_boundary_menu() { return add_boundary_; }
     QAction* go_to_setup_action() { return go_to_setup_; }
     QAction* edit_action() { return edit_; }
     QAction* duplicate_action() { return duplicate_; }
@@ -104,7 +106,7 @@ private:
     QTreeWidget* tree_ = nullptr;
     QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
             *down_ = nullptr;
-    QMenu *add_operation_ = nullptr, *add_setup_ = nullptr, *add_fixture_ = nullptr;
+    QMenu *add_operation_ = nullptr, *add_setup_ = nullptr, *add_fixture_ = nullptr, *add_boundary_ = nullptr;
     QAction* go_to_setup_ = nullptr;
     bool rebuilding_ = false;
 };

@@ -6,6 +6,8 @@
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "core/strategy/lathe/lathe.h"
+#include "ui/boundary_box.h"
+#include "ui/boundary_list.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
@@ -188,11 +190,53 @@ bool through_points(const LatheCommon& turning) {
     return turning.axis == LatheCommon::Axis::points;
 }
 
-/// Whatever says otherwise where the turning axis runs.
+/// Whatever says otherwise where the turning axis runs, and what is said of boundaries that are not named:
+/// an operation on a part that turns names none.
 std::vector<std::string> hidden_keys(const Operation& operation) {
     const LatheCommon* turning = operation.turning();
-    if (!turning) return {};
-    return through_points(*turning) ? std::vector<std::string>{"axis_through"} : axis_points;
+    if (turning) {
+        std::vector<std::string> hidden{"boundary", "contain", "avoid", "avoid_distance"};
+        if (through_points(*turning))
+            hidden.push_back("axis_through");
+        else
+            hidden.insert(hidden.end(), axis_points.begin(), axis_points.end());
+        return hidden;
+    }
+    std::vector<std::string> hidden;
+    if (operation.common().boundary.empty()) hidden.push_back("contain");
+    if (operation.common().avoid.empty()) hidden.push_back("avoid_distance");
+    return hidden;
+}
+
+/// The boundaries of the setup, after a word for none of them.
+std::vector<FormChoice> boundary_choices(const Project& project, const QString& none) {
+    std::vector<FormChoice> choices{{none, std::string()}};
+    for (const Boundary& b : project.boundaries)
+        choices.push_back({text(b.name), b.name});
+    return choices;
+}
+
+std::map<std::string, std::vector<FormChoice>> operation_choices(const Project& project) {
+    return {{"tool", tool_choices(project, false)},
+            {"previous_tool", tool_choices(project, false)},
+            {"rework_tool", tool_choices(project, true)},
+            {"boundary", boundary_choices(project, PropertiesPanel::tr("everywhere"))},
+            {"avoid", boundary_choices(project, PropertiesPanel::tr("none"))}};
+}
+
+std::map<std::string, QString> remarks_on(const Project& project, std::size_t operation) {
+    std::map<std::string, QString> remarks;
+    for (const SettingRemark& r : setting_remarks(project, operation))
+        remarks[r.key] = text(r.message);
+    return remarks;
+}
+
+/// Keys of a boundary in its form: what is painted or drawn is no text to edit.
+std::vector<std::string> boundary_form_keys(Boundary::Kind kind) {
+    std::vector<std::string> keys = boundary_keys(kind);
+    std::erase_if(
+        keys, [](const std::string& key) { return key == "facets" || key == "of_facets" || key == "curve"; });
+    return keys;
 }
 
 /// What planning an operation takes, where that is a minute or more; empty where it is less, or where the
@@ -255,6 +299,8 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     region_box->addWidget(edit_regions_);
     column->addLayout(region_box);
     column->addWidget(form_);
+    boundary_box_ = new BoundaryBox(content);
+    column->addWidget(boundary_box_);
     auto* stock_box = new QVBoxLayout;
     stock_box->setContentsMargins(8, 4, 8, 4);
     stock_box->addWidget(choose_mesh_);
@@ -292,8 +338,10 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     connect(&document_, &Document::opened, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::changed, this, &PropertiesPanel::refresh);
     connect(&document_, &Document::part_changed, this, [this] {
-        // The stock's size and what planning takes follow from the part.
-        if (node_ && (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::operation))
+        // The stock's size, whether a boundary fits and what planning takes follow from the part.
+        if (node_
+            && (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::boundary
+                || node_->kind == TreeNode::Kind::operation))
             refresh();
     });
     refresh();
@@ -321,11 +369,19 @@ QString PropertiesPanel::shape() const {
             shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
         if (const LatheCommon* turning = document_.operation(node_->index).turning())
             shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
+        const OperationCommon& common = document_.operation(node_->index).common();
+        shape += common.boundary.empty() ? QStringLiteral("/everywhere") : QStringLiteral("/within");
+        shape += common.avoid.empty() ? QStringLiteral("/") : QStringLiteral("/off");
+        for (const Boundary& b : document_.project().boundaries)
+            shape += QChar('/') + text(b.name);
     }
-    if (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::fixture)
+    if (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::fixture
+        || node_->kind == TreeNode::Kind::boundary)
         shape += QChar('/') + QString::number(chosen_setup(document_.project()));
     if (node_->kind == TreeNode::Kind::fixture && node_->index < document_.project().fixtures.size())
         shape += QChar('/') + text(fixture_kind_name(document_.project().fixtures[node_->index].kind));
+    if (node_->kind == TreeNode::Kind::boundary && node_->index < document_.project().boundaries.size())
+        shape += QChar('/') + text(boundary_kind_name(document_.project().boundaries[node_->index].kind));
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
                  + (document_.part() ? QStringLiteral("/sized") : QString());
@@ -337,8 +393,7 @@ void PropertiesPanel::refresh() {
     const Project& project = document_.project();
     const LengthUnit unit = document_.unit();
     const QString now = shape();
-    const bool build = now != shape_;
-    shape_ = now;
+    const bool build = std::exchange(shape_, now) != now;
     QString title, hint;
     bool alarm = false; // what the hint says is wrong
     bool form = false, tool = false, mesh = false, regions = false;
@@ -370,6 +425,13 @@ void PropertiesPanel::refresh() {
         const ParameterView<Fixture> view(copy, fixture_parameters());
         show(view, {}, all_but(fixture_keys(copy.kind), view));
         mesh = copy.kind == Fixture::Kind::mesh;
+    } else if (node_->kind == Kind::boundary && node_->index < project.boundaries.size()) {
+        Boundary copy = project.boundaries[node_->index];
+        title = text(copy.name);
+        const ParameterView<Boundary> view(copy, boundary_parameters());
+        show(view, {}, all_but(boundary_form_keys(copy.kind), view));
+        hint = boundary_mismatch(copy, document_.part());
+        if (alarm = !hint.isEmpty(); !alarm) hint = boundary_extent(copy);
     } else if (node_->kind == Kind::setup && node_->index < setup_count(project)) {
         const Setup& setup = setup_at(project, node_->index);
         title = text(setup.name);
@@ -400,17 +462,11 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {
         const Operation& operation = *project.operations[node_->index];
         title = text(operation.common().name);
-        std::map<std::string, QString> remarks;
-        for (const SettingRemark& r : setting_remarks(project, node_->index))
-            remarks[r.key] = text(r.message);
+        std::map<std::string, QString> remarks = remarks_on(project, node_->index);
         alarm = remarks.contains({});
         hint = alarm ? remarks[{}] : work_hint(project, document_.part(), operation);
         form_->set_pickable(axis_points);
-        show(operation,
-             {{"tool", tool_choices(project, false)},
-              {"previous_tool", tool_choices(project, false)},
-              {"rework_tool", tool_choices(project, true)}},
-             hidden_keys(operation));
+        show(operation, operation_choices(project), hidden_keys(operation));
         form_->set_remarks(remarks);
         regions = operation.rework() != nullptr;
     } else if (node_->kind == Kind::stock_after && node_->index < project.operations.size()) {
@@ -422,9 +478,8 @@ void PropertiesPanel::refresh() {
                    ? tr("Add a tool below the tree; a double click edits one.")
                    : tr("Add an operation below the tree. They run from top to bottom.");
     }
-    title_->set_text(title);
-    title_->setVisible(!title.isEmpty());
-    show_hint(hint, alarm);
+    show_head(title, hint, alarm);
+    show_boundary_box();
     form_->setVisible(form);
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
@@ -433,7 +488,17 @@ void PropertiesPanel::refresh() {
     if (build && !form) form_->set_parameters({}, unit);
 }
 
-void PropertiesPanel::show_hint(const QString& hint, bool alarm) {
+void PropertiesPanel::show_boundary_box() {
+    const auto& boundaries = document_.project().boundaries;
+    const bool chosen = node_ && node_->kind == TreeNode::Kind::boundary && node_->index < boundaries.size();
+    const auto kind = chosen ? boundaries[node_->index].kind : Boundary::Kind::silhouette;
+    boundary_box_->setVisible(kind == Boundary::Kind::facets || kind == Boundary::Kind::curve);
+    boundary_box_->show_kind(kind, document_.unit());
+}
+
+void PropertiesPanel::show_head(const QString& title, const QString& hint, bool alarm) {
+    title_->set_text(title);
+    title_->setVisible(!title.isEmpty());
     hint_->setText(hint);
     hint_->setForegroundRole(alarm ? QPalette::WindowText : QPalette::PlaceholderText);
     QPalette shades = palette();
@@ -489,6 +554,19 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
             if (i != node.index && text(document_.project().fixtures[i].name) == name)
                 return wrong(tr("Another fixture has this name"));
     }
+    if (node.kind == Kind::boundary && key == "name") {
+        const QString name = text(std::get<std::string>(value)).trimmed();
+        if (name.isEmpty()) return wrong(tr("Give the boundary a name"));
+        for (std::size_t i = 0; i < document_.project().boundaries.size(); ++i)
+            if (i != node.index && text(document_.project().boundaries[i].name) == name)
+                return wrong(tr("Another boundary has this name"));
+        return rename_boundary(document_, node.index, utf8(name));
+    }
+    if (node.kind == Kind::boundary && key == "kind") {
+        const auto& words = boundary_parameters().find("kind")->info.words;
+        const auto at = std::find(words.begin(), words.end(), std::get<std::string>(value)) - words.begin();
+        return set_boundary_kind(document_, node.index, Boundary::Kind(at));
+    }
     if ((node.kind == Kind::stock || node.kind == Kind::fixture) && key == "file"
         && std::get<std::string>(value).empty())
         return wrong(tr("Name a mesh file"));
@@ -509,6 +587,8 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                 ParameterView<StockSpec>(p.stock, stock_parameters()).set(key, value);
             else if (node.kind == Kind::fixture)
                 ParameterView<Fixture>(p.fixtures.at(node.index), fixture_parameters()).set(key, value);
+            else if (node.kind == Kind::boundary)
+                ParameterView<Boundary>(p.boundaries.at(node.index), boundary_parameters()).set(key, value);
             else if (node.kind == Kind::setup && key == "name")
                 setup_at(p, node.index).name = std::get<std::string>(value);
             else if (node.kind == Kind::setup)

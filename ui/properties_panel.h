@@ -13,6 +13,7 @@ class QScrollArea;
 
 namespace facetmill::ui {
 
+class BoundaryBox;
 class ElidedLabel;
 class ParameterForm;
 class ToolSketch;
@@ -29,6 +30,7 @@ public:
     /// Takes over what stands in the fields; false, with the focus on the field, when one is invalid.
     bool commit();
     ParameterForm* form() { return form_; }
+    BoundaryBox* boundary_box() { return boundary_box_; }
     /// Takes a point that was picked for a parameter of the operation shown; an axis becomes one through
     /// points.
     void take_point(const std::string& key, const Vec3& point);
@@ -50,8 +52,9 @@ signals:
 
 private:
     void refresh();
-    /// `alarm`: it says what is wrong.
-    void show_hint(const QString& hint, bool alarm);
+    /// `alarm`: the hint says what is wrong.
+    void show_head(const QString& title, const QString& hint, bool alarm);
+    void show_boundary_box();
     void take(const std::string& key, const ParameterValue& value);
     QString shape() const;
 
@@ -62,6 +65,7 @@ private:
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
+    BoundaryBox* boundary_box_ = nullptr;
     QPushButton *edit_tool_ = nullptr, *choose_mesh_ = nullptr, *edit_regions_ = nullptr;
 };
 

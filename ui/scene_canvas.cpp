@@ -27,6 +27,8 @@ constexpr double slow_frame_ms = 40.0;
 constexpr int coarsest = 3;
 constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
 constexpr int rest_after_ms = 250;
+/// The same where what is shown is right but for trifles: until then more may be painted.
+constexpr int kept_rest_ms = 1500;
 /// Without a new picture before shaders of later ones are rehearsed: none while something moves. In an empty
 /// window there is nothing that could.
 constexpr int rehearsal_ms = 120, empty_rehearsal_ms = 20;
@@ -89,7 +91,8 @@ void SceneCanvas::paint_gl() {
     const QSize size = frame_size();
     const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
     if (resized) stop_steps();
-    if (awaiting() || (!dirty_ && !resized)) return;
+    if (awaiting()) return;
+    if (!dirty_ && !resized) return draw_painted();
     dirty_ = false;
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(ratio);
@@ -102,6 +105,12 @@ void SceneCanvas::paint_gl() {
         rested();
         return;
     }
+    const bool kept = std::exchange(keep_, false) && stands_ && !step_ && !resized;
+    if (coarse_ && kept && hand() != Hand::drags_view) {
+        rest_timer_.start(kept_rest_ms);
+        return draw_painted();
+    }
+    painted_ = false;
     const bool first = full_frame_ms_ < 0;
     drawing_ = !coarse_ ? Drawing::full_picture : first ? Drawing::first_picture : Drawing::coarse_picture;
     draw(!coarse_ ? 0 : first ? 2 : coarseness_);
@@ -113,6 +122,11 @@ void SceneCanvas::frame_done() {
     switch (drawn) {
     case Drawing::nothing: // something changed meanwhile
     case Drawing::rehearsal:
+        stands_ = false;
+        break;
+    case Drawing::painted:
+        ++frames_;
+        last_frame_ms_ = ms;
         break;
     case Drawing::step:
         step_ms_ += ms;
@@ -123,6 +137,7 @@ void SceneCanvas::frame_done() {
         stop_steps();
         full_frame_ms_ = last_frame_ms_ = step_ms_;
         coarse_ = false;
+        stands_ = true;
         ++frames_;
         break;
     case Drawing::first_picture:
@@ -135,11 +150,13 @@ void SceneCanvas::frame_done() {
             coarseness_ = std::min(coarseness_ + 1, coarsest);
         else if (ms < cheap_frame_ms)
             coarseness_ = std::max(coarseness_ - 1, 1);
-        rest_timer_.start();
+        stands_ = false;
+        rest_timer_.start(rest_after_ms);
         break;
     case Drawing::full_picture:
         ++frames_;
         last_frame_ms_ = ms;
+        stands_ = true;
         // The first picture of all compiles shaders and says nothing about the later ones.
         if (frames_ > 1 && !fresh_) full_frame_ms_ = ms;
         break;
@@ -147,7 +164,8 @@ void SceneCanvas::frame_done() {
     if (rehearsed_ < Scene::rehearsals)
         rehearsal_timer_.start(scene_.has(Layer::scale) ? rehearsal_ms : empty_rehearsal_ms);
     update();
-    if (drawn == Drawing::step || drawn == Drawing::full_picture) emit this->drawn();
+    if (drawn == Drawing::step || drawn == Drawing::full_picture || drawn == Drawing::painted)
+        emit this->drawn();
 }
 
 void SceneCanvas::draw(int coarseness) {
@@ -200,13 +218,15 @@ void SceneCanvas::rehearse() {
 }
 
 void SceneCanvas::rested() {
-    if (hand() == Hand::drags_view) {
+    if (hand() == Hand::drags_view || (hand() == Hand::paints && stands_)) {
         rest_timer_.start(); // held still, but not let go
         return;
     }
     if (!coarse_ || dirty_ || awaiting() || !ready()) return;
     scene_.set_moving(false);
     scene_.set_antialiasing(true);
+    painted_ = false;
+    stands_ = false;
     steps_ = scene_.begin_steps();
     step_ = 0;
     step_ms_ = 0;
@@ -229,6 +249,30 @@ void SceneCanvas::draw_step() {
     done_current();
 }
 
+void SceneCanvas::refresh_painted() {
+    const bool stands = stands_ || coarse_ || step_ || awaiting(); // or will
+    if (!slow() || !stands) return refresh();
+    painted_ = true;
+    if (!awaiting()) update();
+}
+
+void SceneCanvas::draw_painted() {
+    // A picture that is still to come shows them anyway.
+    if (!painted_ || !stands_ || step_) return;
+    painted_ = false;
+    if (!scene_.begin_added()) return;
+    drawing_ = Drawing::painted;
+    drawing_since_.start();
+    auto* w = window_->vtk.Get();
+    auto* state = w->GetState();
+    state->Reset();
+    state->Push();
+    w->Render();
+    await_frame();
+    state->Pop();
+    scene_.end_added();
+}
+
 void SceneCanvas::stop_steps() {
     if (!step_) return;
     step_.reset();
@@ -239,7 +283,7 @@ void SceneCanvas::stop_steps() {
 
 bool SceneCanvas::finished() const {
     const QWindow* shown = isVisible() ? window()->windowHandle() : nullptr;
-    return !coarse_ && !step_ && !awaiting() && !(dirty_ && shown && shown->isExposed());
+    return !coarse_ && !step_ && !painted_ && !awaiting() && !(dirty_ && shown && shown->isExposed());
 }
 
 void SceneCanvas::content_changed() {

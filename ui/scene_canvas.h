@@ -26,6 +26,12 @@ public:
     const Scene& scene() const { return scene_; }
     /// Draws soon. Many calls draw once.
     void refresh();
+    /// Facets of a boundary were painted, and nothing else has changed. Draws them soon: where a whole
+    /// picture takes long, over the one that stands.
+    void refresh_painted();
+    /// The next picture is one of what is shown already, but for trifles: it comes in its time, and no coarse
+    /// one before it.
+    void keep_picture() { keep_ = true; }
     /// The part or the paths are others: how long a picture takes is not known any more. Draws soon.
     virtual void content_changed();
     /// False while a picture is due, or a coarse one stands for a full one that follows.
@@ -46,7 +52,7 @@ signals:
 
 protected:
     /// What the user holds: a view that is dragged stays coarse, also while it is held still.
-    enum class Hand { free, drags_in_view, drags_view };
+    enum class Hand { free, drags_in_view, paints, drags_view };
     virtual Hand hand() const { return Hand::free; }
     /// Nothing was moved or zoomed since the last fit: the picture keeps fitting the window.
     void set_fitted(bool fitted) { fitted_ = fitted; }
@@ -64,6 +70,7 @@ private:
     void rehearse();
     void rested();
     void draw_step();
+    void draw_painted();
     void await_frame();
     void stop_steps();
 
@@ -72,12 +79,15 @@ private:
     std::unique_ptr<Window> window_;
     bool dirty_ = true, fitted_ = true;
     /// What OpenGL is drawing while the event loop goes on.
-    enum class Drawing { nothing, first_picture, coarse_picture, full_picture, step, rehearsal };
+    enum class Drawing { nothing, first_picture, coarse_picture, full_picture, step, painted, rehearsal };
     Drawing drawing_ = Drawing::nothing;
     QElapsedTimer drawing_since_;
     QTimer rest_timer_, step_timer_, pace_timer_, rehearsal_timer_;
     bool coarse_ = false;       ///< what is shown is a coarse picture
     bool fresh_ = false;        ///< the content was not drawn yet
+    bool painted_ = false;      ///< facets were painted that no picture shows yet
+    bool keep_ = false;         ///< see keep_picture
+    bool stands_ = false;       ///< what was drawn last is a full picture
     bool whole_ = false;        ///< the next picture is a full one in any case
     int coarseness_ = 1;        ///< how coarse the next coarse picture is: what the last ones took decides
     double full_frame_ms_ = -1; ///< what the last picture in full detail took; below 0: not known

@@ -4,6 +4,7 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 
 #include <vtkCamera.h>
@@ -64,6 +65,7 @@ Viewport::~Viewport() = default;
 
 SceneCanvas::Hand Viewport::hand() const {
     if (!drag_) return Hand::free;
+    if (drag_.kind() == Drag::tool) return Hand::paints;
     return drag_.kind() == Drag::handle || drag_.kind() == Drag::fixture ? Hand::drags_in_view
                                                                          : Hand::drags_view;
 }
@@ -154,6 +156,9 @@ void Viewport::camera_moved() {
 void Viewport::mousePressEvent(QMouseEvent* event) {
     if (drag_) return;
     rest_.stop();
+    if (tool_ && event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier)
+        && tool_->press(event->position(), event->modifiers()))
+        return drag_.begin(Drag::tool, event->position());
     drag_.begin(drag_of(*event), event->position());
     if (drag_.kind() != Drag::turn) return;
     if (const auto handle = handle_at(drag_.press())) {
@@ -188,6 +193,12 @@ Viewport::Drag Viewport::drag_of(const QMouseEvent& press) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (tool_) {
+        pointer_ = event->position();
+        update();
+    }
+    if (drag_.kind() == Drag::tool && event->buttons() != Qt::NoButton)
+        return tool_->drag(event->position(), event->modifiers());
     const auto by = drag_.travel(*event);
     if (!drag_) return rest_.moved(event->position());
     if (!by) return;
@@ -213,6 +224,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         held_by_ = fixture_travel(event->position(), event->modifiers() & Qt::ControlModifier);
         emit fixture_dragged(held_.index, held_by_);
         break;
+    case Drag::tool:
     case Drag::none:
         break;
     }
@@ -251,6 +263,7 @@ Vec3 Viewport::fixture_travel(const QPointF& to, bool upright) const {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const Drag was = drag_.end();
+    if (was == Drag::tool) return tool_->release(event->position(), event->modifiers());
     if (was == Drag::handle && drag_.moved()) emit handle_dropped(handle_from_, handle_to_);
     if (was == Drag::fixture && drag_.moved()) emit fixture_dropped(held_.index, held_by_);
     if (drag_.moved() || was == Drag::none) return;
@@ -261,7 +274,11 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) fit();
+    if (event->button() != Qt::LeftButton) return;
+    if (!tool_)
+        fit();
+    else if (!tool_->double_click(event->position()))
+        mousePressEvent(event);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
@@ -273,6 +290,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 
 void Viewport::leaveEvent(QEvent* event) {
     rest_.stop();
+    if (std::exchange(pointer_, std::nullopt)) update();
     emit hovered(std::nullopt);
     SceneCanvas::leaveEvent(event);
 }
@@ -283,6 +301,25 @@ void Viewport::set_picking(bool on) {
         setCursor(Qt::CrossCursor);
     else
         unsetCursor();
+}
+
+void Viewport::set_tool(ViewTool* tool) {
+    if (drag_.kind() == Drag::tool) drag_.end();
+    tool_ = tool;
+    pointer_.reset();
+    if (tool)
+        setCursor(Qt::CrossCursor);
+    else
+        unsetCursor();
+    update();
+}
+
+void Viewport::paintEvent(QPaintEvent* event) {
+    SceneCanvas::paintEvent(event);
+    if (!tool_ || !pointer_) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    tool_->paint(painter, *pointer_);
 }
 
 void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
@@ -302,7 +339,7 @@ void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
 void Viewport::hover(const QPointF& at) {
     if (!ready() || drag_) return;
     const QPointF p = device(at);
-    if (picking_)
+    if (picking_ || tool_)
         setCursor(Qt::CrossCursor);
     else if (const auto held = fixture_at(at);
              handle_at(at) || (held && scene().fixtures().chosen() == held->index))

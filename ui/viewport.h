@@ -5,6 +5,7 @@
 
 #include "ui/pointer.h"
 #include "ui/scene_canvas.h"
+#include "ui/view_tool.h"
 
 namespace facetmill::ui {
 
@@ -33,6 +34,9 @@ public:
     ViewCube* view_cube() { return cube_; }
     /// While a point is picked every click asks the part alone, by point_picked; the pointer is a cross.
     void set_picking(bool on);
+    /// The left button is the tool's, which lives until another one is set; null: it turns the view again.
+    void set_tool(ViewTool* tool);
+    const ViewTool* tool() const { return tool_; }
 
 signals:
     void camera_changed();
@@ -63,10 +67,11 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Drag { none, turn, move, zoom, handle, fixture };
+    enum class Drag { none, turn, move, zoom, handle, fixture, tool };
     static Drag drag_of(const QMouseEvent& press);
     void place_overlays();
     void turn(const QPointF& by);
@@ -83,6 +88,8 @@ private:
     PointerDrag<Drag> drag_{click_slack};
     PointerRest rest_{[this](const QPointF& at) { hover(at); }};
     bool picking_ = false;
+    ViewTool* tool_ = nullptr;
+    std::optional<QPointF> pointer_; ///< where it is, for the tool
     Vec3 pivot_ = Vec3::Zero();
     Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();
     SceneFixtures::Pick held_; ///< the fixture that is dragged, where it was taken

@@ -48,7 +48,8 @@ struct Colors {
     Rgb former_part; ///< before it was replaced
     Rgb stock, cut_stock;
     Rgb fixture, chosen_fixture;
-    Rgb gouge, excess, collision; ///< findings
+    Rgb boundary, avoided, boundary_line, avoided_line; ///< where operations cut within, and keep off
+    Rgb gouge, excess, collision;                       ///< findings
     Rgb contacts;
     Rgb left, kept;                        ///< contact points left to clean-up; postures kept by hand
     std::array<Rgb, motion_kinds> motions; ///< one per MotionKind

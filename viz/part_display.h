@@ -16,6 +16,7 @@ namespace facetmill {
 struct PartPreview {
     std::vector<float> points, normals;  ///< as in PartDisplay
     std::vector<std::int32_t> triangles; ///< empty: the part is small enough to be drawn itself
+    std::vector<std::int32_t> merged;    ///< its vertex for every display vertex of the part
 };
 
 /// Flat arrays in the graphics card's types. Positions are relative to `centre`, because a float holds a part

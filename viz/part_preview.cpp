@@ -27,7 +27,11 @@ void append_vector(std::vector<float>& values, const Vec3& v) {
 } // namespace
 
 PartPreview make_preview(const PartDisplay& part, const Progress& progress) {
-    return make_preview(part.points, part.normals, part.triangles, part.box.size(), nullptr, progress);
+    std::vector<std::int32_t> merged;
+    PartPreview preview =
+        make_preview(part.points, part.normals, part.triangles, part.box.size(), &merged, progress);
+    preview.merged = std::move(merged);
+    return preview;
 }
 
 PartPreview make_preview(const std::vector<float>& points, const std::vector<float>& all_normals,

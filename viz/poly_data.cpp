@@ -118,6 +118,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<floa
     return pieces_of(data, triangles, 3, most, &vtkPolyData::SetPolys);
 }
 
+vtkSmartPointer<vtkPolyData> triangles_like(vtkPolyData* like, const std::vector<std::int32_t>& triangles) {
+    return pieces_of(like, triangles, 3, triangles.size(), &vtkPolyData::SetPolys).front();
+}
+
 vtkSmartPointer<vtkPolyData> segment_data(const std::vector<float>& points,
                                           const std::vector<std::int32_t>& segments) {
     return segment_pieces(with_points(points), segments, segments.size()).front();

@@ -19,6 +19,8 @@ std::vector<vtkSmartPointer<vtkPolyData>> triangle_pieces(const std::vector<floa
                                                           const std::vector<float>& normals,
                                                           const std::vector<std::int32_t>& triangles,
                                                           std::size_t most);
+/// Triangles between the points of `like`, which are on the graphics card once for both.
+vtkSmartPointer<vtkPolyData> triangles_like(vtkPolyData* like, const std::vector<std::int32_t>& triangles);
 /// Poly data of arrays that lie elsewhere: three numbers a point and a normal, three indices a triangle.
 vtkSmartPointer<vtkPolyData> triangle_data(const float* points, const float* normals, std::size_t point_count,
                                            const std::int32_t* triangles, std::size_t triangle_count);

@@ -42,6 +42,7 @@ struct Scene::Impl {
     SceneFindings findings{stage};
     ScenePart part{stage};
     SceneFormer former{stage};
+    SceneBoundaries boundaries{stage, part};
     SceneDeviation deviation{stage};
     SceneStock stock{stage};
     SceneFixtures fixtures{stage};
@@ -53,9 +54,9 @@ struct Scene::Impl {
     SceneMarks marks{stage};
     SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 13> layers{&part,      &former,   &stock,  &fixtures, &levels,
-                                             &support,   &findings, &strips, &marks,    &paths,
-                                             &deviation, &tool,     &zero};
+    const std::array<SceneLayer*, 14> layers{&part,   &boundaries, &former,   &stock,  &fixtures,
+                                             &levels, &support,    &findings, &strips, &marks,
+                                             &paths,  &deviation,  &tool,     &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -101,6 +102,7 @@ void Scene::Impl::apply_line_widths() {
 }
 
 ShownSurface Scene::Impl::surface() const {
+    if (boundaries.foremost()) return ShownSurface::part;
     if (stock.shows_cut()) return ShownSurface::cut_stock;
     return deviation.wanted() ? ShownSurface::deviation : ShownSurface::part;
 }
@@ -110,16 +112,19 @@ void Scene::Impl::apply_visibility() {
     for (SceneLayer* layer : layers)
         layer->apply_visibility(shown);
     stage.steps.hide_others(stage.renderer);
+    boundaries.hide_others();
     if (rehearsal.running()) rehearsal.show();
 }
 
 void Scene::Impl::update_frame() {
     const SceneSteps& steps = stage.steps;
+    const bool adds = boundaries.shows_added();
+    if (!steps.running() && !adds) boundaries.settle();
     // A context that others draw in too may come with GL_LESS; then nothing flat shows on top of something
     // flat.
     if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(stage.camera.window())) {
         gl->GetState()->vtkglDepthFunc(GL_LEQUAL);
-        if (steps.running()) {
+        if (steps.running() || adds) {
             // What VTK does when it clears the depth, which the steps after the first leave alone.
             gl->GetState()->vtkglDepthMask(GL_TRUE);
             gl->GetState()->vtkglEnable(GL_DEPTH_TEST);
@@ -128,11 +133,12 @@ void Scene::Impl::update_frame() {
     apply_visibility();
     for (SceneLayer* layer : layers)
         layer->prepare_frame();
-    stage.renderer->SetUseFXAA(antialiasing && steps.smooths());
-    stage.renderer->SetErase(steps.erases());
-    if (!steps.running()) set_clipping_range(); // the steps of one picture have one range
-    overlay.update(steps.last() ? overlay_content() : OverlayContent());
-    axes.prepare_frame(steps.last());
+    stage.renderer->SetUseFXAA(antialiasing && steps.smooths() && !adds);
+    stage.renderer->SetErase(steps.erases() && !adds);
+    if (!steps.running() && !adds) set_clipping_range(); // what makes up one picture has one range
+    const bool last = steps.last() && !adds;
+    overlay.update(last ? overlay_content() : OverlayContent());
+    axes.prepare_frame(last);
 }
 
 void Scene::Impl::set_clipping_range() {
@@ -258,6 +264,9 @@ SceneFormer& Scene::former() {
 const SceneFormer& Scene::former() const {
     return impl_->former;
 }
+SceneBoundaries& Scene::boundaries() {
+    return impl_->boundaries;
+}
 SceneStock& Scene::stock() {
     return impl_->stock;
 }
@@ -349,14 +358,27 @@ bool Scene::has_preview() const {
                        [](const SceneLayer* layer) { return layer->has_preview(); });
 }
 
+bool Scene::begin_added() {
+    if (!impl_->boundaries.begin_added()) return false;
+    impl_->apply_visibility();
+    return true;
+}
+
+void Scene::end_added() {
+    impl_->boundaries.end_added();
+    impl_->apply_visibility();
+}
+
 std::size_t Scene::begin_steps() {
     Impl& s = *impl_;
     s.stage.steps.forget();
+    s.boundaries.settle();
     s.apply_visibility();
     s.set_clipping_range();
     HeavyActors heavy;
     // What covers most first, what can be seen through last.
-    for (SceneLayer* layer : std::array<SceneLayer*, 5>{&s.part, &s.deviation, &s.stock, &s.paths, &s.former})
+    for (SceneLayer* layer :
+         std::array<SceneLayer*, 6>{&s.part, &s.boundaries, &s.deviation, &s.stock, &s.paths, &s.former})
         layer->add_heavy(heavy);
     return s.stage.steps.begin(heavy, s.part.lines_of_new());
 }

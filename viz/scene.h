@@ -13,6 +13,7 @@
 // hand it to the graphics card.
 #pragma once
 
+#include "viz/scene_boundaries.h"
 #include "viz/scene_camera.h"
 #include "viz/scene_deviation.h"
 #include "viz/scene_findings.h"
@@ -52,6 +53,7 @@ public:
     const ScenePart& part() const;
     SceneFormer& former();
     const SceneFormer& former() const;
+    SceneBoundaries& boundaries();
     SceneStock& stock();
     SceneFixtures& fixtures();
     const SceneFixtures& fixtures() const;
@@ -96,6 +98,11 @@ public:
     std::size_t begin_steps();
     void set_step(std::size_t step);
     void end_steps();
+    /// What SceneBoundaries::paint was told since the last picture can be drawn over that one, as long as
+    /// nothing else has changed: after this, frames draw nothing else, and clear nothing. False: there is
+    /// nothing. `end_added` lets frames be whole pictures again.
+    bool begin_added();
+    void end_added();
     /// What a first picture of something takes long for, the shaders, can be had before it is there: after
     /// `rehearse(k)`, k below `rehearsals`, a frame draws nothing but something small in one of their ways,
     /// whatever layers are shown. It is not to be seen; not between the steps of a picture; `end_rehearsal`

@@ -34,6 +34,13 @@ public:
     /// The part is between the eye and a place. A place on the surface is seen although the facets around it
     /// lie a little before it.
     bool hides(const Vec3& place) const;
+    /// Facets that lie wholly within a rectangle of the window, device pixels from its upper left to its
+    /// lower right corner, ascending; unless `through`, those alone whose middle is seen.
+    std::vector<Index> facets_in(const Vec2& from, const Vec2& to, bool through) const;
+    /// As it is drawn; null without a part.
+    const PartDisplayPtr& display() const { return part_; }
+    /// All of it or, of a large one, a piece: how it looks, and the points that all pieces share.
+    const SceneActor& surface() const { return surface_.first; }
     /// Is there and seen as a surface.
     bool covers() const;
     /// The lines, once after a new part. The points of a large one take as long as several steps to get to

@@ -1,0 +1,123 @@
+#include "ui/boundary_list.h"
+
+#include "ui/text.h"
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+/// Names that boundaries begin with, by their kind.
+constexpr std::array<const char*, 4> first_names{"Painted", "Slope", "Curve", "Silhouette"};
+
+std::string free_boundary_name(const Project& project, const std::string& wish) {
+    return free_name(wish, [&](const std::string& name) {
+        return std::any_of(project.boundaries.begin(), project.boundaries.end(),
+                           [&](const Boundary& b) { return b.name == name; });
+    });
+}
+
+/// Fills in what a boundary of its kind must have and nobody has said yet.
+void complete(Boundary& boundary, const PreparedPart& part) {
+    if (boundary.kind == Boundary::Kind::facets && boundary.facets.empty())
+        boundary.of_facets = long(part.mesh->facet_count());
+    if (boundary.kind == Boundary::Kind::curve && boundary.curve.size() < 3) {
+        const Vec3 &lo = part.box.lo, &hi = part.box.hi;
+        boundary.curve.clear();
+        for (const auto& [x, y] : std::array<std::array<double, 2>, 4>{
+                 {{lo.x(), lo.y()}, {hi.x(), lo.y()}, {hi.x(), hi.y()}, {lo.x(), hi.y()}}})
+            boundary.curve.push_back({{x, y, hi.z()}});
+    }
+}
+
+} // namespace
+
+std::size_t add_boundary(Document& document, Boundary::Kind kind) {
+    const std::size_t at = document.project().boundaries.size();
+    if (!document.part_is_current()) return at;
+    Boundary made;
+    made.kind = kind;
+    made.name = free_boundary_name(document.project(), first_names[std::size_t(kind)]);
+    complete(made, *document.part());
+    document.change(Document::tr("Add boundary"), [&](Project& p) { p.boundaries.push_back(made); });
+    return at;
+}
+
+void duplicate_boundary(Document& document, std::size_t i) {
+    Boundary copy = document.project().boundaries.at(i);
+    copy.name = free_boundary_name(document.project(), copy.name);
+    document.change(Document::tr("Duplicate boundary"), [&](Project& p) {
+        p.boundaries.insert(p.boundaries.begin() + std::ptrdiff_t(i) + 1, copy);
+    });
+}
+
+void remove_boundary(Document& document, std::size_t i) {
+    const std::string name = document.project().boundaries.at(i).name;
+    for (const auto& operation : document.project().operations) {
+        const OperationCommon& common = operation->common();
+        if (common.boundary == name || common.avoid == name)
+            throw Error(ErrorCode::missing_reference, "boundary '" + name + "'",
+                        "operation '" + common.name
+                            + (common.boundary == name ? "' cuts within it" : "' keeps off it"),
+                        "let the operation name another boundary, or none, first");
+    }
+    document.change(Document::tr("Remove boundary"),
+                    [&](Project& p) { p.boundaries.erase(p.boundaries.begin() + std::ptrdiff_t(i)); });
+}
+
+void rename_boundary(Document& document, std::size_t i, const std::string& name) {
+    const std::string before = document.project().boundaries.at(i).name;
+    document.change(Document::tr("Rename boundary"), [&](Project& p) {
+        p.boundaries.at(i).name = name;
+        for (const auto& operation : p.operations)
+            for (std::string* named : {&operation->common().boundary, &operation->common().avoid})
+                if (*named == before) *named = name;
+    });
+}
+
+void set_boundary_kind(Document& document, std::size_t i, Boundary::Kind kind) {
+    document.change(Document::tr("Change kind of boundary"), [&](Project& p) {
+        p.boundaries.at(i).kind = kind;
+        if (document.part()) complete(p.boundaries[i], *document.part());
+    });
+}
+
+void set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
+                         const QString& what) {
+    std::vector<Index> numbers;
+    for (std::size_t f = 0; f < marks.size(); ++f)
+        if (marks[f]) numbers.push_back(Index(f));
+    document.change(what, [&](Project& p) {
+        p.boundaries.at(i).facets = facet_ranges_text(numbers);
+        p.boundaries[i].of_facets = long(marks.size());
+    });
+}
+
+void set_boundary_curve(Document& document, std::size_t i, const std::vector<CurveCorner>& curve,
+                        const QString& what) {
+    document.change(what, [&](Project& p) { p.boundaries.at(i).curve = curve; });
+}
+
+QString boundary_extent(const Boundary& boundary) {
+    if (boundary.kind == Boundary::Kind::curve)
+        return Document::tr("%1 corners").arg(count_text(boundary.curve.size()));
+    if (boundary.kind != Boundary::Kind::facets) return {};
+    const auto all = std::size_t(boundary.of_facets);
+    try {
+        return Document::tr("%1 of %2 facets")
+            .arg(count_text(facet_ranges(boundary.facets, all ? all : no_index).size()), count_text(all));
+    } catch (const Error& e) {
+        return sentence(text(e.what()));
+    }
+}
+
+QString boundary_mismatch(const Boundary& boundary, const std::shared_ptr<const PreparedPart>& part) {
+    const auto all = std::size_t(boundary.of_facets);
+    if (boundary.kind != Boundary::Kind::facets || all == 0 || !part || all == part->mesh->facet_count())
+        return {};
+    return Document::tr("It was painted on a part of %1 facets, and this one has %2: paint it anew.")
+        .arg(count_text(all), count_text(part->mesh->facet_count()));
+}
+
+} // namespace facetmill::ui

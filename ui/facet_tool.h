@@ -1,0 +1,61 @@
+// Facets painted in the view: by a brush, by flooding from the one that is clicked, by a box that is drawn.
+#pragma once
+
+#include "core/mesh/facet_paint.h"
+#include "ui/view_tool.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace facetmill::ui {
+
+class Viewport;
+
+struct PaintSettings {
+    enum class Shape { brush, flood, box };
+    Shape shape = Shape::brush;
+    double radius = 2;    ///< of the brush, mm
+    double angle = 0.3;   ///< flooding ends at edges where the surface turns by more, radians
+    bool erase = false;   ///< takes facets out; Shift does the other of the two
+    bool through = false; ///< the box takes facets too that are not seen
+};
+
+class FacetTool : public QObject, public ViewTool {
+    Q_OBJECT
+public:
+    FacetTool(Viewport& viewport, QObject* parent);
+
+    /// The part that is painted, and what is marked on it already.
+    void begin(std::shared_ptr<FacetPainter> painter, std::vector<char> marks);
+    const std::vector<char>& marks() const { return marks_; }
+    PaintSettings& settings() { return settings_; }
+
+    bool press(const QPointF& at, Qt::KeyboardModifiers keys) override;
+    void drag(const QPointF& at, Qt::KeyboardModifiers keys) override;
+    void release(const QPointF& at, Qt::KeyboardModifiers keys) override;
+    void paint(QPainter& painter, const QPointF& pointer) override;
+
+signals:
+    /// These were taken in, or out, and were not so before.
+    void painted(const std::vector<facetmill::Index>& facets, bool in);
+    /// The button was let go after something was painted.
+    void stroke_ended();
+
+private:
+    /// Paints under a place of the widget; false where the part is not.
+    bool touch(const QPointF& at);
+    void take(const std::vector<Index>& facets);
+
+    Viewport& viewport_;
+    std::shared_ptr<FacetPainter> painter_;
+    std::vector<char> marks_;
+    PaintSettings settings_;
+    QPointF last_;                  ///< where the brush was
+    std::optional<QPointF> corner_; ///< of a box, where it began
+    bool in_ = true, changed_ = false;
+};
+
+} // namespace facetmill::ui
