@@ -93,6 +93,10 @@ void find_range(TintedPath& path, std::vector<float> known) {
         path.below = least < low;
         path.above = most > high;
     }
+    // Angles that no machine tells apart are one value.
+    constexpr double same_angle = 1e-3;
+    if (path.unit == "°" && path.high - path.low <= same_angle)
+        path.low = path.high = same_angle * std::round(path.high / same_angle);
     // One value everywhere: the scale begins at 0.
     if (path.high - path.low <= 1e-6 * std::max(std::abs(path.high), 1e-9)) {
         path.low = std::min(0.0, path.low);
