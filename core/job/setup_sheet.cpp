@@ -297,7 +297,7 @@ std::string Sheet::axes_reached(const PostedProgram& program) const {
     for (int k = 0; k < machine.joints(); ++k) {
         const std::size_t r = std::size_t(k - 3);
         const auto shown = [&](double value) {
-            return k < 3 ? number(value) : format_number(degrees(value), 4) + "\u00b0";
+            return k < 3 ? number(value) : format_number(degrees(value), 6) + "\u00b0";
         };
         shown_axes += (k > 0 ? ", " : "") + machine.axis_name(k) + " "
                       + shown(k < 3 ? program.reach.lo[k] : program.turns[r].lo) + " \u2026 "
