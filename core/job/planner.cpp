@@ -452,7 +452,6 @@ StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanCont
             within.region->surface(within.min_depth(), border_edge * within.radius, progress.part(0, 0.01));
         context.is_piece = true;
         context.geometry = compute_geometry(*context.part, progress.part(0.01, 0.02));
-        context.curvatures = nullptr;
     }
     StrategyResult path = plan_beside_fixtures(operation, context, bounds.off, progress.part(0.02, 0.95));
     if (operation.linking() == Linking::over_stock) return path;

@@ -55,7 +55,8 @@ public:
         bool was_within = false;
         for (double at = 0;;) {
             progress.check();
-            const double depth = within_.region->depth(tip_at(pass, arc, at).head<2>()) - within_.min_depth();
+            const double depth =
+                within_.region->depth(place_on(pass, arc, at).head<2>()) - within_.min_depth();
             if (depth >= 0 && !was_within) ranges.push_back({at, at});
             if (depth >= 0) ranges.back().hi = at;
             was_within = depth >= 0;
@@ -73,18 +74,11 @@ public:
     }
 
 private:
-    static Vec3 tip_at(const Pass& pass, std::span<const double> arc, double at) {
-        const auto i = std::size_t(std::upper_bound(arc.begin(), arc.end(), at) - arc.begin());
-        if (i == 0) return pass.cl.front().tip;
-        if (i == arc.size()) return pass.cl.back().tip;
-        const double t = (at - arc[i - 1]) / (arc[i] - arc[i - 1]);
-        return pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
-    }
     /// The last place from `in` towards `out` that is within.
     double border(const Pass& pass, std::span<const double> arc, double in, double out) const {
         while (std::abs(out - in) > end_share * radius_) {
             const double middle = 0.5 * (in + out);
-            ((*this)(tip_at(pass, arc, middle)) ? in : out) = middle;
+            ((*this)(place_on(pass, arc, middle)) ? in : out) = middle;
         }
         return in;
     }

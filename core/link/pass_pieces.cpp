@@ -76,26 +76,17 @@ PassPieces pieces_of_locations(const Pass& pass, const std::function<bool(std::s
     };
     for (std::size_t i = 0; i < pass.cl.size(); ++i) {
         progress.check();
-        const auto step = [&] { return i > 0 ? (pass.cl[i].tip - pass.cl[i - 1].tip).norm() : 0.0; };
-        const bool goes_on = !piece.cl.empty();
-        if (goes_on && !joined(i)) {
+        const bool goes_on = piece.cl.empty() || joined(i), stays = may(i);
+        if (!goes_on || !stays) {
             pieces.all = false;
-            pieces.left += step();
+            pieces.left += i > 0 ? (pass.cl[i].tip - pass.cl[i - 1].tip).norm() : 0;
             end();
         }
-        if (!may(i)) {
-            if (piece.cl.empty() && !goes_on) pieces.left += step();
-            pieces.all = false;
-            if (!piece.cl.empty()) {
-                pieces.left += step();
-                end();
-            }
-            continue;
-        }
+        if (!stays) continue;
         piece.cl.push_back(pass.cl[i]);
         if (i < pass.cc.size()) piece.cc.push_back(pass.cc[i]);
     }
-    if (!piece.cl.empty()) end();
+    end();
     return pieces;
 }
 

@@ -7,8 +7,6 @@
 
 namespace facetmill {
 
-namespace {
-
 Vec3 place_on(const Pass& pass, std::span<const double> arc, double at) {
     const std::size_t n = pass.cl.size();
     if (n < 2) return pass.cl.front().tip;
@@ -19,8 +17,6 @@ Vec3 place_on(const Pass& pass, std::span<const double> arc, double at) {
         arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
     return pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
 }
-
-} // namespace
 
 std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, double spacing,
                                   const std::function<bool(const Vec3& tip)>& is_free,

@@ -22,6 +22,8 @@ inline constexpr double shortest_piece = 0.25;
 
 /// Length of a pass up to each of its locations, mm.
 std::vector<double> arc_lengths(const Pass& pass);
+/// The tip so far along a pass.
+Vec3 place_on(const Pass& pass, std::span<const double> arc, double at);
 /// Ranges of a pass's length that are free, looked at as often as `spacing`.
 std::vector<Interval> free_ranges(const Pass& pass, std::span<const double> arc, double spacing,
                                   const std::function<bool(const Vec3& tip)>& is_free,

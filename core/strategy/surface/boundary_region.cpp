@@ -104,13 +104,18 @@ double plan_depth(const PlanRegion& plan, const Vec2& p, double offset, bool inv
 
 } // namespace
 
+namespace {
+
+std::vector<char> facets_over(const Boundary& boundary, const PlanRegion& plan, const Mesh& part,
+                              const Progress& progress) {
+    return facets_within(
+        part, [&](const Vec2& p) { return plan_depth(plan, p, boundary.offset, boundary.invert); }, progress);
+}
+
+} // namespace
+
 std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part, const Progress& progress) {
-    if (by_plan(boundary)) {
-        const PlanRegion plan = region_of(boundary, part, progress);
-        return facets_within(
-            part, [&](const Vec2& p) { return plan_depth(plan, p, boundary.offset, boundary.invert); },
-            progress);
-    }
+    if (by_plan(boundary)) return facets_over(boundary, region_of(boundary, part, progress), part, progress);
     std::vector<char> in = boundary.kind == Boundary::Kind::slope ? facets_of_slope(boundary, part)
                                                                   : painted_facets(boundary, part);
     if (boundary.invert)
@@ -122,33 +127,22 @@ std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part, co
 BoundaryRegion::BoundaryRegion(const Boundary& boundary, MeshPtr part, const Progress& progress)
     : name_(boundary.name), part_(std::move(part)), by_plan_(by_plan(boundary)),
       same_(same_length * part_->box().diagonal()) {
-    facets_ = boundary_facets(boundary, *part_, progress.part(0, 0.3));
-    auto piece = std::make_shared<Mesh>();
-    std::vector<Index> vertex(part_->vertices.size(), no_index);
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-        if (!facets_[f]) continue;
-        Facet corners{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            Index& v = vertex[part_->facets[f][k]];
-            if (v == no_index) {
-                v = Index(piece->vertices.size());
-                piece->vertices.push_back(part_->vertices[part_->facets[f][k]]);
-            }
-            corners[k] = v;
-        }
-        piece->facets.push_back(corners);
-        piece_facets_.push_back(Index(f));
-    }
-    if (piece->facets.empty())
-        throw Error(ErrorCode::empty_result, place_of(boundary), "nothing of the part lies in it",
-                    "paint facets, widen it, or move it onto the part");
-    piece_ = std::move(piece);
     if (by_plan_) {
-        plan_ = region_of(boundary, *part_, progress.part(0.3, 1));
+        plan_ = region_of(boundary, *part_, progress.part(0, 0.7));
         inverted_ = boundary.invert;
         offset_ = boundary.offset;
-        return;
+        facets_ = facets_over(boundary, plan_, *part_, progress.part(0.7, 1));
+    } else {
+        facets_ = boundary_facets(boundary, *part_, progress.part(0, 0.3));
     }
+    std::vector<Index> own;
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+        if (facets_[f]) own.push_back(Index(f));
+    if (own.empty())
+        throw Error(ErrorCode::empty_result, place_of(boundary), "nothing of the part lies in it",
+                    "paint facets, widen it, or move it onto the part");
+    piece_ = std::make_shared<Mesh>(part_of(*part_, own).mesh);
+    if (by_plan_) return;
     plan_ = PlanRegion(outline_edges(*part_, facets_, progress.part(0.3, 0.5)), progress.part(0.5, 0.8));
     std::vector<Box3> boxes(facets_.size());
     for (std::size_t f = 0; f < boxes.size(); ++f)

@@ -29,9 +29,8 @@ public:
 
     const std::string& name() const { return name_; }
     const std::vector<char>& facets() const { return facets_; }
-    /// Its facets as a mesh of their own, with the facets they come from.
+    /// Its facets as a mesh of their own.
     const MeshPtr& piece() const { return piece_; }
-    const std::vector<Index>& piece_facets() const { return piece_facets_; }
     /// What of the part's surface lies in it, looked at along Z at least `depth` from its border (0: facets
     /// count, not the border), as a mesh that is divided there; edges across the border are at most `longest`
     /// long before that. Throws Error(empty_result) where there is none.
@@ -49,7 +48,6 @@ private:
     MeshPtr part_;
     std::vector<char> facets_;
     MeshPtr piece_;
-    std::vector<Index> piece_facets_;
     BoxTree tree_; ///< of the part's facets
     PlanRegion plan_;
     bool by_plan_ = false, inverted_ = false; ///< a curve or the silhouette; all but `plan_`
