@@ -53,7 +53,7 @@ std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Boundary& bounda
 
 void BoundsCache::avoid(const Boundary& boundary, double distance, OperationBounds& bounds,
                         const Progress& progress) {
-    const std::string place = "boundary '" + printable(boundary.name, 60) + "'";
+    const std::string place = boundary_place(boundary.name);
     const std::string key = Key().add(std::string_view(text_of(boundary))).add(distance).text();
     if (!avoided_.contains(key)) {
         const auto region = this->region(boundary, progress.part(0, 0.2));

@@ -165,7 +165,6 @@ void keep_within(StrategyResult& path, const PlanContext& context, const Operati
     std::optional<UprightContact> contact;
     if (is_upright(path.passes))
         contact.emplace(context.contact, context.tool, common.allowance + context.tessellation_tolerance[1]);
-    const std::string place = "boundary '" + printable(within.region->name(), 60) + "'";
     std::erase_if(path.cleanup, [&, hint = no_index](const CutterContact& c) mutable {
         return !within.region->holds(c.point, hint);
     });
@@ -178,7 +177,7 @@ void keep_within(StrategyResult& path, const PlanContext& context, const Operati
             progress.part(0, 0.7))
                 : divide_passes(path.passes, TiltedWithin(within, context), progress.part(0, 0.7));
     if (pieces.kept.empty())
-        throw Error(ErrorCode::empty_result, place, "no pass lies within it",
+        throw Error(ErrorCode::empty_result, boundary_place(within.region->name()), "no pass lies within it",
                     within.contain == Containment::contact
                         ? "widen it, or take a tool that reaches what lies in it"
                         : "widen it, take a smaller tool, or keep only the contact within");

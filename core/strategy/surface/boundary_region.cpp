@@ -9,6 +9,10 @@
 
 namespace facetmill {
 
+std::string boundary_place(const std::string& name) {
+    return "boundary '" + printable(name, 60) + "'";
+}
+
 namespace {
 
 /// Of angles, and of lengths as a share of the part's size: what differs by less is the same.
@@ -20,14 +24,10 @@ bool by_plan(const Boundary& boundary) {
     return boundary.kind == Boundary::Kind::curve || boundary.kind == Boundary::Kind::silhouette;
 }
 
-std::string place_of(const Boundary& boundary) {
-    return "boundary '" + printable(boundary.name, 60) + "'";
-}
-
 std::vector<char> painted_facets(const Boundary& boundary, const Mesh& part) {
     const std::size_t count = part.facet_count();
     if (boundary.of_facets != 0 && std::size_t(boundary.of_facets) != count)
-        throw Error(ErrorCode::out_of_range, place_of(boundary),
+        throw Error(ErrorCode::out_of_range, boundary_place(boundary.name),
                     "it was painted on a part of " + std::to_string(boundary.of_facets)
                         + " facets, and this one has " + std::to_string(count),
                     "paint it anew");
@@ -36,7 +36,7 @@ std::vector<char> painted_facets(const Boundary& boundary, const Mesh& part) {
         for (const Index f : facet_ranges(boundary.facets, count))
             in[f] = 1;
     } catch (const Error& e) {
-        throw e.within(place_of(boundary));
+        throw e.within(boundary_place(boundary.name));
     }
     return in;
 }
@@ -139,7 +139,7 @@ BoundaryRegion::BoundaryRegion(const Boundary& boundary, MeshPtr part, const Pro
     for (std::size_t f = 0; f < facets_.size(); ++f)
         if (facets_[f]) own.push_back(Index(f));
     if (own.empty())
-        throw Error(ErrorCode::empty_result, place_of(boundary), "nothing of the part lies in it",
+        throw Error(ErrorCode::empty_result, boundary_place(boundary.name), "nothing of the part lies in it",
                     "paint facets, widen it, or move it onto the part");
     piece_ = std::make_shared<Mesh>(part_of(*part_, own).mesh);
     if (by_plan_) return;
@@ -174,7 +174,7 @@ MeshPtr BoundaryRegion::surface(double least, double longest, const Progress& pr
     for (std::size_t f = 0; f < all.inside.size(); ++f)
         if (all.inside[f]) facets.push_back(Index(f));
     if (facets.empty())
-        throw Error(ErrorCode::empty_result, "boundary '" + printable(name_, 60) + "'",
+        throw Error(ErrorCode::empty_result, boundary_place(name_),
                     "nothing of the part lies so far within it that the cutter has room",
                     "widen it, take a smaller tool, or keep only the contact within");
     return std::make_shared<Mesh>(part_of(all.derived.mesh, facets).mesh);

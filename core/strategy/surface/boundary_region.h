@@ -17,6 +17,9 @@
 
 namespace facetmill {
 
+/// "boundary 'NAME'", as errors say where something is wrong.
+std::string boundary_place(const std::string& name);
+
 /// Which facets of the part a boundary has, 1 or 0 for each: all that is drawn of it. Throws
 /// Error(out_of_range, syntax) for painted facets that the part does not have; its place is "boundary
 /// 'NAME'".
