@@ -9,7 +9,7 @@ std::vector<AskedOperation> asked_operations(const Project& project,
         asked.push_back({project.operations[i].get(), wanted(i)});
     bool leaves = false, read = false;
     for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
-        a->leaves = leaves && a->operation->three_axis();
+        a->leaves = leaves && a->operation->keeps_axis();
         a->read = read;
         leaves = leaves || (a->operation->links_read_stock() && a->needed());
         read = read || (a->operation->reads_left().any() && a->needed());

@@ -47,7 +47,13 @@ std::string bounds_key(const Project& project, const Operation& operation) {
 std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Boundary& boundary,
                                                           const Progress& progress) {
     auto& kept = regions_[text_of(boundary)];
-    if (!kept) kept = std::make_shared<BoundaryRegion>(boundary, part_, progress);
+    if (kept) return kept;
+    Boundary turned = boundary;
+    for (CurveCorner& corner : turned.curve) {
+        const Vec3 at = turn_ * Vec3(corner.at[0], corner.at[1], corner.at[2]);
+        corner.at = {at.x(), at.y(), at.z()};
+    }
+    kept = std::make_shared<BoundaryRegion>(turned, part_, progress);
     return kept;
 }
 

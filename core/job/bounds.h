@@ -23,6 +23,11 @@ std::string bounds_key(const Project& project, const Operation& operation);
 /// Boundaries of a part, each made once.
 class BoundsCache {
 public:
+    /// `turn`: from the setup's coordinates, in which boundaries are said, to those of the part. What is
+    /// looked at along Z, outlines and drawn curves, is looked at along the tool axis then, and so are
+    /// slopes.
+    explicit BoundsCache(const Mat3& turn = Mat3::Identity()) : turn_(turn) {}
+
     /// What a setup holds: indexes of the part and its fixtures, of the grown fixtures alone (null: none).
     struct Held {
         ContactIndexPtr all, fixtures;
@@ -35,6 +40,7 @@ private:
     std::shared_ptr<const BoundaryRegion> region(const Boundary& boundary, const Progress& progress);
     void avoid(const Boundary& boundary, double distance, OperationBounds& bounds, const Progress& progress);
 
+    Mat3 turn_;
     MeshPtr part_;
     Held held_;
     std::map<std::string, std::shared_ptr<const BoundaryRegion>> regions_;

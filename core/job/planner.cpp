@@ -3,11 +3,13 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/asked_operations.h"
+#include "core/job/axis_view.h"
 #include "core/job/bounds.h"
 #include "core/job/cache_key.h"
 #include "core/job/fixtures.h"
 #include "core/job/placed_mesh.h"
 #include "core/job/project_inputs.h"
+#include "core/job/stock_so_far.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/link/kept_within.h"
@@ -121,7 +123,7 @@ void finish_program(OperationResult& result, const Project& project, const Opera
             joints->push_back(m.at);
         result.joints = std::move(joints);
         // Clean-up leaves out what it cannot pass; a part that turns is cut from all round.
-        if (!operation.turning() && operation.purpose() != Purpose::cleaning)
+        if (!operation.turning() && !operation.keeps_axis() && operation.purpose() != Purpose::cleaning)
             if (std::string touched =
                     shank_in_stock_warning(shank_in_stock(program.motions, context, progress), context);
                 !touched.empty())
@@ -204,6 +206,8 @@ struct Planner::Cache {
     struct Planned {
         std::string path_key, motion_key, program_key;
         std::shared_ptr<const OperationResult> result;
+        std::shared_ptr<const StrategyResult>
+            in_view; ///< the path of an indexed one as it was planned, else null
         bool used = false;
         std::size_t motions = 0; ///< number of its motions: the same ones, the same number
     };
@@ -211,10 +215,9 @@ struct Planner::Cache {
     std::string load_key, part_key, stock_key, held_key; ///< stock_key: empty where its mesh is none
     std::optional<LoadedMesh> loaded;
     std::shared_ptr<const PreparedPart> part;
-    ContactIndexPtr index;    ///< of part->mesh, or null
-    ContactIndexPtr kept_off; ///< of part->kept_off, or null; the same without fixtures
-    ContactIndexPtr fixtures; ///< of the grown fixtures alone; null without
-    BoundsCache operation_bounds;
+    AxisView upright;
+    std::vector<std::unique_ptr<AxisView>> indexed;
+    RestMeshes rests;
     std::vector<Planned> planned;
     std::size_t last_motions = 0;
     PlannerWork work;
@@ -222,21 +225,14 @@ struct Planner::Cache {
     std::string left_key; ///< of `rest`
     std::shared_ptr<const EarlierLeft> rest;
 
-    void index_part(const PreparedPart& prepared, const Progress& progress) {
-        if (!index || index->mesh_ptr() != prepared.mesh) {
-            index = std::make_shared<ContactIndex>(prepared.mesh, progress.part(0, 0.6));
-            ++work.indexes;
-        }
-        if (kept_off && kept_off->mesh_ptr() == prepared.kept_off) return;
-        // Both or none: a plan that was cancelled in between would take fixtures for a part of the part.
-        ContactIndexPtr all = index, held;
-        if (prepared.fixtures) {
-            all = std::make_shared<ContactIndex>(prepared.kept_off, progress.part(0.6, 1));
-            held = std::make_shared<ContactIndex>(grown_fixtures(*prepared.fixtures), progress.part(1, 1));
-        }
-        kept_off = std::move(all);
-        fixtures = std::move(held);
+    /// Part and fixtures as they stand, indexed.
+    void index_part(const std::shared_ptr<const PreparedPart>& prepared, const Progress& progress) {
+        if (!upright.index || upright.index->mesh_ptr() != prepared->mesh) ++work.indexes;
+        upright.part = prepared;
+        upright.index_part(progress);
     }
+    AxisView& view_of(const Project& project, const Operation& operation, const PlanResult& setup,
+                      const Progress& progress);
     Planned* find(std::string Planned::*key, const std::string& value) {
         for (Planned& p : planned)
             if (p.*key == value) return &p;
@@ -248,31 +244,39 @@ struct Planner::Cache {
                                             const std::shared_ptr<const PlanResult>& before,
                                             const Operation& operation, std::string_view motions,
                                             const Progress& progress);
-    StrategyResult plan_beside_fixtures(const Operation& operation, PlanContext context,
-                                        const KeptFixtures& kept, const Progress& progress) const;
-    StrategyResult plan_bounded(const Operation& operation, PlanContext context,
-                                const OperationBounds& bounds, const Progress& progress) const;
     /// What names the motions of the operations before, where an operation asks for them.
     struct Asked {
         std::string by_strategy, by_links;
     };
     const Planned& operation(const Project& project, const Operation& operation, PlanContext context,
-                             const Asked& earlier, const Progress& progress);
+                             AxisView& view, const Asked& earlier, const Progress& progress);
+    void plan_path(const Project& project, const Operation& operation, PlanContext& context, AxisView& view,
+                   Planned& made, OperationResult& result, const Progress& progress);
+    void link_path(const Operation& operation, const PlanContext& context, const AxisView& view,
+                   Planned& made, OperationResult& result, const Progress& progress);
 };
 
-/// What an operation cuts, for those after it; `allowance` is what it leaves at least, where that is known.
-std::shared_ptr<const EarlierCuts> cuts_of(const OperationResult& operation, double allowance = 0) {
-    const ClSection& program = operation.program;
-    auto cuts = std::make_shared<EarlierCuts>();
-    cuts->cutter = program.cutter;
-    // Moves may run into what the allowance leaves by the chord tolerance.
-    if (const double chord = operation.path.chord_tolerance; chord > 0)
-        cuts->no_nearer = std::max(0.0, allowance - chord);
-    const auto& motions = program.motions.motions;
-    for (std::size_t i = 1; i < motions.size(); ++i)
-        if (motions[i].kind != MotionKind::rapid)
-            cuts->motions.push_back({motions[i - 1].to.tip, motions[i].to.tip});
-    return cuts;
+/// The view of an indexed operation, or the upright one.
+AxisView& Planner::Cache::view_of(const Project& project, const Operation& operation, const PlanResult& setup,
+                                  const Progress& progress) {
+    if (!operation.is_indexed()) return upright;
+    const std::string key = Key()
+                                .add(std::string_view(part_key))
+                                .add(std::string_view(held_key))
+                                .add(std::string_view(axis_view_key(project, operation, setup.stock.box)))
+                                .text();
+    for (const auto& view : indexed)
+        if (view->key == key) {
+            view->used = true;
+            return *view;
+        }
+    auto view =
+        std::make_unique<AxisView>(*setup.part, project, operation, setup.stock.box, progress.part(0, 0.3));
+    view->index_part(progress.part(0.3, 1));
+    view->key = key;
+    view->used = true;
+    indexed.push_back(std::move(view));
+    return *indexed.back();
 }
 
 /// All but tool, contact index and earlier cuts.
@@ -287,6 +291,37 @@ PlanContext context_of(const Project& project, const PreparedPart& part, const S
     context.tessellation_tolerance = project.part.tessellation_tolerance;
     context.unit = project.unit;
     return context;
+}
+
+/// What stands before an operation; still in the setup, but for the cuts.
+void set_stock(PlanContext& context, StockSoFar::Before before) {
+    // What holds the stock stays where it was.
+    const double bottom = context.stock_box.lo.z();
+    context.stock = std::move(before.stock);
+    context.earlier = std::move(before.earlier);
+    context.stock_box = context.stock.box;
+    if (!context.stock_box.empty()) context.stock_box.lo.z() = std::min(context.stock_box.lo.z(), bottom);
+}
+
+/// Turns the context of an operation into its view.
+void set_view(PlanContext& context, const AxisView& view) {
+    context.contact = view.kept_off;
+    if (view.fixtures) context.fixtures_box = view.fixtures->mesh().box();
+    if (view.is_upright()) return;
+    context.to_setup = view.turn.transpose();
+    context.part = view.part->mesh;
+    context.geometry = view.part->geometry;
+    context.part_box = view.part->box;
+    context.stock = turned_stock(context.stock, view.turn);
+    context.stock_box = context.stock.box;
+    if (!context.left) return;
+    auto left = std::make_shared<EarlierLeft>(*context.left);
+    for (auto* places : {&left->points, &left->rest})
+        for (LeftPlace& place : *places) {
+            place.point = view.turn * place.point;
+            place.normal = view.turn * place.normal;
+        }
+    context.left = std::move(left);
 }
 
 Planner::Planner() : cache_(std::make_unique<Cache>()) {}
@@ -363,7 +398,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         c.part_key = part_key;
         c.stock_key.clear();
         c.held_key.clear();
-        c.index = c.kept_off = nullptr;
+        c.upright.index = c.upright.kept_off = nullptr;
     }
     if (c.stock_key != stock_key) {
         auto part = std::make_shared<PreparedPart>(*c.part);
@@ -384,7 +419,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
                              : std::make_shared<const std::vector<FixtureSolid>>(std::move(fixtures));
         c.part = std::move(part);
         c.held_key = held_key;
-        c.kept_off = c.fixtures = nullptr;
+        c.upright.kept_off = c.upright.fixtures = nullptr;
     }
     progress.set(1.0);
     return c.part;
@@ -410,17 +445,14 @@ void for_rework(StrategyResult& path, PlanContext context, const Change& change)
     global_local->rework = std::move(rework);
 }
 
-} // namespace
-
 /// Plans with part and fixtures as what must not be touched; where passes just end beside fixtures, with the
 /// part alone.
-StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, PlanContext context,
-                                                    const KeptFixtures& kept,
-                                                    const Progress& progress) const {
+StrategyResult plan_beside_fixtures(const Operation& operation, PlanContext context, const AxisView& view,
+                                    const KeptFixtures& kept, const Progress& progress) {
     if (!kept.grown) return operation.plan(context, progress);
     const bool ends_beside =
         operation.linking() == Linking::upright || operation.purpose() == Purpose::cleaning;
-    if (ends_beside) context.contact = index;
+    if (ends_beside) context.contact = view.index;
     StrategyResult path = operation.plan(context, progress.part(0, 0.95));
     const bool of_part = std::any_of(path.warnings.begin(), path.warnings.end(), [](const std::string& w) {
         return w.find("the part") != std::string::npos;
@@ -439,10 +471,10 @@ StrategyResult Planner::Cache::plan_beside_fixtures(const Operation& operation, 
 
 /// The same within the operation's boundary. Finishing is planned on what of the surface lies in it, so that
 /// its passes reach the border on all sides; layers keep to it as they are planned.
-StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanContext context,
-                                            const OperationBounds& bounds, const Progress& progress) const {
+StrategyResult plan_bounded(const Operation& operation, PlanContext context, const AxisView& view,
+                            const OperationBounds& bounds, const Progress& progress) {
     context.contact = bounds.contact;
-    if (!bounds.within) return plan_beside_fixtures(operation, context, bounds.off, progress);
+    if (!bounds.within) return plan_beside_fixtures(operation, context, view, bounds.off, progress);
     context.within = bounds.within;
     if (operation.purpose() == Purpose::finishing) {
         // Edges that cross the border, in radii of the cutter.
@@ -453,7 +485,8 @@ StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanCont
         context.is_piece = true;
         context.geometry = compute_geometry(*context.part, progress.part(0.01, 0.02));
     }
-    StrategyResult path = plan_beside_fixtures(operation, context, bounds.off, progress.part(0.02, 0.95));
+    StrategyResult path =
+        plan_beside_fixtures(operation, context, view, bounds.off, progress.part(0.02, 0.95));
     if (operation.linking() == Linking::over_stock) return path;
     keep_within(path, context, operation.common(), *bounds.within, progress.part(0.95, 1));
     for_rework(path, context, [&](StrategyResult& rework, const PlanContext& own) {
@@ -464,9 +497,63 @@ StrategyResult Planner::Cache::plan_bounded(const Operation& operation, PlanCont
     return path;
 }
 
+} // namespace
+
+/// The path of an operation: one that is known, or a new one.
+void Planner::Cache::plan_path(const Project& project, const Operation& operation, PlanContext& context,
+                               AxisView& view, Planned& made, OperationResult& result,
+                               const Progress& progress) {
+    const OperationCommon& common = operation.common();
+    const OperationBounds bound =
+        view.bounds.of(project, operation, *view.part, {view.kept_off, view.fixtures}, progress.part(0, 0));
+    context.contact = bound.contact;
+    result.within = bound.within;
+    result.view = view.turn;
+    if (bound.off.grown) context.fixtures_box = bound.off.grown->mesh().box();
+    if (const Planned* same = find(&Planned::path_key, made.path_key)) {
+        result.path = same->result->path;
+        made.in_view = same->in_view;
+        result.nothing_to_do = same->result->nothing_to_do;
+        result.seconds_strategy = same->result->seconds_strategy;
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        result.path = plan_bounded(operation, context, view, bound, progress.part(0, 1, common.name));
+        // The table stands below a turned part as a fixture.
+        if (!operation.turning() && view.is_upright()) keep_above_bottom(result.path, context, common);
+        if (!view.is_upright()) {
+            made.in_view = std::make_shared<const StrategyResult>(std::move(result.path));
+            result.path = turned_path(*made.in_view, view.turn.transpose());
+        }
+    } catch (const NothingToDo& nothing) {
+        result.nothing_to_do = nothing.message();
+    }
+    result.seconds_strategy = seconds_since(start);
+    ++work.strategies;
+}
+
+void Planner::Cache::link_path(const Operation& operation, const PlanContext& context, const AxisView& view,
+                               Planned& made, OperationResult& result, const Progress& progress) {
+    ToolMotions& motions = result.program.motions;
+    if (const Planned* same = find(&Planned::motion_key, made.motion_key)) {
+        motions = same->result->program.motions;
+        result.seconds_link = same->result->seconds_link;
+        made.motions = same->motions;
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    motions = link_operation(operation, made.in_view ? *made.in_view : result.path, context, progress);
+    if (!view.is_upright()) motions = turned_motions(std::move(motions), view.turn.transpose());
+    result.seconds_link = seconds_since(start);
+    made.motions = ++last_motions;
+    ++work.links;
+}
+
+/// `context`: in the view.
 const Planner::Cache::Planned& Planner::Cache::operation(const Project& project, const Operation& operation,
-                                                         PlanContext context, const Asked& earlier,
-                                                         const Progress& progress) {
+                                                         PlanContext context, AxisView& view,
+                                                         const Asked& earlier, const Progress& progress) {
     const OperationCommon& common = operation.common();
     // Each key holds what its stage and all before it read.
     Key key;
@@ -484,45 +571,31 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     key.add(unit_name(project.unit)); // in which the strategy's warnings speak
     key.add(earlier.by_strategy);
     key.add(std::string_view(bounds_key(project, operation)));
-    const std::string path_key = key.text();
+    key.add(std::string_view(view.key));
+    Planned made;
+    made.used = true;
+    made.path_key = key.text();
     key.add(earlier.by_links);
-    const std::string motion_key = key.add_up_to(Stage::link, operation).text();
+    made.motion_key = key.add_up_to(Stage::link, operation).text();
     key.add_up_to(Stage::output, operation).add_up_to(Stage::output, context.tool, tool_parameters());
     key.add(std::string_view(project.part.file));
-    const std::string program_key = key.text();
+    made.program_key = key.text();
 
-    if (Planned* same = find(&Planned::program_key, program_key)) {
+    if (Planned* same = find(&Planned::program_key, made.program_key)) {
         same->used = true;
         progress.set(1.0);
         return *same;
     }
     auto result = std::make_shared<OperationResult>();
+    made.result = result;
     result->name = common.name;
     result->kind = operation.kind();
-    const OperationBounds bound =
-        operation_bounds.of(project, operation, *part, {kept_off, fixtures}, progress.part(0, 0));
-    context.contact = bound.contact;
-    result->within = bound.within;
-    if (bound.off.grown) context.fixtures_box = bound.off.grown->mesh().box();
-    auto start = std::chrono::steady_clock::now();
-    if (const Planned* same = find(&Planned::path_key, path_key)) {
-        result->path = same->result->path;
-        result->nothing_to_do = same->result->nothing_to_do;
-        result->seconds_strategy = same->result->seconds_strategy;
-    } else {
-        try {
-            result->path = plan_bounded(operation, context, bound, progress.part(0.0, 0.85, common.name));
-            if (!operation.turning()) keep_above_bottom(result->path, context, common);
-        } catch (const NothingToDo& nothing) {
-            result->nothing_to_do = nothing.message();
-        }
-        result->seconds_strategy = seconds_since(start);
-        ++work.strategies;
-    }
+    plan_path(project, operation, context, view, made, *result, progress.part(0.0, 0.85));
     if (!result->nothing_to_do.empty()) {
         result->seconds_planning = result->seconds_strategy;
         progress.set(1.0);
-        planned.push_back({path_key, motion_key, program_key, result, true, ++last_motions});
+        made.motions = ++last_motions;
+        planned.push_back(std::move(made));
         return planned.back();
     }
     for (const Pass& pass : result->path.passes) {
@@ -533,21 +606,11 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
         throw Error(ErrorCode::empty_result, "operation '" + printable(common.name) + "'", "nothing is cut",
                     "check part, tool and direction");
 
-    ClSection& program = result->program;
-    program.multi_axis = !operation.three_axis();
-    start = std::chrono::steady_clock::now();
-    std::size_t number = 0;
-    if (const Planned* same = find(&Planned::motion_key, motion_key)) {
-        program.motions = same->result->program.motions;
-        result->seconds_link = same->result->seconds_link;
-        number = same->motions;
-    } else {
-        program.motions = link_operation(operation, result->path, context,
-                                         progress.part(0.85, 0.98, common.name + ": linking"));
-        result->seconds_link = seconds_since(start);
-        number = ++last_motions;
-        ++work.links;
-    }
+    result->program.multi_axis = !operation.three_axis();
+    link_path(operation, context, view, made, *result, progress.part(0.85, 0.98, common.name + ": linking"));
+    // What follows is told in the setup, as the program is.
+    context.part_box = part->box;
+    context.to_setup = Mat3::Identity();
     finish_program(*result, project, operation, context, progress);
     const auto* global_local = result->path.as<GlobalLocalPath>();
     if (global_local && !global_local->rework->path.passes.empty())
@@ -556,7 +619,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);
-    planned.push_back({path_key, motion_key, program_key, result, true, number});
+    planned.push_back(std::move(made));
     return planned.back();
 }
 
@@ -631,36 +694,44 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     result->stock_warnings = stock_warnings(project.stock, *result->part, project.unit);
     for (std::string& warning : fixture_warnings(project, *result->part, progress))
         result->stock_warnings.push_back(std::move(warning));
-    c.index_part(*result->part, progress.part(0.15, 0.2, "Indexing the part"));
+    c.index_part(result->part, progress.part(0.15, 0.2, "Indexing the part"));
 
-    PlanContext context = context_of(project, *result->part, result->stock);
-    context.contact = c.kept_off;
-    if (c.fixtures) context.fixtures_box = c.fixtures->mesh().box();
-    Key earlier, before;
-    std::vector<std::shared_ptr<const EarlierCuts>> cuts;
+    const PlanContext setup_context = context_of(project, *result->part, result->stock);
+    Key before, stock_text;
+    stock_text.add(std::string_view(c.part_key)).add(std::string_view(c.stock_key));
+    stock_text.add_up_to(Stage::strategy, project.stock, stock_parameters());
+    StockSoFar stock(project, *result, stock_text.text(), c.rests);
+    c.rests.begin_plan();
+    for (const auto& view : c.indexed)
+        view->used = false;
     auto done = std::make_shared<PlanResult>(*result); // with all operations until now
     for (auto& p : c.planned)
         p.used = false;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const double n = double(asked.size());
         const Operation& operation = *asked[i].operation;
+        PlanContext context = setup_context;
         context.tool = project.tool_of(operation);
         context.further_tools = project.further_tools_of(operation);
-        context.earlier.clear();
-        if (operation.links_read_stock()) context.earlier = cuts;
         Progress part = progress.part(0.2 + 0.8 * double(i) / n, 0.2 + 0.8 * double(i + 1) / n);
         try {
             Key asked_before, asked_by_links;
-            if (operation.reads_stock()) asked_before.add("stock").add(std::string_view(earlier.text()));
-            if (operation.links_read_stock()) asked_by_links.add(std::string_view(earlier.text()));
-            context.left = nullptr;
+            if (operation.reads_stock()) asked_before.add("stock").add(std::string_view(stock.key()));
+            if (operation.links_read_stock()) {
+                asked_by_links.add(std::string_view(stock.key()));
+                set_stock(context, stock.before(operation, part.part(0, 0.1)));
+                part = part.part(0.1, 1);
+            }
             if (operation.reads_left().any()) {
                 asked_before.add("left").add(std::string_view(before.text()));
                 context.left = c.left(project, done, operation, before.text(), part.part(0, 0.3));
                 part = part.part(0.3, 1);
             }
+            AxisView& view = c.view_of(project, operation, *result, part.part(0, 0.05));
+            set_view(context, view);
             const Cache::Planned& planned =
-                c.operation(project, operation, context, {asked_before.text(), asked_by_links.text()}, part);
+                c.operation(project, operation, std::move(context), view,
+                            {asked_before.text(), asked_by_links.text()}, part.part(0.05, 1));
             if (asked[i].result && !planned.result->nothing_to_do.empty())
                 result->idle.push_back(planned.result);
             if (asked[i].result)
@@ -671,11 +742,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
                 for (const auto& program : programs_of(planned.result))
                     done->operations.push_back(program);
             }
-            if (asked[i].leaves) {
-                earlier.add(std::to_string(planned.motions));
-                if (planned.result->nothing_to_do.empty())
-                    cuts.push_back(cuts_of(*planned.result, operation.common().allowance));
-            }
+            if (asked[i].leaves) stock.add(operation, planned.result, planned.motions);
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
             const std::string& name = operation.common().name;
@@ -685,6 +752,10 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
                 throw Error(e.code(), place, e.message(), e.remedy());
             throw e.within(place);
         }
+    }
+    if (only_operation.empty()) {
+        c.rests.end_plan();
+        std::erase_if(c.indexed, [](const auto& view) { return !view->used; });
     }
     std::erase_if(c.planned, [&](const Cache::Planned& p) {
         if (p.used) return false;
@@ -701,7 +772,7 @@ PlanContext preview_context(const Project& project, std::size_t i, const Prepare
                             const std::vector<std::shared_ptr<const OperationResult>>& before) {
     PlanContext context = context_of(project, part, stock_solid(project.stock, part));
     context.tool = project.tool_of(*project.operations.at(i));
-    if (project.operations[i]->reads_stock())
+    if (project.operations[i]->reads_stock() && project.operations[i]->three_axis())
         for (const auto& result : before)
             if (!result->program.multi_axis && result->nothing_to_do.empty())
                 context.earlier.push_back(cuts_of(*result));

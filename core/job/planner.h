@@ -55,7 +55,9 @@ struct OperationResult {
     std::string out_of_reach;
     /// Why it has no motions: what it is for has been done before it (NothingToDo). Empty for all others.
     std::string nothing_to_do;
-    std::shared_ptr<const KeptWithin> within;      ///< its boundary; null: everywhere
+    std::shared_ptr<const KeptWithin> within; ///< its boundary, in the view; null: everywhere
+    Mat3 view = Mat3::Identity(); ///< from the setup to how the operation saw it (axis_view.h); path and
+                                  ///< program are the setup's
     double seconds_strategy = 0, seconds_link = 0; ///< when they ran; what was reused keeps its time
     double seconds_planning = 0;                   ///< their sum
     std::size_t cc_points = 0, cl_points = 0;

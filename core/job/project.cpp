@@ -283,6 +283,19 @@ void check_bounds_of(const Operation& operation, const Project& p, const std::st
                     "an operation on a part that turns knows no boundaries", "leave it out");
 }
 
+void check_axis_of(const Operation& operation, const std::string& place) {
+    const std::array<double, 3>& axis = operation.common().tool_axis;
+    if (axis == OperationCommon().tool_axis) return;
+    if (axis == std::array<double, 3>{0, 0, 0})
+        throw Error(ErrorCode::out_of_range, place + ".tool_axis", "the tool axis has no direction",
+                    "give a direction from the tip to the spindle, upright is 0, 0, 1");
+    if (!operation.keeps_axis())
+        throw Error(ErrorCode::out_of_range, place + ".tool_axis",
+                    "the operation tilts the tool as it goes and keeps no axis",
+                    operation.has("tilt_limit") ? "leave out tool_axis, or set tilt_limit to 0"
+                                                : "leave out tool_axis");
+}
+
 void check_tools(const Project& p) {
     for (std::size_t i = 0; i < p.tools.size(); ++i) {
         const Tool& tool = p.tools[i];
@@ -324,6 +337,7 @@ void check_operations(const Project& p) {
         } catch (const Error& e) {
             throw Error(e.code(), place + ".tool", e.message(), e.remedy());
         }
+        check_axis_of(operation, place);
         check_bounds_of(operation, p, place);
         try {
             p.further_tools_of(operation);

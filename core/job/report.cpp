@@ -134,6 +134,12 @@ Json report_of(const Project& project, const PlanResult& result, const std::vect
         Json entry;
         entry["name"] = o->name;
         entry["kind"] = o->kind;
+        if (o->view != Mat3::Identity()) {
+            Json axis = Json::array();
+            for (int k = 0; k < 3; ++k)
+                axis.push_back(number(o->view(2, k)));
+            entry["tool_axis"] = std::move(axis);
+        }
         entry["passes"] = o->path.drive_planes;
         entry["stepover_min"] = number(o->path.stepover_min / per);
         entry["stepover_max"] = number(o->path.stepover_max / per);

@@ -1,5 +1,6 @@
 #include "core/job/setting_remarks.h"
 
+#include "core/setup/kinematics.h"
 #include "core/strategy/plan/plan_text.h"
 
 namespace facetmill {
@@ -68,10 +69,18 @@ private:
         }
         if (operation_.turning() && rotary == 0)
             add("", "The machine has no rotary axis that turns the part: choose a lathe-mill.");
-        else if (!operation_.turning() && !operation_.three_axis() && rotary < 2)
+        else if (operation_.is_indexed())
+            indexed();
+        else if (!operation_.turning() && !operation_.keeps_axis() && rotary < 2)
             add("", "The operation inclines the tool in five axes; the machine has "
                         + std::string(rotary == 0 ? "no rotary axis" : "one rotary axis")
                         + ": choose one with two.");
+    }
+
+    void indexed() {
+        const Vec3 axis = operation_.tool_axis();
+        if (!Kinematics(project_machine(project_), 0, Vec3::Zero()).inverse({Vec3::Zero(), axis}, {}).count)
+            add("tool_axis", "The machine cannot hold this axis: choose one whose rotary axes can");
     }
 
     const Project& project_;

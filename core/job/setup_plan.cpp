@@ -2,9 +2,9 @@
 
 #include "core/base/units.h"
 #include "core/job/asked_operations.h"
+#include "core/job/stock_so_far.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
-#include "core/verify/stock_surface.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,9 +12,6 @@
 namespace facetmill {
 
 namespace {
-
-/// Rays of a stock whose surface planners read as a mesh: some million facets at most.
-constexpr std::size_t carried_rays = 3'000'000;
 
 std::string setup_words(const Setup& setup) {
     return "setup '" + printable(setup.name) + "'";
@@ -234,12 +231,9 @@ std::shared_ptr<const CarriedStock> carried_stock(std::span<const SetupPlan> cha
                                                   const Progress& progress) {
     const SetupPlan& first = chain.front();
     const ChainPrograms all = chain_programs(chain, planned_programs(chain));
-    VerifySettings settings = chain_settings(chain);
-    settings.usual_rays = carried_rays;
-    const std::shared_ptr<const StockModel> stock =
-        stock_after(first.plan->stock, all.programs, settings, progress.part(0, 0.7, "Removing material"));
     const SetupFrame frame = frame_between(first.project, next);
-    auto mesh = std::make_shared<Mesh>(stock_mesh(*stock, progress.part(0.7, 0.95)));
+    auto mesh = std::make_shared<Mesh>(
+        rest_mesh(first.plan->stock, all.programs, chain_settings(chain), progress.part(0, 0.95)));
     if (mesh->facets.empty())
         throw Error(ErrorCode::empty_result, "stock",
                     "nothing of it is left by " + setup_words(chain.back().project),

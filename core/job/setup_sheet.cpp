@@ -276,6 +276,15 @@ void Sheet::operations() {
     if (changes > 0)
         text += "<p class=\"quiet\">" + std::to_string(changes) + (changes == 1 ? " change" : " changes")
                 + " of tools, not in the time.</p>\n";
+    for (const auto& o : plan_.operations) {
+        if (o->view == Mat3::Identity()) continue;
+        const Vec3 axis = o->view.row(2);
+        text += "<p class=\"quiet\">" + html(o->name) + ": the tool keeps the axis ("
+                + format_number(axis.x(), 6) + ", " + format_number(axis.y(), 6) + ", "
+                + format_number(axis.z(), 6) + "), "
+                + format_number(degrees(std::acos(std::clamp(axis.z(), -1.0, 1.0))), 6)
+                + "\u00b0 from upright.</p>\n";
+    }
     for (const auto& o : plan_.operations)
         for (const std::string& w : o->warnings())
             warning(o->name + ": " + w);

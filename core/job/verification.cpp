@@ -216,9 +216,9 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             machine,
                             o->joints});
         if (o->within)
-            programs.back().asked = [region = o->within->region](const Vec3& p) {
+            programs.back().asked = [region = o->within->region, view = o->view](const Vec3& p) {
                 Index hint = no_index;
-                return region->holds(p, hint);
+                return region->holds(view * p, hint);
             };
     }
     stand_fixtures(programs, *plan->part);

@@ -37,7 +37,7 @@ ShankInStock shank_in_stock(const ToolMotions& motions, const PlanContext& conte
 
 std::string shank_in_stock_warning(const ShankInStock& touched, const PlanContext& context) {
     if (touched.length <= min_told_share * touched.whole) return {};
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     return "shank or holder come into the stock, as operations with the upright tool leave it, along "
            + text(touched.length) + " of " + text(touched.whole)
            + " of cuts, as far as passes before them have not cleared it: rough there first, or use longer "

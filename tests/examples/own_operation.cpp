@@ -38,7 +38,7 @@ class Diagonal : public OperationWith<DiagonalSettings, diagonal_parameters> {
 public:
     std::string_view kind() const override { return "diagonal"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Diagonal>(*this); }
-    bool three_axis() const override { return true; }
+    bool keeps_axis() const override { return true; }
 
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override {
         check_plannable(context, settings_);

@@ -126,9 +126,9 @@ ParameterValue value_of(Random& rng, const ParameterInfo& info, const ParameterV
 }
 
 /// Parameters that came after seeds had been kept for what they had found: each would make another job of
-/// every seed. (What boundaries do is tried by a test of its own.)
+/// every seed. (What boundaries and tool axes do is tried by tests of their own.)
 bool came_later(const ParameterInfo& info) {
-    const std::string_view later[] = {"boundary", "contain", "avoid", "avoid_distance"};
+    const std::string_view later[] = {"boundary", "contain", "avoid", "avoid_distance", "tool_axis"};
     return std::find(std::begin(later), std::end(later), info.key) != std::end(later);
 }
 

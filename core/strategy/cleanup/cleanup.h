@@ -73,7 +73,7 @@ public:
     std::string_view kind() const override { return "cleanup"; }
     Purpose purpose() const override { return Purpose::cleaning; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Cleanup>(settings_); }
-    bool three_axis() const override { return settings_.tilt_limit == 0; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     std::vector<long> further_tools() const override { return {settings_.previous_tool}; }
     bool reads_stock() const override { return true; }
     ReadsLeft reads_left() const override { return {settings_.left_points, settings_.rest_material}; }

@@ -10,6 +10,7 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
         using S = CleanupSettings;
         ParameterTable<S> t;
         add_common_parameters(t);
+        add_tool_axis_parameter(t);
         t.add(&S::previous_tool,
               further_tool_parameter({.key = "previous_tool",
                                       .label = "Previous tool",

@@ -98,7 +98,7 @@ private:
 };
 
 Planner::Planner(const Finish3Settings& settings, const PlanContext& context, const Progress& progress)
-    : settings_(settings), context_(context), text_{context.unit}, progress_(progress),
+    : settings_(settings), context_(context), text_{context.unit, context.to_setup}, progress_(progress),
       cusp_allowed_(cusp_budget(settings, context)),
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
@@ -442,6 +442,7 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
         using S = Finish3Settings;
         ParameterTable<S> t;
         add_common_parameters(t);
+        add_tool_axis_parameter(t);
         t.add(&S::stepover,
               length_or_word_parameter({.key = "stepover",
                                         .label = "Step-over",
@@ -493,7 +494,7 @@ StrategyResult Finish3::plan(const PlanContext& context, const Progress& progres
     const bool leaves_less = leaves_much && turned.passed_by() < better_passed_by * planner.passed_by(),
                shorter = turned.passed_by() <= planner.passed_by() + much_passed_by
                          && turned.travel(other) < less_travel * length;
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
         return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
                + (by.passed_by() > 0 ? ", " + share_text(by.passed_by(), 1)

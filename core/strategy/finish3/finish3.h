@@ -68,7 +68,7 @@ public:
 
     std::string_view kind() const override { return "finish3"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
-    bool three_axis() const override { return true; }
+    bool keeps_axis() const override { return true; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

@@ -10,7 +10,7 @@ namespace facetmill {
 namespace {
 
 std::string held_warning(const FinishWarnings& w) {
-    const PlanText text{w.context.unit};
+    const PlanText text{w.context.unit, w.context.to_setup};
     const Tool& tool = w.context.tool;
     std::string longer;
     if (w.held.lack.shank > 0)
@@ -31,7 +31,7 @@ std::string held_warning(const FinishWarnings& w) {
 } // namespace
 
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
-    const PlanText text{w.context.unit};
+    const PlanText text{w.context.unit, w.context.to_setup};
     auto& warnings = result.warnings;
     const bool uncut = result.cusp_max == infinity;
     // What was measured where the cutter could have gone is as good as what was expected.

@@ -216,7 +216,7 @@ std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, 
 }
 
 std::string beside_stock_warning(const ClearOfStock& clear, const PlanContext& context) {
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     return "shank or holder would come into what stands of the stock beside " + text(clear.left_length)
            + " of the passes, which are left out: flutes of " + text(context.tool.flute_length + clear.lack)
            + " instead of " + text(context.tool.flute_length) + ", or roughing closer, would reach it";
@@ -226,7 +226,7 @@ void refuse_beside_stock(const std::string& operation, const ClearOfStock& clear
                          const PlanContext& context) {
     throw Error(ErrorCode::empty_result, operation,
                 "shank or holder would come into the stock wherever the cutter could cut",
-                "rough before it, or use flutes that are " + PlanText{context.unit}(clear.lack) + " longer");
+                "rough before it, or use flutes that are " + PlanText{context.unit, context.to_setup}(clear.lack) + " longer");
 }
 
 } // namespace facetmill

@@ -78,7 +78,7 @@ public:
 
     std::string_view kind() const override { return "finish5"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish5>(settings_); }
-    bool three_axis() const override { return false; }
+    bool keeps_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
     bool accelerations() const override { return settings_.accelerations; }
 

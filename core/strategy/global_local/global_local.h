@@ -55,7 +55,7 @@ public:
 
     std::string_view kind() const override { return "global_local"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<GlobalLocal>(settings_); }
-    bool three_axis() const override { return false; }
+    bool keeps_axis() const override { return false; }
     double holder_clearance() const override { return settings_.holder_clearance; }
     bool accelerations() const override { return settings_.accelerations; }
     std::vector<long> further_tools() const override {

@@ -95,7 +95,7 @@ class TurningOperation : public OperationWith<Settings, table> {
 public:
     using OperationWith<Settings, table>::OperationWith;
 
-    bool three_axis() const override { return false; }
+    bool keeps_axis() const override { return false; }
     double holder_clearance() const override { return this->settings_.holder_clearance; }
     Linking linking() const override { return Linking::about_axis; }
     const LatheCommon* turning() const override { return &this->settings_; }

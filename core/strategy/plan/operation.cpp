@@ -40,6 +40,16 @@ std::unique_ptr<Operation> make_operation(std::string_view kind) {
                 "use one of: " + known);
 }
 
+Vec3 Operation::tool_axis() const {
+    const auto& [x, y, z] = common().tool_axis;
+    if (x == 0 && y == 0 && z > 0) return Vec3::UnitZ();
+    return Vec3(x, y, z).normalized();
+}
+
+bool Operation::is_indexed() const {
+    return keeps_axis() && tool_axis() != Vec3::UnitZ();
+}
+
 LayerPreview Operation::preview_layers(const PlanContext&, const Progress&) const {
     throw Error(ErrorCode::internal, common().name, "the operation has no preview of layers", "report this");
 }

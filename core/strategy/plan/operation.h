@@ -59,6 +59,7 @@ struct PlanContext {
     Machine machine;
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in (mm); Lu 3.13
     LengthUnit unit = LengthUnit::mm;                   ///< of lengths in warnings and errors, nothing else
+    Mat3 to_setup = Mat3::Identity(); ///< turns places there: planners may be asked in turned coordinates
     /// For operations or links that ask what stands (Operation::reads_stock, links_read_stock): the raw
     /// material (its box is stock_box), and what the operations before cut from it, in their order. What cuts
     /// with a tilted axis is left out: material is believed to stand there. A solid whose box is empty stands
@@ -95,6 +96,9 @@ struct OperationCommon {
     double spindle = 6000;             ///< rpm
     double clearance = 5;              ///< height of clearance moves above stock and part, mm
     double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
+    /// Direction of the tool axis, from the tip to the spindle, of operations that keep one; any length above
+    /// 0.
+    std::array<double, 3> tool_axis{0, 0, 1};
     NumberOrWord direction{0, "auto"}; ///< "auto", "x", "y", or the angle of travel from X in radians
     std::string boundary;              ///< name of the boundary to cut within; empty: everywhere
     Containment contain = Containment::contact; ///< what of the tool the boundary keeps within
@@ -146,9 +150,16 @@ public:
     /// should be.
     virtual StrategyResult plan(const PlanContext& context, const Progress& progress) const = 0;
     virtual Purpose purpose() const { return Purpose::finishing; }
+    /// True when the tool keeps one axis, `common().tool_axis`. Such an operation is planned with the axis
+    /// +Z, over a part that is turned accordingly.
+    virtual bool keeps_axis() const = 0;
     /// True when every tool axis is +Z.
-    virtual bool three_axis() const = 0;
-    virtual Linking linking() const { return three_axis() ? Linking::upright : Linking::tilted; }
+    bool three_axis() const { return keeps_axis() && !is_indexed(); }
+    /// True when the tool axis is to be another one than +Z, the same everywhere ("3+2").
+    bool is_indexed() const;
+    /// The unit vector of `common().tool_axis`: +Z to the last digit where it is that.
+    Vec3 tool_axis() const;
+    virtual Linking linking() const { return keeps_axis() ? Linking::upright : Linking::tilted; }
     /// The settings of an operation that turns the part about an axis; else null.
     virtual const LatheCommon* turning() const { return nullptr; }
     /// The settings of an operation that leaves regions to rework with a smaller tool; else null.
@@ -241,6 +252,9 @@ enum class Workholding {
 /// Adds the common parameters to an operation's table. S derives from OperationCommon.
 template <class S>
 void add_common_parameters(ParameterTable<S>& table, Workholding holding = Workholding::on_table);
+/// And that of an operation which may keep another tool axis than +Z.
+template <class S>
+void add_tool_axis_parameter(ParameterTable<S>& table);
 
 } // namespace facetmill
 

@@ -39,6 +39,21 @@ void add_bounds_parameters(ParameterTable<S>& table) {
 }
 
 template <class S>
+void add_tool_axis_parameter(ParameterTable<S>& table) {
+    const auto member = []<class T>(T OperationCommon::*m) -> T S::* { return m; };
+    table.add(member(&S::tool_axis),
+              {.key = "tool_axis",
+               .label = "Tool axis",
+               .help = "Direction from the tip to the spindle in the setup's coordinates, kept all along; "
+                       "0, 0, 1 is upright. With another one the operation is planned as seen along it, X and Y "
+                       "turned with it the shortest way, and keeps above the bottom of the stock.",
+               .kind = ParameterKind::triple,
+               .minimum = -1e6,
+               .maximum = 1e6,
+               .default_unwritten = true});
+}
+
+template <class S>
 void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
     using K = ParameterKind;
     // &S::name is a member pointer of OperationCommon; the table wants one of S.

@@ -14,7 +14,8 @@ std::string PlanText::operator()(double mm) const {
     return length_text(mm, unit);
 }
 
-std::string PlanText::operator()(const Vec3& p) const {
+std::string PlanText::operator()(const Vec3& place) const {
+    const Vec3 p = to_setup * place;
     std::string all;
     for (int k = 0; k < 3; ++k)
         all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(unit), 5);

@@ -106,7 +106,7 @@ double reach_below_tip(const CutterProfile& profile, const Vec3& axis) {
 void keep_above_bottom(StrategyResult& path, const PlanContext& context, const OperationCommon& common) {
     const double lowest = lowest_allowed(context, common), bottom = stock_bottom(context);
     const CutterProfile profile(context.tool.cutter());
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     Kept raised, left_out, under;
     std::vector<Pass> passes;
     for (Pass& pass : path.passes) {

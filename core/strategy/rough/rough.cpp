@@ -85,7 +85,7 @@ private:
 };
 
 Planner::Planner(const RoughSettings& settings, const PlanContext& context, const Progress& progress)
-    : settings_(settings), context_(context), text_{context.unit}, progress_(progress),
+    : settings_(settings), context_(context), text_{context.unit, context.to_setup}, progress_(progress),
       measures_(settings, context), cutter_(measures_.profile),
       field_(rough_stock(settings, context, measures_, progress.part(0, 0.03, "Looking at the stock"))),
       heights_(settings, context, measures_, field_, progress.part(0.03, 0.06, "Choosing layers")),
@@ -353,6 +353,7 @@ const ParameterTable<RoughSettings>& rough_parameters() {
         using S = RoughSettings;
         ParameterTable<S> t;
         add_common_parameters(t);
+        add_tool_axis_parameter(t);
         t.add(&S::depth,
               length_or_word_parameter({.key = "depth",
                                         .label = "Depth",

@@ -56,10 +56,10 @@ public:
     std::string_view kind() const override { return "rough"; }
     Purpose purpose() const override { return Purpose::roughing; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Rough>(settings_); }
-    bool three_axis() const override { return true; }
+    bool keeps_axis() const override { return true; }
     Linking linking() const override { return Linking::over_stock; }
     bool reads_stock() const override { return true; }
-    bool has_layer_preview() const override { return true; }
+    bool has_layer_preview() const override { return three_axis(); }
     LayerPreview preview_layers(const PlanContext& context, const Progress& progress) const override;
 
     /// The passes are level, one or more a layer, but for those along floors of valleys between two layers,

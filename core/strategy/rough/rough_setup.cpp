@@ -25,7 +25,7 @@ constexpr int max_divisions = 64;
 double stepover_of(const RoughSettings& settings, const PlanContext& context, double diameter) {
     if (!settings.stepover.is_number()) return stepover_share * diameter;
     const double step = settings.stepover.number;
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     if (!(step > 0) || step > diameter)
         throw Error(ErrorCode::out_of_range, "stepover",
                     "a step-over of " + text(step) + " with a cutter of diameter " + text(diameter)
@@ -37,7 +37,7 @@ double stepover_of(const RoughSettings& settings, const PlanContext& context, do
 void check_depth(const RoughSettings& settings, const PlanContext& context) {
     if (!settings.depth.is_number()) return;
     const double depth = settings.depth.number;
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     if (!(depth > 0))
         throw Error(ErrorCode::out_of_range, "depth", "the depth of the layers is not above 0",
                     "enter a length above 0, or from_tolerance");
@@ -76,7 +76,7 @@ StockField rough_stock(const RoughSettings& settings, const PlanContext& context
                        const RoughMeasures& measures, const Progress& progress) {
     StockField field = stock_before(context, settings.cell_share * measures.diameter, progress);
     const double top = field.highest(), low = lowest_tip(context, field);
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     if (!(top > low))
         throw Error(ErrorCode::empty_result, settings.name,
                     top == -infinity
@@ -89,7 +89,7 @@ StockField rough_stock(const RoughSettings& settings, const PlanContext& context
 RoughHeights::RoughHeights(const RoughSettings& settings, const PlanContext& context,
                            const RoughMeasures& measures, const StockField& field, const Progress& progress)
     : low(lowest_tip(context, field)) {
-    const PlanText text{context.unit};
+    const PlanText text{context.unit, context.to_setup};
     LayerInput input;
     input.mesh = context.part.get();
     input.cutter = &measures.profile;

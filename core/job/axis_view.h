@@ -1,0 +1,50 @@
+// A setup as the tool of an indexed operation sees it ("3+2"): part, stock, fixtures and boundaries turned so
+// that its axis is +Z, which is how all planners of upright tools are asked. What they answer is turned back.
+// Below the bottom of the stock stands the table, as one fixture more. Millimetres; coordinates of the view,
+// or of the setup where that is said.
+#pragma once
+
+#include "core/job/bounds.h"
+#include "core/job/planner.h"
+
+#include <memory>
+#include <string>
+
+namespace facetmill {
+
+/// The shortest turn that brings a tool axis (unit, in the setup) to +Z; one upside down goes over about X.
+Mat3 turn_upright(const Vec3& axis);
+
+/// What planning along one tool axis works on.
+struct AxisView {
+    Mat3 turn = Mat3::Identity(); ///< from the setup's coordinates
+    std::shared_ptr<const PreparedPart> part;
+    ContactIndexPtr index;    ///< of part->mesh, or null
+    ContactIndexPtr kept_off; ///< of part->kept_off, or null; the same without fixtures
+    ContactIndexPtr fixtures; ///< of the grown fixtures alone; null without
+    BoundsCache bounds;
+    std::string key; ///< of the view; another text where anything of it is another
+    bool used = false;
+
+    AxisView() = default;
+    /// The view of an indexed operation; `stock`: box of the raw material in the setup.
+    AxisView(const PreparedPart& part, const Project& project, const Operation& operation, const Box3& stock,
+             const Progress& progress);
+
+    bool is_upright() const { return turn == Mat3::Identity(); }
+    /// Indexes what has none yet. Throws Cancelled; what there is stays good then.
+    void index_part(const Progress& progress);
+};
+
+/// Text of all that the view of an operation depends on beside part and fixtures; empty for the axis +Z.
+std::string axis_view_key(const Project& project, const Operation& operation, const Box3& stock);
+
+/// A raw material turned; but by quarter turns a closed mesh, where a cylinder becomes a prism round it.
+StockSolid turned_stock(const StockSolid& stock, const Mat3& turn);
+MeshPtr turned_mesh(const MeshPtr& mesh, const Mat3& turn);
+
+/// A path as it was planned in a view, in the coordinates of the setup.
+StrategyResult turned_path(const StrategyResult& path, const Mat3& turn);
+ToolMotions turned_motions(ToolMotions motions, const Mat3& turn);
+
+} // namespace facetmill
