@@ -168,7 +168,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         row.pick->setAutoRaise(true);
         row.pick->setCheckable(true);
         row.pick->setFocusPolicy(Qt::TabFocus);
-        row.pick->setToolTip(tr("Pick the point in the view"));
+        row.pick->setToolTip(tr("Pick it in the view"));
         connect(row.pick, &QToolButton::clicked, this,
                 [this, key = info.key](bool on) { emit pick_requested(key, on); });
         auto* both = new QHBoxLayout;

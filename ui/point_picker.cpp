@@ -33,6 +33,22 @@ Vec3 snapped_point(const Viewport& viewport, const Mesh& mesh, const PartPick& p
     return point;
 }
 
+namespace {
+
+/// A unit vector so rounded that an axis of the coordinates is just that.
+Vec3 rounded_axis(const Vec3& direction) {
+    constexpr double digits = 1e9;
+    const Vec3 unit = direction.normalized();
+    return (unit * digits).array().round().matrix() / digits + Vec3::Zero();
+}
+
+/// Upright on the face that was met, as it is seen.
+Vec3 picked_axis(const PartPick& pick) {
+    return rounded_axis(pick.back_side ? Vec3(-pick.normal) : pick.normal);
+}
+
+} // namespace
+
 PointPicker::PointPicker(Document& document, Viewport& viewport, PropertiesPanel& properties,
                          Messages& messages, QObject* window)
     : Controller(window), document_(document), viewport_(viewport), properties_(properties),
@@ -56,25 +72,42 @@ void PointPicker::begin(const std::string& key) {
     key_ = key;
     properties_.form()->set_picking(key);
     viewport_.set_picking(true);
-    messages_.information(tr("Click a point of the part for “%1”; a corner nearby is taken exactly. "
-                             "Ctrl+click takes the middle of the flat face there. Esc leaves it.")
-                              .arg(text(key).replace(QChar('_'), QChar(' '))));
+    messages_.information(is_axis()
+                              ? tr("Click a face of the part: the tool will stand upright on it. Ctrl+click "
+                                   "takes the direction that "
+                                   "you look along. Esc leaves it.")
+                              : tr("Click a point of the part for “%1”; a corner nearby is taken exactly. "
+                                   "Ctrl+click takes the middle of the flat face there. Esc leaves it.")
+                                    .arg(text(key).replace(QChar('_'), QChar(' '))));
 }
 
 void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifiers modifiers) {
     if (key_.empty()) return;
+    const bool control = modifiers & Qt::ControlModifier;
+    if (is_axis() && control) return take_axis(rounded_axis(viewport_.scene().camera().toward_eye()));
     if (!pick) {
         messages_.information(tr("That is beside the part: click on it, or press Esc."));
         return;
     }
     const Mesh& mesh = *document_.part()->mesh;
-    const Vec3 point = modifiers & Qt::ControlModifier ? middle_of(mesh, flat_face(mesh, Index(pick->facet)))
-                                                       : snapped_point(viewport_, mesh, *pick);
+    if (is_axis()) return take_axis(picked_axis(*pick));
+    const Vec3 point = control ? middle_of(mesh, flat_face(mesh, Index(pick->facet)))
+                               : snapped_point(viewport_, mesh, *pick);
     const std::string key = key_;
     end();
     viewport_.scene().marks().set_marker(Marker{point, pick->normal});
     viewport_.refresh();
     properties_.take_point(key, point);
+}
+
+void PointPicker::take_axis(const Vec3& axis) {
+    const std::string key = key_;
+    end();
+    properties_.take_point(key, axis);
+}
+
+bool PointPicker::is_axis() const {
+    return key_ == "tool_axis";
 }
 
 void PointPicker::end() {

@@ -1,4 +1,4 @@
-// Points for parameters, picked by a click on the part.
+// Points and tool axes for parameters, picked by a click on the part.
 #pragma once
 
 #include "ui/controller.h"
@@ -29,6 +29,8 @@ signals:
 private:
     void begin(const std::string& key);
     void take(const std::optional<PartPick>& pick, Qt::KeyboardModifiers modifiers);
+    void take_axis(const Vec3& axis);
+    bool is_axis() const; ///< it is no point that is picked
     void end();
 
     Document& document_;

@@ -465,7 +465,7 @@ void PropertiesPanel::refresh() {
         std::map<std::string, QString> remarks = remarks_on(project, node_->index);
         alarm = remarks.contains({});
         hint = alarm ? remarks[{}] : work_hint(project, document_.part(), operation);
-        form_->set_pickable(axis_points);
+        form_->set_pickable(operation.turning() ? axis_points : std::vector<std::string>{"tool_axis"});
         show(operation, operation_choices(project), hidden_keys(operation));
         form_->set_remarks(remarks);
         regions = operation.rework() != nullptr;
