@@ -33,6 +33,31 @@ std::vector<ShapedTool> cutters() {
     return tools;
 }
 
+/// A closed block round the z axis with rounded upright edges: `half` wide to either side.
+Mesh rounded_block(const Vec2& half, double radius, double low, double high) {
+    constexpr int pieces = 12; // of each edge
+    Mesh mesh;
+    for (int corner = 0; corner < 4; ++corner)
+        for (int i = 0; i <= pieces; ++i) {
+            const double angle = 0.5 * pi * (corner + double(i) / pieces);
+            const double side_x = corner == 0 || corner == 3 ? 1 : -1, side_y = corner < 2 ? 1 : -1;
+            for (const double z : {low, high})
+                mesh.vertices.emplace_back(side_x * (half.x() - radius) + radius * std::cos(angle),
+                                           side_y * (half.y() - radius) + radius * std::sin(angle), z);
+        }
+    const auto n = Index(mesh.vertices.size());
+    for (Index i = 0; i < n; i += 2) {
+        const Index next = (i + 2) % n;
+        mesh.facets.push_back({i, next, next + 1});
+        mesh.facets.push_back({i, next + 1, i + 1});
+        if (i > 0 && next > 0) {
+            mesh.facets.push_back({0, next, i});
+            mesh.facets.push_back({1, i + 1, next + 1});
+        }
+    }
+    return mesh;
+}
+
 PlanContext raised(const Mesh& mesh, const Tool& tool) {
     PlanContext c = context_of(mesh, tool);
     c.stock_box.lo -= Vec3(3, 3, 0);
@@ -320,6 +345,45 @@ private slots:
                 });
             QCOMPARE(told, holder);
         }
+    }
+
+    /// A wall whose outline changes half way up: layers above and below go round other corners to it. The
+    /// shank slides by below, as thick as its flutes, and meets no step that one of them left.
+    void the_shank_slides_by_other_layers() {
+        Mesh part = rounded_block(Vec2(20, 15), 9, 0, 8);
+        const Mesh tower = rounded_block(Vec2(9, 15), 4, 0, 40);
+        const auto first = Index(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), tower.vertices.begin(), tower.vertices.end());
+        for (const auto& f : tower.facets)
+            part.facets.push_back({first + f[0], first + f[1], first + f[2]});
+        Tool tool = flat_tool(12);
+        tool.flute_length = 18;
+        tool.shank_length = 40;
+        tool.shank_diameter = tool.diameter;
+        RoughSettings s;
+        s.allowance = 0.4;
+        s.tolerance = 6;
+        s.depth = {2, {}};
+        PlanContext context = context_of(part, tool);
+        context.stock_box.lo -= Vec3(3, 3, 0);
+        context.stock_box.hi += Vec3(3, 3, 2);
+        context.stock.box = context.stock_box;
+        const Rough op(s);
+        const VerifyProgram program{"R",
+                                    VerifyTool(tool),
+                                    std::make_shared<ToolMotions>(link_operation(
+                                        op, op.plan(context, Progress()), context, Progress())),
+                                    {}};
+        VerifySettings v;
+        v.resolution = v.sample_spacing = 0.1;
+        v.allowance = s.allowance;
+        v.gouge_limit = 1e-3;
+        const Verification judged = verify(part, context.stock, {&program, 1}, v, Progress());
+        QVERIFY(!judged.gouged());
+        const double deepest = judged.collisions.empty() ? 0 : judged.collisions.front().depth;
+        QVERIFY2(
+            judged.collisions.empty(),
+            qPrintable(QString("%1 collisions, the first %2").arg(judged.collisions.size()).arg(deepest)));
     }
 
     /// A larger ball leaves a skin on the upright ends of a sheet, thinner than is worth a cut: the shank of

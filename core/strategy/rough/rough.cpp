@@ -24,6 +24,8 @@ const OperationRegistration registration("rough", "Rough", [] { return std::make
 
 /// Links between lines stay down if they are no longer than this many diameters.
 constexpr double longest_link = 3;
+/// Where the shank slides along walls, borders lie within this share of the margin of where they are.
+constexpr double thinned_for_shank = 0.05;
 /// A pass along a floor goes on for up to this many diameters to begin where nothing stands.
 constexpr double longest_floor_entry = 3;
 /// Stretches of air shorter than this many diameters are run through.
@@ -156,7 +158,11 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     const std::optional<double> next =
         layer + 1 < heights.size() ? std::optional(heights[layer + 1]) : std::nullopt;
     const LayerRoutes routes(reach_, field_, cutter_, frame_, measures_.min_work);
-    const std::vector<Contour> contours = ground_->grid().contours(z, progress);
+    // Along one wall, layers that are thinned to different points leave steps of as much, which the shank of
+    // a deeper one meets as it slides by.
+    const bool slides = field_.highest() > heights_.low + bodies_.sliding_base();
+    const std::vector<Contour> contours =
+        ground_->grid().contours(z, progress, slides ? thinned_for_shank : ReachGrid::most_thinned);
     // First the usual lines, then the borders, then the lines between, where a floor stays, and those
     // outside; at last whatever of any line is left.
     if (layer == 0) cleared_ = field_.highest();

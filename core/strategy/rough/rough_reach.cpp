@@ -176,7 +176,7 @@ ReachGrid::ReachGrid(const RoughReach& reach, const DriveFrame& frame, const Vec
     }
 }
 
-std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) const {
+std::vector<Contour> ReachGrid::contours(double z, const Progress& progress, double thinned) const {
     // Crossings are named by the grid's edge: 2 * node + 0 to the right, + 1 upward. Walking round a cell
     // counter-clockwise one leaves the free side at one edge and comes back at another; the contour goes from
     // the first to the second. Each crossing is left once and met once, in the two cells beside its edge.
@@ -243,7 +243,7 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress) con
             contour.points.push_back(crossings[start].at);
         }
         if (contour.points.size() < 2) return;
-        contour.points = thinned_route(contour.points, 0.5 * reach_.margin());
+        contour.points = thinned_route(contour.points, thinned * reach_.margin());
         all.push_back(std::move(contour));
     };
     for (std::size_t i = 0; i < crossings.size(); ++i)

@@ -85,8 +85,10 @@ public:
     ReachGrid(const RoughReach& reach, const DriveFrame& frame, const Vec2& lo, const Vec2& hi,
               const Progress& progress);
 
-    /// The borders of what is free at z, every point free.
-    std::vector<Contour> contours(double z, const Progress& progress) const;
+    /// The borders of what is free at z, every point free; points within `thinned` of the margin beside what
+    /// stays are left out.
+    std::vector<Contour> contours(double z, const Progress& progress, double thinned = most_thinned) const;
+    static constexpr double most_thinned = 0.5; ///< the other half is for what lies between places
     double lowest() const { return lowest_; }
 
     std::size_t columns() const { return columns_; }
