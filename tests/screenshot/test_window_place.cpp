@@ -5,7 +5,11 @@
 #include "tests/screenshot/window_support.h"
 #include "ui/controllers.h"
 #include "ui/layer_bar.h"
+#include "ui/message_bar.h"
+#include "ui/parameter_form.h"
 #include "ui/place_controller.h"
+#include "ui/project_tree.h"
+#include "ui/properties_panel.h"
 #include "ui/report_view.h"
 #include "ui/viewport.h"
 
@@ -109,6 +113,47 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().project().part.rotate == (std::array<double, 3>{0, 0, 0}));
         QVERIFY(!w().document().undo_stack().canUndo());
+    }
+
+    /// Upright on a face, or along the view: one step of the history each.
+    void the_tool_axis_of_an_operation_is_picked() {
+        w().tree().select({ui::TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
+        auto* pick = w().properties().form()->findChild<QToolButton*>(QStringLiteral("pick_tool_axis"));
+        QVERIFY(pick && pick->isVisible());
+        ui::Viewport& viewport = w().viewport();
+        const auto click = [&](const Vec3& p, Qt::KeyboardModifiers modifiers) {
+            const Vec2 pixel = viewport.scene().camera().display_of(p) / viewport.devicePixelRatioF();
+            QTest::mouseClick(&viewport, Qt::LeftButton, modifiers,
+                              QPoint(int(std::lround(pixel.x())), int(std::lround(pixel.y()))));
+        };
+        const auto axis = [&] { return first_operation(w()).tool_axis; };
+        viewport.set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        QTest::mouseClick(pick, Qt::LeftButton);
+        QVERIFY(pick->isChecked() && w().message_bar().message().contains(QStringLiteral("face")));
+        shot(w(), QStringLiteral("axis-face"));
+        QTest::keyClick(&viewport, Qt::Key_Escape);
+        QVERIFY(!pick->isChecked() && w().message_bar().message().isEmpty());
+        // The middle of the bottom of the tray, which stands upright and crooked.
+        const Vec3 seen = viewport.scene().camera().toward_eye();
+        QVERIFY((seen - Vec3::UnitZ()).norm() < 1e-6);
+        QTest::mouseClick(pick, Qt::LeftButton);
+        click(part().center(), Qt::ControlModifier);
+        QVERIFY(axis() == (std::array<double, 3>{0, 0, 1}));
+        viewport.set_view(StandardView::front);
+        QVERIFY(wait_until_settled(w()));
+        QTest::mouseClick(pick, Qt::LeftButton);
+        click(part().center(), Qt::NoModifier);
+        QVERIFY(wait_until_settled(w()));
+        const Vec3 face(std::sin(radians(25.0)), -std::cos(radians(25.0)), 0);
+        QVERIFY2((Vec3(axis()[0], axis()[1], axis()[2]) - face).norm() < 1e-5,
+                 qPrintable(QString("%1 %2 %3").arg(axis()[0]).arg(axis()[1]).arg(axis()[2])));
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Pick tool axis"));
+        // The machine that is set has no rotary axes, which the form says beside the field.
+        QVERIFY(error_under(w(), "tool_axis").contains(QStringLiteral("machine")));
+        action(w(), "undo")->trigger();
+        QVERIFY(axis() == (std::array<double, 3>{0, 0, 1}));
     }
 
     void quarter_turns_moves_and_mirrors() {
