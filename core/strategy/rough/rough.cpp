@@ -162,7 +162,7 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     // a deeper one meets as it slides by.
     const bool slides = field_.highest() > heights_.low + bodies_.sliding_base();
     const std::vector<Contour> contours =
-        ground_->grid().contours(z, progress, slides ? thinned_for_shank : ReachGrid::most_thinned);
+        ground_->grid().contours(z, progress, slides ? thinned_for_shank : ReachGrid::max_thinned);
     // First the usual lines, then the borders, then the lines between, where a floor stays, and those
     // outside; at last whatever of any line is left.
     if (layer == 0) cleared_ = field_.highest();

@@ -87,8 +87,8 @@ public:
 
     /// The borders of what is free at z, every point free; points within `thinned` of the margin beside what
     /// stays are left out.
-    std::vector<Contour> contours(double z, const Progress& progress, double thinned = most_thinned) const;
-    static constexpr double most_thinned = 0.5; ///< the other half is for what lies between places
+    std::vector<Contour> contours(double z, const Progress& progress, double thinned = max_thinned) const;
+    static constexpr double max_thinned = 0.5; ///< the other half is for what lies between places
     double lowest() const { return lowest_; }
 
     std::size_t columns() const { return columns_; }
