@@ -45,6 +45,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "no_tool_reaches";
     case UncutReason::Why::held:
         return "holder_touches";
+    case UncutReason::Why::stock:
+        return "stock_touches";
     case UncutReason::Why::fixture:
         return "fixture";
     case UncutReason::Why::boundary:
@@ -188,6 +190,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "no tool fits";
     case UncutReason::Why::held:
         return "the cutter" + of + " fits, but its shank or holder would touch the part";
+    case UncutReason::Why::stock:
+        return "the tool" + of + " fits, but its shank or holder would touch stock that stands";
     case UncutReason::Why::fixture:
         return "the tool" + of + " fits, but would come too near to a fixture";
     case UncutReason::Why::boundary:

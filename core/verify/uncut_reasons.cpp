@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace facetmill {
 
@@ -24,24 +25,26 @@ constexpr std::size_t samples_per_box = 32;
 /// clearance so that the fixture is no reason: planners of five axes are not that exact.
 constexpr std::size_t max_fixture_places = 200'000;
 constexpr double fixture_place_share = 0.2, beyond_clearance = 1.2;
+/// Places on what is left of the stock, about so many at most.
+constexpr std::size_t max_stock_places = 2'000'000;
 
 /// Whether bodies can stand somewhere without having samples of the part inside.
 class Room {
 public:
-    Room(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order, const Progress& progress) {
-        const std::size_t n = samples.points.size();
+    Room(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& order, const Progress& progress) {
+        const std::size_t n = points.size();
         for (const std::uint32_t i : order)
-            points_.push_back(samples.points[i]);
+            points_.push_back(points[i]);
         std::vector<Box3> boxes((n + samples_per_box - 1) / samples_per_box);
         for (std::size_t i = 0; i < n; ++i)
             boxes[i / samples_per_box].add(points_[i]);
         tree_ = BoxTree(boxes, progress);
     }
     Room(const Mesh& mesh, double spacing, const Progress& progress)
-        : Room(sample_surface(mesh, spacing, max_fixture_places, progress, 0), progress) {}
-    Room(const SurfaceSamples& samples, const Progress& progress)
-        : Room(samples, neighbors_together(samples.points, progress), progress) {}
-    /// No sample lies deeper than `slack` in a body whose tip is here.
+        : Room(sample_surface(mesh, spacing, max_fixture_places, progress, 0).points, progress) {}
+    Room(const std::vector<Vec3>& points, const Progress& progress)
+        : Room(points, neighbors_together(points, progress), progress) {}
+    /// No point lies deeper than `slack` in a body whose tip is here.
     bool has(const BodySupport& body, const CutterLocation& at, double slack) const {
         const Vec3 middle = at.tip + body.middle() * at.axis;
         bool free = true;
@@ -81,6 +84,29 @@ struct FitTool {
     std::function<bool(const Vec3&)> asked;
 };
 
+/// Ends of the rays' stretches, on rays so far apart that they are not too many.
+std::vector<Vec3> stock_places(const StockModel& stock, const Progress& progress) {
+    const StockLattice& lattice = stock.lattice();
+    const double ends = 2 * double(lattice.rays()); // mostly
+    const int step = std::max(1, int(std::ceil(std::sqrt(ends / double(max_stock_places)))));
+    std::vector<Vec3> places;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (int i = 0; i < lattice.nodes[std::size_t(u)]; i += step) {
+            progress.check();
+            for (int j = 0; j < lattice.nodes[std::size_t(v)]; j += step)
+                for (const auto& stretch : stock.stretches(axis, i, j))
+                    for (const double end : stretch) {
+                        Vec3& p = places.emplace_back();
+                        p[axis] = end;
+                        p[u] = lattice.origin[u] + i * lattice.spacing[u];
+                        p[v] = lattice.origin[v] + j * lattice.spacing[v];
+                    }
+        }
+    }
+    return places;
+}
+
 constexpr std::size_t no_program = std::size_t(-1);
 
 struct WhyUncut {
@@ -97,7 +123,7 @@ class Fit {
 public:
     Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
         std::span<const VerifyProgram> programs, const VerifySettings& used, const Progress& progress)
-        : room_(samples, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
+        : room_(samples.points, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
           gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
             FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress), p.asked};
@@ -112,8 +138,12 @@ public:
             tools_.push_back(std::move(tool));
         }
     }
-    /// not_cut where a tool fits, boundary, fixture, held, or no_tool; and the program whose tool or cutter
-    /// it is.
+    /// From now on shank and holder are asked against what is left of the stock, too.
+    void stand_in(const StockModel& stock, const Progress& progress) {
+        left_.emplace(stock_places(stock, progress), progress);
+    }
+    /// not_cut where a tool fits, boundary, fixture, stock, held, or no_tool; and the program whose tool or
+    /// cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
         WhyUncut told_off;
         for (std::size_t program = tools_.size(); program-- > 0;) {
@@ -128,24 +158,27 @@ public:
     }
 
 private:
-    /// not_cut, fixture, held or no_tool for one of the tools.
+    /// not_cut, fixture, stock, held or no_tool for one of the tools.
     UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal) const {
         const Vec3 start = point + allowance_ * normal;
-        bool held = false, beside_fixture = false;
+        bool held = false, beside_fixture = false, in_stock = false;
         for (const auto& [along, axis] : axes_near(tool, normal))
             for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
                 const CutterLocation at{start - touch, *axis};
                 if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
-                if (!body_stands(at, tool))
+                if (!body_stands(room_, at, tool))
                     held = true;
-                else if (clear_of_fixtures(at, tool))
-                    return UncutReason::Why::not_cut;
-                else
+                else if (!clear_of_fixtures(at, tool))
                     beside_fixture = true;
+                else if (left_ && !body_stands(*left_, at, tool))
+                    in_stock = true;
+                else
+                    return UncutReason::Why::not_cut;
             }
-        return beside_fixture ? UncutReason::Why::fixture
-               : held         ? UncutReason::Why::held
-                              : UncutReason::Why::no_tool;
+        return in_stock         ? UncutReason::Why::stock
+               : beside_fixture ? UncutReason::Why::fixture
+               : held           ? UncutReason::Why::held
+                                : UncutReason::Why::no_tool;
     }
     /// Its program's axes that see the surface, the nearest to the normal first.
     static std::vector<std::pair<double, const Vec3*>> axes_near(const FitTool& tool, const Vec3& normal) {
@@ -189,9 +222,9 @@ private:
         }
         return places;
     }
-    bool body_stands(const CutterLocation& at, const FitTool& tool) const {
+    bool body_stands(const Room& room, const CutterLocation& at, const FitTool& tool) const {
         return std::all_of(tool.sections.begin(), tool.sections.end(),
-                           [&](const BodySupport& s) { return room_.has(s, at, gouge_limit_); });
+                           [&](const BodySupport& s) { return room.has(s, at, gouge_limit_); });
     }
     /// No nearer than the clearance, and what planners keep beyond it.
     bool clear_of_fixtures(const CutterLocation& at, const FitTool& tool) const {
@@ -204,6 +237,7 @@ private:
         });
     }
     Room room_;
+    std::optional<Room> left_; ///< of the stock
     std::vector<FitTool> tools_;
     double allowance_, limit_, gouge_limit_;
 };
@@ -251,11 +285,20 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
     std::vector<WhyUncut> found(groups);
     if (groups > 0) {
-        const Fit fit(samples, order, programs, v.used, progress);
-        parallel_for(groups, 4, progress, [&](std::size_t g) {
+        Fit fit(samples, order, programs, v.used, progress);
+        const auto ask = [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
             found[g] = fit.reason(samples.points[i], samples.normals[i]);
-        });
+        };
+        parallel_for(groups, 4, progress, ask);
+        // What is left of the stock is many more places: only where nothing else is in the way.
+        const auto fits = [](const WhyUncut& why) { return why.why == Why::not_cut; };
+        if (v.stock && std::any_of(found.begin(), found.end(), fits)) {
+            fit.stand_in(*v.stock, progress);
+            parallel_for(groups, 4, progress, [&](std::size_t g) {
+                if (fits(found[g])) ask(g);
+            });
+        }
     }
     for (std::size_t g = 0; g < groups; ++g)
         for (std::size_t k = first_of(g); k < first_of(g + 1); ++k) {

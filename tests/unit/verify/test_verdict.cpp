@@ -315,6 +315,34 @@ private slots:
         QVERIFY(reason(x, UncutReason::Why::not_cut) && !reason(x, UncutReason::Why::held));
     }
 
+    /// A tool whose flutes are shorter than what stands of the stock about a slot does not go deeper, though
+    /// it fits; nothing of the part is in its shank's way.
+    void what_the_stock_keeps_off() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 12;
+        Tool tool = flat_tool(4);
+        tool.flute_length = 5;
+        tool.shank_diameter = 4;
+        tool.shank_length = 40;
+        // Of a floor of 40 x 60 a half is open, on the other one all of the 12 mm stands.
+        const Vec2 lo(-30, 0.5), hi(-2, 12);
+        Tool longer = tool;
+        longer.flute_length = 20;
+        std::array<VerifyProgram, 2> programs{lines(longer, lo, hi, 0, 2), lines(tool, lo, hi, 0, 2)};
+        programs[0].name = "Long";
+        programs[1].name = "Short";
+        const Verification v = verify(part, stock, programs, asked(), Progress());
+        const UncutReason* beside = reason(v, UncutReason::Why::stock);
+        QVERIFY(beside && beside->counts());
+        QCOMPARE(beside->program, programs[1].name);
+        // A tool with long flutes has no such reason.
+        const Verification w = judged(part, stock, programs[0]);
+        QVERIFY(reason(w, UncutReason::Why::not_cut) && !reason(w, UncutReason::Why::stock));
+        QVERIFY2(std::abs(w.uncut_share - v.uncut_share) < 0.02,
+                 qPrintable(QString("%1 and %2").arg(w.uncut_share).arg(v.uncut_share)));
+    }
+
     /// Beside an upright wall a ball leaves what the flat end before it could cut: the reason names that one.
     void whose_tool_would_fit() {
         const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 6}, {-20, 6}},
