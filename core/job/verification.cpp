@@ -47,6 +47,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "holder_touches";
     case UncutReason::Why::stock:
         return "stock_touches";
+    case UncutReason::Why::below_bottom:
+        return "below_bottom";
     case UncutReason::Why::fixture:
         return "fixture";
     case UncutReason::Why::boundary:
@@ -192,6 +194,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "the cutter" + of + " fits, but its shank or holder would touch the part";
     case UncutReason::Why::stock:
         return "the tool" + of + " fits, but its shank or holder would touch stock that stands";
+    case UncutReason::Why::below_bottom:
+        return "the tool" + of + " fits, but would go below the bottom of the stock";
     case UncutReason::Why::fixture:
         return "the tool" + of + " fits, but would come too near to a fixture";
     case UncutReason::Why::boundary:

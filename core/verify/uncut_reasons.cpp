@@ -82,7 +82,14 @@ struct FitTool {
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
     std::function<bool(const Vec3&)> asked;
+    Vec3 up = Vec3::UnitZ();   ///< of its setup
+    double lowest = -infinity; ///< along it: the stock's bottom, or how low the cutter goes if that is lower
 };
+
+/// How high the lowest place of a cutter is along `up`.
+double lowest_of(const BodySupport& cutter, const CutterLocation& at, const Vec3& up) {
+    return (at.tip + cutter.support(-up, at.axis)).dot(up);
+}
 
 /// Ends of the rays' stretches, on rays so far apart that they are not too many.
 std::vector<Vec3> stock_places(const StockModel& stock, const Progress& progress) {
@@ -122,13 +129,15 @@ struct WhyUncut {
 class Fit {
 public:
     Fit(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
-        std::span<const VerifyProgram> programs, const VerifySettings& used, const Progress& progress)
+        std::span<const VerifyProgram> programs, const Box3& stock, const VerifySettings& used,
+        const Progress& progress)
         : room_(samples.points, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
           gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
             FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress), p.asked};
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
+            if (!p.turning) find_lowest(tool, p, stock);
             if (p.fixtures)
                 for (const FixtureSolid& f : *p.fixtures) {
                     const double apart =
@@ -142,8 +151,8 @@ public:
     void stand_in(const StockModel& stock, const Progress& progress) {
         left_.emplace(stock_places(stock, progress), progress);
     }
-    /// not_cut where a tool fits, boundary, fixture, stock, held, or no_tool; and the program whose tool or
-    /// cutter it is.
+    /// not_cut where a tool fits, boundary, below_bottom, fixture, stock, held, or no_tool; and the program
+    /// whose tool or cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
         WhyUncut told_off;
         for (std::size_t program = tools_.size(); program-- > 0;) {
@@ -158,10 +167,19 @@ public:
     }
 
 private:
-    /// not_cut, fixture, stock, held or no_tool for one of the tools.
+    static void find_lowest(FitTool& tool, const VerifyProgram& program, const Box3& stock) {
+        if (stock.empty()) return;
+        tool.up = program.machine_turn * Vec3::UnitZ();
+        const Vec3 below = tool.up.array().sign() * (0.5 * stock.size()).array();
+        tool.lowest = (stock.center() - below).dot(tool.up);
+        for (const Motion& m : program.motions->motions)
+            if (m.kind != MotionKind::rapid)
+                tool.lowest = std::min(tool.lowest, lowest_of(tool.cutter, m.to, tool.up));
+    }
+    /// not_cut, below_bottom, fixture, stock, held or no_tool for one of the tools.
     UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal) const {
         const Vec3 start = point + allowance_ * normal;
-        bool held = false, beside_fixture = false, in_stock = false;
+        bool held = false, beside_fixture = false, in_stock = false, low = false;
         for (const auto& [along, axis] : axes_near(tool, normal))
             for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
                 const CutterLocation at{start - touch, *axis};
@@ -170,12 +188,15 @@ private:
                     held = true;
                 else if (!clear_of_fixtures(at, tool))
                     beside_fixture = true;
+                else if (lowest_of(tool.cutter, at, tool.up) < tool.lowest - gouge_limit_)
+                    low = true;
                 else if (left_ && !body_stands(*left_, at, tool))
                     in_stock = true;
                 else
                     return UncutReason::Why::not_cut;
             }
         return in_stock         ? UncutReason::Why::stock
+               : low            ? UncutReason::Why::below_bottom
                : beside_fixture ? UncutReason::Why::fixture
                : held           ? UncutReason::Why::held
                                 : UncutReason::Why::no_tool;
@@ -285,7 +306,7 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
     std::vector<WhyUncut> found(groups);
     if (groups > 0) {
-        Fit fit(samples, order, programs, v.used, progress);
+        Fit fit(samples, order, programs, v.stock ? v.stock->solid().box : Box3(), v.used, progress);
         const auto ask = [&](std::size_t g) {
             const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
             found[g] = fit.reason(samples.points[i], samples.normals[i]);

@@ -15,7 +15,8 @@ namespace facetmill {
 /// A cutter fits where it, along one of the axes of its program nearest to the normal, can stand so that less
 /// than twice the tolerance is left on the sample (of the part grown by the allowance), and no other sample
 /// lies deeper in it than the gouge limit; shank and holder likewise. Where these would stand in
-/// what is left of the stock, that is the reason. Where it does nearer to a fixture than
+/// what is left of the stock, that is the reason; likewise where the cutter would be lower than the bottom of
+/// the stock and than its program goes anywhere. Where it does nearer to a fixture than
 /// the clearance, the fixture is the reason; where the program is not asked to cut there, and no other that
 /// is has a tool for it, its boundary. Some thousand samples are asked; each stands
 /// for those about it.

@@ -95,6 +95,7 @@ struct UncutReason {
         not_cut,       ///< a tool fits in there, and no motion goes
         held,          ///< the cutter fits in there, shank or holder do not
         stock,         ///< a tool fits in there, its shank or holder in what is left of the stock
+        below_bottom,  ///< a tool fits in there, lower than the stock's bottom and than its program goes
         fixture,       ///< a tool fits in there, nearer to a fixture than its clearance
         boundary,      ///< a tool fits in there, and its operation is told to stay out
         no_tool,       ///< no cutter of the programs fits in there

@@ -343,6 +343,41 @@ private slots:
                  qPrintable(QString("%1 and %2").arg(w.uncut_share).arg(v.uncut_share)));
     }
 
+    /// A ball that is kept above the bottom of the stock leaves the lower end of a steep side, which it would
+    /// cut from farther down; when it goes down there itself that is no reason.
+    void what_the_bottom_keeps_off() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {12, 10}, {-12, 10}}, {{0, 1, 2, 3}});
+        const StockSolid stock = stock_of(part.box());
+        Tool ball = ball_tool(8);
+        ball.flute_length = 40;
+        // At height z over the bottom the side is at y = 20 - 0.4 z; the ball touches it from the outside.
+        const auto along_sides = [&](double lowest) {
+            VerifyProgram p{"Ball", VerifyTool(ball), nullptr, {}};
+            auto motions = std::make_shared<ToolMotions>();
+            const Vec2 out = Vec2(1, 0.4).normalized(); // (y, z)
+            for (double z = 0; z <= 20; z += 0.5)
+                for (const double side : {-1.0, 1.0}) {
+                    const double y = 20 - 0.4 * z + 4 * out.x(), tip = z - 10 + 4 * out.y() - 4;
+                    if (tip < lowest) continue;
+                    for (const MotionKind kind : {MotionKind::rapid, MotionKind::cut})
+                        motions->motions.push_back(
+                            {kind,
+                             {Vec3(kind == MotionKind::rapid ? -40 : 40, side * y, tip), Vec3::UnitZ()},
+                             no_index,
+                             no_index});
+                }
+            p.motions = motions;
+            return p;
+        };
+        const Verification kept = judged(part, stock, along_sides(-10));
+        const UncutReason* low = reason(kept, UncutReason::Why::below_bottom);
+        QVERIFY(low && low->counts() && low->program == "Ball");
+        QVERIFY(low->place.z() < -6);
+        const Verification down = judged(part, stock, along_sides(-14));
+        QVERIFY(!reason(down, UncutReason::Why::below_bottom));
+        QVERIFY(down.uncut_share < kept.uncut_share);
+    }
+
     /// Beside an upright wall a ball leaves what the flat end before it could cut: the reason names that one.
     void whose_tool_would_fit() {
         const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 6}, {-20, 6}},
