@@ -2,7 +2,9 @@
 // turned, its tool stays off what holds the stock, and operations of several axes know what the others have
 // cut. Judges are the verifier, the naive check, and points below the stock that know nothing of planners.
 #include "core/job/axis_view.h"
+#include "core/job/chain_verification.h"
 #include "core/job/planner.h"
+#include "core/job/setup_plan.h"
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/property/held_job.h"
@@ -14,6 +16,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <map>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -49,6 +52,69 @@ Mesh bumpy_body() {
     }
     return mesh;
 }
+
+/// A block of 60 x 50 x 40 mm on z = 0 with a bowl in each of its six sides.
+Mesh six_bowls() {
+    Mesh mesh;
+    const Vec3 size(60, 50, 40);
+    constexpr int n = 20;
+    std::map<std::array<long, 3>, Index> known;
+    const auto vertex = [&](const Vec3& p) {
+        const auto [at, fresh] =
+            known.try_emplace({std::lround(p.x() * 1e6), std::lround(p.y() * 1e6), std::lround(p.z() * 1e6)},
+                              Index(mesh.vertices.size()));
+        if (fresh) mesh.vertices.push_back(p);
+        return at->second;
+    };
+    const auto place = [&](int axis, int side, int i, int j) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        Vec3 p;
+        p[a] = size[a] * (double(i) / n - 0.5);
+        p[b] = size[b] * (double(j) / n - 0.5);
+        const double r = Vec2(p[a], p[b]).norm() / (0.4 * std::min(size[a], size[b]));
+        p[axis] = side * (0.5 * size[axis] - (r < 1 ? 6 * std::pow(1 - r * r, 2) : 0));
+        return Vec3(p + Vec3(0, 0, 0.5 * size.z()));
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1})
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    std::array<Index, 4> q{
+                        vertex(place(axis, side, i, j)), vertex(place(axis, side, i + 1, j)),
+                        vertex(place(axis, side, i + 1, j + 1)), vertex(place(axis, side, i, j + 1))};
+                    if (side < 0) std::swap(q[1], q[3]);
+                    mesh.facets.push_back({q[0], q[1], q[2]});
+                    mesh.facets.push_back({q[0], q[2], q[3]});
+                }
+    return mesh;
+}
+
+/// From above and along X in one clamping, from below and along Y in the next, the last side upright in a
+/// third.
+constexpr const char* six_sides = R"({ "facetmill": 2, "units": "mm", "part": { "file": "six.stl" },
+    "tools": [ { "number": 1, "diameter": 10, "flute_length": 45, "shank_length": 20, "holder": [{ "diameter": 30, "length": 40 }] },
+               { "number": 2, "diameter": 8, "corner_radius": 4, "flute_length": 45, "shank_length": 30 } ],
+    "setups": [
+      { "name": "Top", "machine": "trunnion-ac", "stock": { "kind": "box", "margin": [2, 2, 2] },
+        "boundaries": [ { "name": "Face", "kind": "slope", "slope": [0, 60] } ],
+        "operations": [
+          { "kind": "rough", "name": "Rough top", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5 },
+          { "kind": "rough", "name": "Rough right", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5, "tool_axis": [1, 0, 0], "below_bottom": 4 },
+          { "kind": "rough", "name": "Rough left", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5, "tool_axis": [-1, 0, 0], "below_bottom": 4 },
+          { "kind": "finish3", "name": "Top face", "tool": 2, "tolerance": 0.15, "boundary": "Face" },
+          { "kind": "finish3", "name": "Right face", "tool": 2, "tolerance": 0.15, "boundary": "Face", "tool_axis": [1, 0, 0], "below_bottom": 4 },
+          { "kind": "finish3", "name": "Left face", "tool": 2, "tolerance": 0.15, "boundary": "Face", "tool_axis": [-1, 0, 0], "below_bottom": 4 } ] },
+      { "name": "Bottom", "machine": "trunnion-ac", "place": { "rotate": [180, 0, 0], "translate": [0, 0, 40] }, "stock": { "kind": "rest" },
+        "boundaries": [ { "name": "Face", "kind": "slope", "slope": [0, 60] } ],
+        "operations": [
+          { "kind": "rough", "name": "Rough bottom", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5 },
+          { "kind": "rough", "name": "Rough rear", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5, "tool_axis": [0, -1, 0], "below_bottom": 4 },
+          { "kind": "finish3", "name": "Bottom face", "tool": 2, "tolerance": 0.15, "boundary": "Face" },
+          { "kind": "finish3", "name": "Rear face", "tool": 2, "tolerance": 0.15, "boundary": "Face", "tool_axis": [0, -1, 0], "below_bottom": 4 } ] },
+      { "name": "Front", "machine": "generic-3-axis", "place": { "rotate": [-90, 0, 0], "translate": [0, 0, 25] }, "stock": { "kind": "rest" },
+        "operations": [
+          { "kind": "rough", "name": "Rough front", "tool": 1, "tolerance": 1, "allowance": 0.4, "depth": 5 },
+          { "kind": "finish3", "name": "Front face", "tool": 2, "tolerance": 0.15 } ] } ] })";
 
 class IndexedJob {
     QTemporaryDir dir_;
@@ -248,6 +314,41 @@ private slots:
         const double whole = alone.plan()->operations.back()->totals.cut_length,
                      left = after.plan()->operations.back()->totals.cut_length;
         QVERIFY2(left < 0.8 * whole, qPrintable(QString("%1 of %2 mm").arg(left).arg(whole)));
+    }
+
+    /// A part with something on all of its sides comes out whole of three clampings; without the last of them
+    /// the side that is left is no axis's to see, and is named.
+    void six_sides_in_three_setups() {
+        QTemporaryDir dir;
+        const std::filesystem::path folder(dir.path().toStdString());
+        save_stl(six_bowls(), folder / "six.stl", LengthUnit::mm, {});
+        Project project = parse_project(six_sides, "six");
+        project.path = folder / "six.facetmill";
+        const auto judge = [](const std::vector<SetupPlan>& setups) {
+            for (const SetupPlan& setup : setups)
+                setup.plan->check_reach();
+            const std::span<const SetupPlan> chain = stock_chains(setups).at(0);
+            VerifySettings settings = chain_settings(chain);
+            settings.resolution = settings.sample_spacing = 0.5;
+            return judge_chain(chain, planned_programs(chain), settings, {}).result;
+        };
+        const auto unseen = [](const Verification& v) {
+            double area = 0;
+            for (const UncutReason& r : v.uncut)
+                if (r.why == UncutReason::Why::not_seen) area += r.area;
+            return area;
+        };
+        SetupPlanners planners;
+        std::vector<SetupPlan> setups = plan_setups(project, {}, planners, {});
+        QCOMPARE(setups.size(), std::size_t(3));
+        const auto whole = judge(setups);
+        QVERIFY2(whole->passed(), qPrintable(QString("uncut %1, gouge %2, collisions %3")
+                                                 .arg(whole->uncut_share)
+                                                 .arg(whole->figures.gouge_max)
+                                                 .arg(whole->collisions.size())));
+        QVERIFY2(unseen(*whole) < 1, qPrintable(QString::number(unseen(*whole))));
+        setups.pop_back();
+        QVERIFY(unseen(*judge(setups)) > 400); // the bowl, of 1810 mm^2 with its rim
     }
 
     void what_is_known_is_not_planned_again() {
