@@ -151,6 +151,7 @@ StockSolid turned_stock(const StockSolid& stock, const Mat3& turn) {
         (turn * Vec3::Unit(stock.axis)).cwiseAbs().maxCoeff(&turned.axis);
         return turned;
     }
+    turned.edge_loss = stock.edge_loss;
     turned.mesh = turned_mesh(
         stock.kind == StockSolid::Kind::mesh ? stock.mesh : std::make_shared<Mesh>(stock_body(stock)), turn);
     if (turned.mesh) turned.box = turned.mesh->box();

@@ -28,6 +28,7 @@ struct PreparedPart {
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
     MeshPtr stock_mesh;            ///< in place; null where the stock is neither one nor a rest
+    double stock_edge_loss = 0;    ///< see StockSolid
     std::shared_ptr<const std::vector<FixtureSolid>> fixtures; ///< null: none
     MeshPtr kept_off; ///< the part, and the fixtures grown by their clearance: what no tool may touch
 };
@@ -75,9 +76,10 @@ programs_of(const std::shared_ptr<const OperationResult>& operation);
 
 /// What the setups before left of their stock, in a setup's coordinates.
 struct CarriedStock {
-    MeshPtr mesh;       ///< closed
-    std::string key;    ///< the same for the same mesh, and for no other
-    std::string source; ///< what it was made from: stock_source of the setup that it is for
+    MeshPtr mesh;         ///< closed
+    double edge_loss = 0; ///< see StockSolid
+    std::string key;      ///< the same for the same mesh, and for no other
+    std::string source;   ///< what it was made from: stock_source of the setup that it is for
 };
 
 /// All that the stock which the chosen setup begins with comes from, as text, where that is a rest; else

@@ -232,15 +232,17 @@ std::shared_ptr<const CarriedStock> carried_stock(std::span<const SetupPlan> cha
     const SetupPlan& first = chain.front();
     const ChainPrograms all = chain_programs(chain, planned_programs(chain));
     const SetupFrame frame = frame_between(first.project, next);
-    auto mesh = std::make_shared<Mesh>(
-        rest_mesh(first.plan->stock, all.programs, chain_settings(chain), progress.part(0, 0.95)));
-    if (mesh->facets.empty())
+    const StockSolid rest =
+        rest_after(first.plan->stock, all.programs, chain_settings(chain), progress.part(0, 0.95));
+    if (rest.mesh->facets.empty())
         throw Error(ErrorCode::empty_result, "stock",
                     "nothing of it is left by " + setup_words(chain.back().project),
                     "check the placements, or give the setup a stock of its own");
+    auto mesh = std::make_shared<Mesh>(*rest.mesh);
     for (Vec3& p : mesh->vertices)
         p = frame(p);
     auto carried = std::make_shared<CarriedStock>();
+    carried->edge_loss = rest.edge_loss;
     carried->key = content_key(*mesh);
     carried->source = stock_source(next);
     carried->mesh = std::move(mesh);

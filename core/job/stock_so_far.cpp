@@ -14,12 +14,18 @@ constexpr std::size_t rest_rays = 3'000'000;
 
 } // namespace
 
-Mesh rest_mesh(const StockSolid& stock, std::span<const VerifyProgram> programs, VerifySettings settings,
-               const Progress& progress) {
+StockSolid rest_after(const StockSolid& stock, std::span<const VerifyProgram> programs,
+                      VerifySettings settings, const Progress& progress) {
     settings.usual_rays = rest_rays;
     const std::shared_ptr<const StockModel> left =
         stock_after(stock, programs, settings, progress.part(0, 0.7, "Removing material"));
-    return stock_mesh(*left, progress.part(0.7, 1));
+    StockSolid rest;
+    rest.kind = StockSolid::Kind::mesh;
+    auto mesh = std::make_shared<Mesh>(stock_mesh(*left, progress.part(0.7, 1)));
+    rest.box = mesh->box();
+    rest.mesh = std::move(mesh);
+    rest.edge_loss = left->lattice().spacing.maxCoeff();
+    return rest;
 }
 
 void RestMeshes::begin_plan() {
@@ -31,10 +37,10 @@ void RestMeshes::end_plan() {
     std::erase_if(kept_, [](const auto& entry) { return !entry.second.used; });
 }
 
-MeshPtr& RestMeshes::of(const std::string& key) {
+StockSolid& RestMeshes::of(const std::string& key) {
     Kept& kept = kept_[key];
     kept.used = true;
-    return kept.mesh;
+    return kept.stock;
 }
 
 std::shared_ptr<const EarlierCuts> cuts_of(const OperationResult& operation, double allowance,
@@ -77,24 +83,19 @@ StockSoFar::Before StockSoFar::before(const Operation& operation, const Progress
     while (others > 0 && (!cuts_[others - 1].result || cuts_[others - 1].axis == axis))
         --others;
     Before before{setup_.stock, {}};
-    if (others > 0) {
-        before.stock = {};
-        before.stock.kind = StockSolid::Kind::mesh;
-        before.stock.mesh = rest_after(others, progress);
-        before.stock.box = before.stock.mesh->box();
-    }
+    if (others > 0) before.stock = rest(others, progress);
     for (std::size_t i = others; i < cuts_.size(); ++i)
         if (cuts_[i].cuts) before.earlier.push_back(cuts_[i].cuts);
     return before;
 }
 
-MeshPtr StockSoFar::rest_after(std::size_t count, const Progress& progress) const {
+const StockSolid& StockSoFar::rest(std::size_t count, const Progress& progress) const {
     Key key;
     key.add(std::string_view(key_));
     for (std::size_t i = 0; i < count; ++i)
         key.add(std::to_string(cuts_[i].number));
-    MeshPtr& mesh = rests_.of(key.text());
-    if (mesh) return mesh;
+    StockSolid& kept = rests_.of(key.text());
+    if (kept.mesh) return kept;
     auto before = std::make_shared<PlanResult>();
     before->part = setup_.part;
     before->stock = setup_.stock;
@@ -102,12 +103,12 @@ MeshPtr StockSoFar::rest_after(std::size_t count, const Progress& progress) cons
         if (cuts_[i].result)
             for (const auto& program : programs_of(cuts_[i].result))
                 before->operations.push_back(program);
-    auto left = std::make_shared<Mesh>(rest_mesh(before->stock, verify_programs(project_, before),
-                                                 verify_settings(project_, before.get()), progress));
-    if (left->facets.empty())
+    StockSolid left = rest_after(before->stock, verify_programs(project_, before),
+                                 verify_settings(project_, before.get()), progress);
+    if (left.mesh->facets.empty())
         throw Error(ErrorCode::empty_result, "stock", "the operations before leave nothing of it",
                     "leave this operation out, or check what those before it cut");
-    return mesh = std::move(left);
+    return kept = std::move(left);
 }
 
 } // namespace facetmill

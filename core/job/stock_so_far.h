@@ -14,10 +14,10 @@
 namespace facetmill {
 
 /// What programs leave of a stock, as a mesh that planners read: cut as for the verification, coarser where
-/// its surface would come in millions of facets. Without facets where nothing is left. Throws what verify
-/// does.
-Mesh rest_mesh(const StockSolid& stock, std::span<const VerifyProgram> programs, VerifySettings settings,
-               const Progress& progress);
+/// its surface would come in millions of facets. Of kind mesh, without facets where nothing is left. Throws
+/// what verify does.
+StockSolid rest_after(const StockSolid& stock, std::span<const VerifyProgram> programs,
+                      VerifySettings settings, const Progress& progress);
 
 /// Meshes of stocks between operations, by what they come from.
 class RestMeshes {
@@ -25,11 +25,11 @@ public:
     void begin_plan();
     /// Forgets what no operation asked for since `begin_plan`.
     void end_plan();
-    MeshPtr& of(const std::string& key);
+    StockSolid& of(const std::string& key);
 
 private:
     struct Kept {
-        MeshPtr mesh;
+        StockSolid stock;
         bool used = false;
     };
     std::map<std::string, Kept> kept_;
@@ -52,7 +52,7 @@ public:
         StockSolid stock;                                        ///< in the setup
         std::vector<std::shared_ptr<const EarlierCuts>> earlier; ///< in the operation's view
     };
-    /// Throws what rest_mesh does; Error(empty_result) where nothing of the stock is left.
+    /// Throws what rest_after does; Error(empty_result) where nothing of the stock is left.
     Before before(const Operation& operation, const Progress& progress) const;
 
 private:
@@ -62,7 +62,7 @@ private:
         std::shared_ptr<const EarlierCuts> cuts;
         std::size_t number;
     };
-    MeshPtr rest_after(std::size_t count, const Progress& progress) const;
+    const StockSolid& rest(std::size_t count, const Progress& progress) const;
 
     const Project& project_;
     const PlanResult& setup_;

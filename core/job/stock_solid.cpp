@@ -36,6 +36,7 @@ StockSolid stock_solid(const StockSpec& stock, const PreparedPart& part) {
     case StockSpec::Kind::rest:
         solid.kind = StockSolid::Kind::mesh;
         solid.mesh = part.stock_mesh;
+        solid.edge_loss = part.stock_edge_loss;
         if (part.stock_mesh) solid.box = part.stock_mesh->box();
         break;
     }

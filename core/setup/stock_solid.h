@@ -16,6 +16,8 @@ struct StockSolid {
     int axis = 2;      ///< cylinder: along this coordinate axis, about the box's middle, over its length
     double radius = 0; ///< cylinder
     MeshPtr mesh;      ///< closed; what is inside by the count of crossings
+    double edge_loss =
+        0; ///< sharp edges of the mesh may be cut off by this, mm: it is a stock as it was simulated
 };
 
 } // namespace facetmill

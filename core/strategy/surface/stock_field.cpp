@@ -101,9 +101,10 @@ void StockField::fill_round(const StockSolid& solid) {
 
 void StockField::fill_mesh(const StockSolid& solid, const Progress& progress) {
     if (!solid.mesh || solid.mesh->facets.empty()) return;
-    // A level disc that holds the cell comes down on it.
+    // A level disc that holds the cell, and whatever edge may be missing near it, comes down on it.
     const auto index = std::make_shared<ContactIndex>(solid.mesh, progress.part(0, 0.5));
-    const AxialLift disc(index, CutterProfile(AptCutter::flat(2.0001 * half_diagonal_, unlimited_height)));
+    const AxialLift disc(
+        index, CutterProfile(AptCutter::flat(2.0001 * (half_diagonal_ + solid.edge_loss), unlimited_height)));
     std::vector<Vec2> points(cells_.size());
     for (int row = 0; row < rows_; ++row)
         for (int column = 0; column < columns_; ++column)
