@@ -363,6 +363,7 @@ VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     settings.uncut_limit = project.limits.uncut_limit;
     if (project.part.flip) settings.open_side = OpenSide::other;
     settings.cut_before = project.stock.kind == StockSpec::Kind::rest;
+    settings.look_for_pieces = true;
     return settings;
 }
 
@@ -403,6 +404,14 @@ Json verify_object(const Project& project, std::span<const VerifyProgram> progra
         collisions.push_back(std::move(one));
     }
     out["collisions"] = std::move(collisions);
+    if (v.loose) {
+        Json loose;
+        loose["part_is_free"] = v.loose->part_is_free;
+        loose["pieces"] = v.loose->count;
+        loose["largest_volume"] = n.volume(v.loose->largest.volume);
+        put_place(loose, v.loose->at, programs);
+        out["loose_pieces"] = std::move(loose);
+    }
     out["gouges"] = extremes(n, v.gouges, programs);
     out["excess"] = extremes(n, v.excess, programs);
 

@@ -282,6 +282,20 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     v.surface = published(std::move(samples), probed.deviation);
 }
 
+std::string loose_remark(const LoosePieces& loose, std::span<const VerifyProgram> programs) {
+    const std::string when = "GOTO " + std::to_string(loose.at.motion + 1) + " of '"
+                             + printable(programs[loose.at.program].name) + "'";
+    if (loose.part_is_free)
+        return "The part is cut free at " + when
+               + ": what stood round it holds it no longer. Hold it from then on, or leave something between "
+                 "them.";
+    const std::string size = length_text(loose.largest.box.size().maxCoeff(), LengthUnit::mm, 3);
+    return (loose.count == 1 ? "A piece of the stock, " + size + " long, comes off at " + when
+                             : std::to_string(loose.count) + " pieces of the stock, up to " + size
+                                   + " long, come off, the first at " + when)
+           + ".";
+}
+
 /// What is known before anything is cut.
 struct Prepared {
     VerifySettings used;
@@ -363,6 +377,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     compare(v, part, stock, programs, prepared.radii, settings.sample_spacing > 0,
             progress.part(0.6, 1.0, "Comparing with the part"));
     merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(1.0, 1.0)));
+    if (settings.look_for_pieces) v.loose = loose_pieces(part, stock, programs, progress.part(1.0, 1.0));
+    if (v.loose) v.remarks.push_back(loose_remark(*v.loose, programs));
     v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);

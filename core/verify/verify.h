@@ -15,12 +15,14 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/outward.h"
+#include "core/verify/loose_pieces.h"
 #include "core/verify/program.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_model.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +43,8 @@ struct VerifySettings {
     /// The stock was cut before: surface that it falls short of by no more than the resolution, which is what
     /// its own surface is known to, has been cut already, and is not one that the stock does not reach.
     bool cut_before = false;
-    double allowance = 0; ///< what is to be made is the part grown by this along its normals
+    bool look_for_pieces = false; ///< whether what is left of the stock is several pieces, see loose_pieces.h
+    double allowance = 0;         ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
@@ -127,6 +130,7 @@ struct Verification {
     double uncut_share = 0;               ///< of the area to be cut, in [0, 1]
     double not_judged_share = 0; ///< of the area that tool axes see: near open borders; 1: see `not_judged`
     std::string not_judged;      ///< why nothing can be said of the whole; empty where it can
+    std::optional<LoosePieces> loose; ///< what is left is several pieces: told, and no part of the verdict
     std::vector<std::string> remarks; ///< one sentence each: what was not judged and why
     VerifySettings used;              ///< with what 0 stood for
     double seconds_cutting = 0, seconds_probing = 0;
