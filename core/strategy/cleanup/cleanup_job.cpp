@@ -5,8 +5,8 @@
 namespace facetmill {
 
 CleanupJob::CleanupJob(const CleanupSettings& asked, const PlanContext& given, const Progress& progress)
-    : settings(asked), context(given), text{context.unit, context.to_setup}, cusp(cusp_budget(settings, context)),
-      chord(chord_budget({0, "auto"}, cusp)),
+    : settings(asked), context(given), text{context.unit, context.to_setup},
+      cusp(cusp_budget(settings, context)), chord(chord_budget({0, "auto"}, cusp)),
       allowance(settings.allowance + context.tessellation_tolerance[1]), profile(context.tool.cutter()),
       cover(profile, cusp_detail(cusp)), lift(context.contact, profile, allowance),
       grid(*context.part, progress), side(*context.part, progress),

@@ -226,7 +226,8 @@ void refuse_beside_stock(const std::string& operation, const ClearOfStock& clear
                          const PlanContext& context) {
     throw Error(ErrorCode::empty_result, operation,
                 "shank or holder would come into the stock wherever the cutter could cut",
-                "rough before it, or use flutes that are " + PlanText{context.unit, context.to_setup}(clear.lack) + " longer");
+                "rough before it, or use flutes that are "
+                    + PlanText{context.unit, context.to_setup}(clear.lack) + " longer");
 }
 
 } // namespace facetmill

@@ -44,9 +44,10 @@ void add_tool_axis_parameter(ParameterTable<S>& table) {
     table.add(member(&S::tool_axis),
               {.key = "tool_axis",
                .label = "Tool axis",
-               .help = "Direction from the tip to the spindle in the setup's coordinates, kept all along; "
-                       "0, 0, 1 is upright. With another one the operation is planned as seen along it, X and Y "
-                       "turned with it the shortest way, and keeps above the bottom of the stock.",
+               .help =
+                   "Direction from the tip to the spindle in the setup's coordinates, kept all along; "
+                   "0, 0, 1 is upright. With another one the operation is planned as seen along it, X and Y "
+                   "turned with it the shortest way, and keeps above the bottom of the stock.",
                .kind = ParameterKind::triple,
                .minimum = -1e6,
                .maximum = 1e6,
