@@ -132,6 +132,24 @@ DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSur
     return display;
 }
 
+DeviationDisplayPtr moved_display(const DeviationDisplay& display, const Mat3& turn, const Vec3& move) {
+    auto moved = std::make_shared<DeviationDisplay>(display);
+    moved->center = turn * display.center + move;
+    moved->box = Box3();
+    const Eigen::Matrix3f rotation = turn.cast<float>();
+    using Vectors = Eigen::Map<Eigen::Matrix3Xf>;
+    for (std::vector<float>* each :
+         {&moved->points, &moved->normals, &moved->preview.points, &moved->preview.normals}) {
+        Vectors vectors(each->data(), 3, Eigen::Index(each->size() / 3));
+        vectors = (rotation * vectors).eval();
+    }
+    for (std::size_t i = 0; i + 2 < moved->points.size(); i += 3)
+        moved->box.add(
+            moved->center
+            + Vec3(double(moved->points[i]), double(moved->points[i + 1]), double(moved->points[i + 2])));
+    return moved;
+}
+
 DeviationHistogram deviation_histogram(const DeviationDisplay& display, const DeviationScale& scale,
                                        std::size_t bins) {
     DeviationHistogram h;

@@ -45,6 +45,9 @@ std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
 DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSurface> surface,
                                               const DeviationScale& scale, const Progress& progress);
 
+/// The same surface elsewhere: every place p at turn * p + move.
+DeviationDisplayPtr moved_display(const DeviationDisplay& display, const Mat3& turn, const Vec3& move);
+
 /// Area per stretch of deviation.
 struct DeviationHistogram {
     DeviationScale scale;

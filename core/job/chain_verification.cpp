@@ -1,10 +1,12 @@
 #include "core/job/chain_verification.h"
 
 #include "core/job/new_folder.h"
+#include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verify_object.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace facetmill {
 
@@ -56,6 +58,37 @@ JudgedChain judge_chain(std::span<const SetupPlan> setups,
     if (std::string remark = tolerance_remark(setups); !remark.empty()) remarks.push_back(std::move(remark));
     result->remarks.insert(result->remarks.begin(), remarks.begin(), remarks.end());
     chain.result = std::move(result);
+    return chain;
+}
+
+JudgedChain judge_posted_chain(std::span<const SetupPlan> setups, const VerifySettings& settings,
+                               const Progress& progress) {
+    std::vector<std::vector<VerifyProgram>> programs;
+    PostedPrograms all; // of the chain, in its order; the programs themselves are in `programs`
+    std::vector<std::string> remarks;
+    const double n = double(setups.size());
+    for (std::size_t k = 0; k < setups.size(); ++k) {
+        const SetupPlan& setup = setups[k];
+        try {
+            PostedPrograms own = programs_to_judge(
+                setup.project, setup.plan, progress.part(0.1 * double(k) / n, 0.1 * double(k + 1) / n));
+            stand_fixtures(own.programs, *setup.plan->part);
+            own.planned.resize(own.programs.size());
+            std::move(own.planned.begin(), own.planned.end(), std::back_inserter(all.planned));
+            all.blocks += own.blocks;
+            if (!own.remark.empty())
+                remarks.push_back("Setup '" + printable(setup.project.name) + "': " + own.remark);
+            programs.push_back(std::move(own.programs));
+        } catch (const Error& e) {
+            throw e.within("setup '" + printable(setup.project.name) + "'");
+        }
+    }
+    JudgedChain chain = judge_chain(setups, programs, settings, progress.part(0.1, 1));
+    auto result = std::make_shared<Verification>(*chain.result);
+    name_planned_motions(*result, all);
+    result->remarks.insert(result->remarks.begin(), remarks.begin(), remarks.end());
+    chain.result = std::move(result);
+    chain.posted_blocks = all.blocks;
     return chain;
 }
 

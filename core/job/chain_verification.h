@@ -18,12 +18,18 @@ struct JudgedChain {
     std::span<const SetupPlan> setups;
     ChainPrograms programs;
     std::shared_ptr<const Verification> result;
+    std::size_t posted_blocks = 0; ///< of posted programs that were judged; 0: the plans were
 };
 
 /// `programs`: those of each setup in its own coordinates, planned or read back. Throws what verify does.
 JudgedChain judge_chain(std::span<const SetupPlan> setups,
                         std::span<const std::vector<VerifyProgram>> programs, const VerifySettings& settings,
                         const Progress& progress);
+
+/// What the setups' controls will run (programs_to_judge) is judged; findings name motions of the plans. Throws
+/// what that and verify do, within "setup 'Bottom'".
+JudgedChain judge_posted_chain(std::span<const SetupPlan> setups, const VerifySettings& settings,
+                               const Progress& progress);
 
 /// The worst of them.
 Verdict verdict_of(std::span<const JudgedChain> chains);

@@ -335,6 +335,10 @@ void Planner::carry(std::shared_ptr<const CarriedStock> stock) {
     cache_->carried = std::move(stock);
 }
 
+const std::shared_ptr<const CarriedStock>& Planner::carried() const {
+    return cache_->carried;
+}
+
 std::string stock_source(const Project& project) {
     if (project.stock.kind != StockSpec::Kind::rest || project.before.empty()) return {};
     Project earlier = view_of_setup(project, chosen_setup(project) - 1);

@@ -126,6 +126,7 @@ public:
     /// The stock of projects whose stock is the rest of the setups before, from now on. Where it is none, or
     /// was made from anything else than the project says now, `prepare` throws Error(missing_reference).
     void carry(std::shared_ptr<const CarriedStock> stock);
+    const std::shared_ptr<const CarriedStock>& carried() const;
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;
     /// the cache stays good then.

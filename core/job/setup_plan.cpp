@@ -91,6 +91,12 @@ Planner& SetupPlanners::at(std::size_t setup) {
     return *planners_[setup];
 }
 
+std::shared_ptr<const CarriedStock> SetupPlanners::known_rest(const Project& project) {
+    if (!goes_on(project)) return nullptr;
+    const auto& carried = at(chosen_setup(project)).carried();
+    return carried && carried->source == stock_source(project) ? carried : nullptr;
+}
+
 std::vector<SetupPlan> plan_setups(const Project& project, const std::string& only_operation,
                                    SetupPlanners& planners, const Progress& progress, const PlanSetup& plan) {
     const std::size_t n = setup_count(project);

@@ -25,6 +25,9 @@ struct SetupPlan {
 class SetupPlanners {
 public:
     Planner& at(std::size_t setup);
+    /// The rest that the chosen setup begins with, where it was carried to its planner; null where it was
+    /// not, or was made from anything else than the project says now.
+    std::shared_ptr<const CarriedStock> known_rest(const Project& project);
 
 private:
     std::vector<std::unique_ptr<Planner>> planners_;

@@ -337,6 +337,39 @@ private slots:
                   *judge_chain(setups, posted, settings, {}).result);
     }
 
+    /// What the controls of several setups will run is judged as one job; findings name planned motions.
+    void setups_are_judged_as_posted() {
+        std::vector<SetupPlan> setups = planned_setups();
+        VerifySettings settings = chain_settings(setups);
+        settings.gouge_limit = 1e-6; // what rounding leaves is found
+        const auto planned = judge_chain(setups, planned_programs(setups), settings, {});
+        QCOMPARE(planned.posted_blocks, std::size_t(0));
+        QCOMPARE(judge_posted_chain(setups, settings, {}).posted_blocks, std::size_t(0)); // no control
+        std::size_t blocks = 0;
+        for (SetupPlan& setup : setups) {
+            setup.project.machine = "generic-3-axis";
+            setup.project.programs.post = "linuxcnc";
+            blocks += posted_programs(setup.project, setup.plan, {}).blocks;
+        }
+        const JudgedChain posted = judge_posted_chain(setups, settings, {});
+        QCOMPARE(posted.posted_blocks, blocks);
+        QVERIFY(blocks > 0 && posted.programs.programs.size() == planned.programs.programs.size());
+        const Verification &a = *planned.result, &b = *posted.result;
+        QVERIFY(std::abs(a.figures.gouge_max - b.figures.gouge_max) < 0.002);
+        QVERIFY(std::abs(a.uncut_share - b.uncut_share) < 1e-3);
+        for (std::size_t k = 0; k < setups.size(); ++k) // in order
+            QVERIFY(b.remarks[k].starts_with("Setup '" + setups[k].project.name + "': The posted program, "));
+        QVERIFY(!b.gouges.empty());
+        for (const DeviationExtreme& e : b.gouges) {
+            const auto& motions = planned.programs.programs[e.by.program].motions->motions;
+            QVERIFY(e.by.motion < motions.size());
+            const double step =
+                e.by.motion > 0 ? (motions[e.by.motion].to.tip - motions[e.by.motion - 1].to.tip).norm() : 0;
+            QVERIFY((motions[e.by.motion].to.tip - e.point).norm()
+                    < step + 10); // within the tool and its way
+        }
+    }
+
     void a_leaning_face_is_cut_in_a_tilted_plane_data() {
         QTest::addColumn<QString>("post");
         QTest::addColumn<QString>("machine");
